@@ -3,6 +3,9 @@ import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { editingPage, samples } from './testing/editing';
+import { askForDevice, askForName } from '../several-devices/ask-device';
+import { newBoard } from '../several-devices/new-device';
+import { useDevice } from '../work/hardware/use-device';
 import { show, startRun } from './testing/run';
 
 /** A course with a wall that is still to be drawn, and a run that is looked back at with the pen in hand. */
@@ -40,6 +43,24 @@ describe('while somebody looks back', () => {
     page.run.past.value = null;
     page.editor.undo();
     expect(page.ids()).toEqual([]);
+  });
+
+  it('no device is added, made another or taken away', async () => {
+    const page = await lookingBack();
+    page.work.addDevice(newBoard(page), 'A');
+    askForDevice(page);
+    askForName(page);
+    const device = useDevice(page);
+    device.chooseDevice('calliope-mini-3');
+    device.chooseRobot('none');
+    device.chooseReality(1);
+    await nextTick();
+    expect([page.work.devices.value.length, page.dialogs.current.value]).toEqual([1, null]);
+    expect(page.settings.current.value).toMatchObject({ device: 'auto', robot: 'auto', reality: 0 });
+    expect([page.run.phase.value, page.run.past.value?.timeUs]).toEqual(['paused', 1_000_000]);
+    page.run.past.value = null;
+    page.work.addDevice(newBoard(page), 'A');
+    expect(page.work.devices.value).toHaveLength(2);
   });
 
   it('only the hand works, and the tool comes back with the present', async () => {

@@ -14,12 +14,13 @@ export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devi
 
 /** Asks what the new device shall be, and adds it. */
 export function askForDevice(app: Pick<PageParts, 'dialogs'> & WorkParts): void {
-  if (hasRoom(app))
+  if (hasRoom(app) && !app.work.staysAsItIs())
     app.dialogs.ask({ kind: 'form', title: () => say(words.addTitle), form: AddDeviceForm as Component });
 }
 
 /** Asks for another name for the device that is shown. */
 export function askForName({ dialogs, work }: Pick<PageParts, 'dialogs'> & WorkParts): void {
+  if (work.staysAsItIs()) return;
   const name = work.devices.value[work.place.value] ?? '';
   dialogs.ask({ kind: 'form', title: () => say(words.renameTitle, { name }), form: DeviceNameForm as Component });
 }

@@ -150,4 +150,22 @@ describe('a message to the program', () => {
     expect(page.radio.entries.value).toEqual([]);
     expect(mounted.get<HTMLInputElement>('input').element.value).toBe('hallo');
   });
+
+  it('looks back with the rest: what was sent later than the moment that is looked at stands below a line', async () => {
+    const { page, mounted, send, entries } = await panel({ ...on, timeUs: 3_000_000 });
+    const radio = [packet('early', 1_000_000), packet('late', 2_000_000)];
+    page.say({ type: 'events', events: { sound: [], radio, radioDropped: 0, log: [] }, device: 0 });
+    page.run.lookBack();
+    page.run.past.value = { ...page.run.present.value!, timeUs: 1_500_000 };
+    await settle();
+    expect(entries().map((it) => it.replace(/^.*(early|late|später).*$/, '$1'))).toEqual(['early', 'später', 'late']);
+    expect(mounted.findAll('.later').map((it) => textOf(it.element))).toEqual([expect.stringContaining('late')]);
+    const before = inputsOf(page).length;
+    await send('now');
+    expect([inputsOf(page).length, page.radio.entries.value.length]).toEqual([before, 2]);
+    await vi.dynamicImportSettled(); // why not is told
+    page.run.past.value = null;
+    await settle();
+    expect(entries()).toHaveLength(2);
+  });
 });

@@ -123,7 +123,7 @@ function wishOf(device: FurtherDevice | null): HardwareWish | null {
   return { device: id, firmware, robot, robotOptions };
 }
 
-/** Changes settings. Another device ends the run: that must not look like an accident. */
+/** Changes settings. Another device ends the run: that must not look like an accident, and there is none while looking back. */
 function changing(app: Parts) {
   const { settings, run, notices, work } = app;
   return (wish: Partial<Settings>, own = wish): void => {
@@ -131,6 +131,7 @@ function changing(app: Parts) {
     const before = { ...settings.current.value, ...wishOf(shown) };
     const isOther = (parts: typeof deviceSettings): boolean =>
       JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
+    if (isOther(deviceSettings) && work.staysAsItIs()) return;
     if (run.isActive.value && isOther(deviceSettings)) {
       const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
       notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });

@@ -57,7 +57,7 @@ export class WorkModel {
   readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
   /** Where the browser keeps the pupil's programs of ready courses (`own-programs.ts`); `null`: nowhere. */
   programs: Storage | null = null;
-  /** Whether the course must stay as it is just now, whatever wants to change it; whoever asks has been told. */
+  /** Whether course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
   staysAsItIs: () => boolean = () => false;
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
@@ -102,27 +102,31 @@ export class WorkModel {
 
   /** Adds a device and shows it. @param first what the first one is called if it was alone */
   addDevice(device: FurtherDevice, first: string): void {
+    if (this.staysAsItIs()) return;
     this.setProject(addedDevice(this.work.value.project, device, first));
     this.showDevice(this.devices.value.length - 1);
   }
 
-  /** Takes a further device away, after putting the whole work aside. */
-  removeDevice(place: number, nameOfOld: string): void {
-    if (furtherDevice(this.work.value.project, place) === null) return;
+  /** Takes a further device away, after putting the whole work aside. Returns whether that was done. */
+  removeDevice(place: number, nameOfOld: string): boolean {
+    if (furtherDevice(this.work.value.project, place) === null || this.staysAsItIs()) return false;
     this.keep(nameOfOld);
     const shown = this.place.value;
     this.showDevice(0);
     this.opened.clear();
     this.setProject(removedDevice(this.work.value.project, place));
     if (shown !== place) this.showDevice(shown > place ? shown - 1 : shown);
+    return true;
   }
 
   renameDevice(place: number, name: string): void {
+    if (this.staysAsItIs()) return;
     this.setProject(renamedDevice(this.work.value.project, place, name));
   }
 
   /** Changes what a further device is made of. */
   changeDevice(place: number, change: Partial<FurtherDevice>): void {
+    if (this.staysAsItIs()) return;
     this.setProject(withDevice(this.work.value.project, place, change));
     if (this.find(this.work.value.open) === undefined) this.show(MAIN);
   }
