@@ -260,6 +260,13 @@ const belowWorker = {
   test: (id: string) => !id.endsWith('/run/worker/worker.ts'),
 };
 
+/** The names of all late styles lie in the first chunk, and nobody asks for one by its name. */
+const shortForStyles = ({ names }: { readonly names: readonly string[] }): string =>
+  names[0]?.endsWith('.css') === true ? 'assets/s-[hash][extname]' : 'assets/[name]-[hash][extname]';
+
+/** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
+const treeshake = { propertyReadSideEffects: false } as const;
+
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
@@ -280,7 +287,8 @@ const folder: UserConfig = {
     modulePreload: { resolveDependencies: fetchedAhead, polyfill: false },
     rolldownOptions: {
       input: pages().map((page) => here(`src/web/${page}`)),
-      output: { codeSplitting: { groups: chunkGroups } },
+      treeshake,
+      output: { codeSplitting: { groups: chunkGroups }, assetFileNames: shortForStyles },
     },
     chunkSizeWarningLimit: 700,
   },

@@ -2,6 +2,7 @@ import { wordsOf } from '#core/words';
 import type de from './/de.json';
 
 /**
- * The texts of the editor's tools and bars, and of the kinds of objects; loaded with the bars.
+ * Where objects are, and what of them waits for the next start. The tools' own texts are the page's: they are seen at once,
+ * in one language.
  */
 export const editorWords = wordsOf(import.meta.glob<typeof de>('.//*.json', { eager: true, import: 'default' }));

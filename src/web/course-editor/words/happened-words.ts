@@ -4,10 +4,10 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 
 import type { Happened } from '../state/course-editor-model';
+import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import { cm, countText, namesOf, placeText, whereText } from './object-words';
 import { editingWords } from './editing-words';
-import { editorWords } from './editor-words';
 import { kindNames } from './kind-names';
 
 const texts = editingWords.happened;
@@ -29,7 +29,7 @@ export function wordsFor(happened: Happened): string {
     case 'copied':
       return say(texts.copied);
     case 'tool':
-      return say(editorWords.tools[happened.tool].about);
+      return t(`tool.${happened.tool}.about`);
     default:
       return happened satisfies never;
   }

@@ -78,7 +78,6 @@ import { say } from '../../page/i18n/say';
 import type { TextKey } from '../../page/i18n/texts';
 import { toolLetters } from '../../course-editor/palette/tool-list';
 import { editingWords } from '../../course-editor/words/editing-words';
-import { editorWords } from '../../course-editor/words/editor-words';
 import { debugWords } from '../../debug/debug-words';
 import { classWords } from '../../class/class-words';
 import { makerWords } from '../../task-maker/maker-words';
@@ -115,7 +114,7 @@ const of = (icon: string, name: () => string, ...covers: readonly string[]): Par
 const ofOwn = (icon: string, name: OwnName, ...covers: readonly string[]): Parts => ({ icon, name: own(name), covers });
 const tool = (id: ArenaTool): Parts => ({
   icon: { tool: id },
-  name: () => say(editorWords.tools[id].name),
+  name: () => t(`tool.${id}.name`),
   covers: [id],
 });
 
@@ -190,7 +189,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   radio: ofKey(mdiAccessPoint, 'radio.pane'),
   log: ofKey(mdiTableLarge, 'dataLog.pane'),
   'arena-hand': ofOwn(mdiHandBackRightOutline, 'arena-hand', 'arena'),
-  tools: of(mdiPencilRuler, () => say(editorWords.palette.tools), 'tools-toggle'),
+  tools: of(mdiPencilRuler, () => t('editing.tools'), 'tools-toggle'),
   'look-back': ofKey(
     mdiHistory,
     'arena.lookBack',
@@ -229,9 +228,9 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'tool-label': tool('label'),
   'tool-start': tool('start'),
   'tool-ruler': tool('ruler'),
-  undo: of(mdiUndo, () => say(editorWords.palette.undo), 'undo'),
-  redo: of(mdiRedo, () => say(editorWords.palette.redo), 'redo'),
-  'course-more': of(mdiDotsVertical, () => say(editorWords.palette.more), 'course-more'),
+  undo: of(mdiUndo, () => t('editing.undo'), 'undo'),
+  redo: of(mdiRedo, () => t('editing.redo'), 'redo'),
+  'course-more': of(mdiDotsVertical, () => t('editing.more'), 'course-more'),
   parts: of(mdiToyBrickOutline, () => say(editingWords.panels.parts)),
   'course-list': of(mdiFormatListBulleted, () => say(editingWords.panels.list), 'editor-*'),
   'course-settings': of(mdiTextBoxEditOutline, () => say(editingWords.panels.course)),
