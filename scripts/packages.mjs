@@ -4,6 +4,7 @@ import { join, resolve } from 'node:path';
 import { build } from 'vite';
 import { bundleTypes } from './bundle-types.mjs';
 import { exists } from './fingerprint.mjs';
+import { OLDEST } from './oldest.mjs';
 import { Failure, main, mustRun, root, step } from './progress.mjs';
 import { buildApp, setUp } from './setup.mjs';
 
@@ -51,7 +52,7 @@ async function pack({ folder, entry, hasApp }, out, app) {
 }
 
 /** One module with everything in it. */
-async function buildModule(entry, folder) {
+export async function buildModule(entry, folder) {
   await build({
     root,
     configFile: false,
@@ -61,7 +62,7 @@ async function buildModule(entry, folder) {
       lib: { entry, formats: ['es'], fileName: () => 'index.js' },
       outDir: folder,
       emptyOutDir: true,
-      target: 'es2022',
+      target: OLDEST,
       minify: false, // hosts minify it with the rest
     },
   });

@@ -5,7 +5,8 @@ import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { bundleTypes } from './bundle-types.mjs';
 import { licencesOfApp } from './licences.mjs';
-import { packages, packAll } from './packages.mjs';
+import { missingInScript } from '../build/oldest.ts';
+import { buildModule, packages, packAll } from './packages.mjs';
 import { root } from './progress.mjs';
 
 let folder = '';
@@ -33,6 +34,19 @@ describe('npm run packages', () => {
     expect(types).not.toMatch(/^\s*import |from ['"]|import\(|#\w+\//m);
     expect(types).toMatch(/^export \{ .*(connect|ParcoursSimulatorElement|createParcoursDevice)/m);
   });
+
+  it.each(packages)(
+    'makes of $folder what the oldest browsers run: a host’s page has nothing filled in',
+    async ({ entry, folder: name }) => {
+      const made = join(folder, `module-${name}`);
+      await buildModule(join(root, entry), made);
+      const script = await readFile(join(made, 'index.js'), 'utf8');
+      expect(missingInScript(script)).toEqual([]);
+      const filled =
+        /\.(findLast|findLastIndex|toReversed|toSorted|toSpliced|with|throwIfAborted|roundRect)\(|hasOwn\(/;
+      expect(script).not.toMatch(filled);
+    },
+  );
 
   it('names the licence of everything in the app', async () => {
     const text = await licencesOfApp();
