@@ -35,6 +35,21 @@ export class AudioRoute {
     return null;
   }
 
+  /**
+   * Gives back the pin that has the sound, and this one, as if it had been taken for music before.
+   *
+   * @returns `null`, or the device's ValueError if the pin is held
+   */
+  giveBack(pin: Pin | null): string | null {
+    const before = this.current;
+    if (before && pin !== before) this.free();
+    const holder = pin?.acquire('music') ?? null;
+    if (pin && holder) return busyMessage(pin, holder);
+    pin?.free();
+    if (this.pin) this.leave();
+    return null;
+  }
+
   /** Gives the pin back. */
   free(): void {
     const pin = this.current;

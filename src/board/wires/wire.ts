@@ -99,13 +99,20 @@ export class Wire {
       end.drive = drive;
       this.settle();
     };
+    // What an end does already changes nothing: programs ask for it in loops.
+    const drives = (level: Level): boolean => end.drive?.kind === 'level' && end.drive.level === level;
     return {
       owner,
-      drive: (level) => set({ kind: 'level', level }),
+      drive: (level) => {
+        if (!drives(level)) set({ kind: 'level', level });
+      },
       driveAnalog: (fraction) => set({ kind: 'analog', fraction: Math.min(1, Math.max(0, fraction)) }),
       drivePwm: (pwm) => set({ kind: 'pwm', pwm }),
-      release: () => set(null),
+      release: () => {
+        if (end.drive !== null) set(null);
+      },
       pull: (pull) => {
+        if (pull === end.pull) return;
         end.pull = pull;
         this.settle();
       },

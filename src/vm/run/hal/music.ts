@@ -46,7 +46,7 @@ export function createMusicCalls(machine: Machine, board: Board, port: ConsolePo
     music_stop: (pin) => {
       machine.spend(callUs);
       started++;
-      const problem = refusal(pin) ?? board.sound.route.select(pinOf(pin), 'music');
+      const problem = refusal(pin) ?? board.sound.route.giveBack(pinOf(pin));
       if (problem === null) music.stop();
       return problem;
     },
