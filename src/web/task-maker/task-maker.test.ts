@@ -52,7 +52,7 @@ describe('the task of the open work', () => {
     ]);
   });
 
-  it('gets hidden worlds that hide something: start and heading a little aside, a robot with some play', () => {
+  it('gets hidden worlds that hide something: another start and heading, a robot with some play', () => {
     const { page, made, task } = maker();
     const robot = { ...page.work.scene.value.robot, at: [300, 200], heading: 358 } as const;
     page.work.edit({ type: 'robot', robot });
@@ -61,8 +61,8 @@ describe('the task of the open work', () => {
     add();
     expect(task().worlds.map(({ start, reality }) => [start, reality])).toEqual([
       [null, null],
-      [{ at: [301, 220], heading: 3 }, 0.2],
-      [{ at: [299, 180], heading: 353 }, 0.2],
+      [{ at: [320, 199], heading: 3 }, 0.2],
+      [{ at: [280, 201], heading: 353 }, 0.2],
     ]);
   });
 

@@ -45,22 +45,29 @@ export function useTaskMaker(app: WorkParts): TaskMaker {
   };
 }
 
-/** How a new hidden world differs, so that it hides something. Chosen: what a careless hand puts down, and a robot with some play. */
-const ASIDE_MM = 20;
+/**
+ * How a new hidden world differs, so that it hides something. Chosen: what a careless hand puts down, and a robot with some
+ * play. Along its heading, not aside: who follows a line still has it under the sensors.
+ */
+const ALONG_MM = 20;
 const TURNED_DEG = 5;
 const USED = 0.2;
 
-/** Another world, which nobody sees: another chance, a robot that is not ideal, and that starts a little beside, now to its left, now to its right. */
+/** Another world, which nobody sees: another chance, a robot that is not ideal and starts otherwise: turned, now farther on, now farther back. */
 export function freshWorld(task: ClassTask): WorldVariant {
   const count = task.worlds.length;
   const side = count % 2 === 1 ? 1 : -1;
   const { robot, size } = task.project.scene;
-  const leftRad = ((robot.heading + 90) * Math.PI) / 180;
-  const [x, y] = [robot.at[0] + side * ASIDE_MM * exactCos(leftRad), robot.at[1] + side * ASIDE_MM * exactSin(leftRad)];
+  const headingRad = (robot.heading * Math.PI) / 180;
+  const [x, y] = robot.at;
+  const along = side * ALONG_MM;
   const within = (mm: number, most: number): number => Math.min(Math.max(Math.round(mm), 0), most);
   return {
     ...{ ...plainWorld, id: freeId(String(count + 1), task.worlds), hidden: true, seed: count, reality: USED },
-    start: { at: [within(x, size[0]), within(y, size[1])], heading: (robot.heading + side * TURNED_DEG) % 360 },
+    start: {
+      at: [within(x + along * exactCos(headingRad), size[0]), within(y + along * exactSin(headingRad), size[1])],
+      heading: (robot.heading + side * TURNED_DEG) % 360,
+    },
   };
 }
 
