@@ -103,7 +103,10 @@ function extrasOf(tried: Tried): Extra[] {
       { path: module.name, here },
       ...inner.map(([name, { members, bases }]) => ({
         path: `${module.name}.${name}`,
-        here: known(Object.assign({}, members, ...bases.map((base) => builtins[base]?.members)), tried),
+        here: known(
+          bases.reduce<Names>((all, base) => ({ ...all, ...builtins[base]?.members }), members),
+          tried,
+        ),
       })),
     ];
     const all = listed(

@@ -71,8 +71,8 @@ const METHODS = new Map<string, Method>(
     },
     fromhex: {
       rule: 'bytes-fromhex',
-      fits: (owner, { file, kindOf }) =>
-        /^(bytes|bytearray)$/.test(textOf(file, owner)) || ['bytes', 'array'].includes(kindOf(owner)),
+      fits: (owner, context) =>
+        /^(bytes|bytearray)$/.test(textOf(context.file, owner)) || ['bytes', 'array'].includes(context.kindOf(owner)),
       instead: (_owner, text) => {
         const name = /^\w+$/.test(text) ? text : 'text';
         return `bytes([int(${name}[i:i + 2], 16) for i in range(0, len(${name}), 2)])`;
