@@ -23,7 +23,7 @@ describe('the hand while no run goes on', () => {
     expect(page.notices.current.value?.key).toBe('notice.handRobot');
     await startRun(page);
     expect(page.hand.pose.value).toBeNull();
-    expect(setupOf(page)?.inputs).toEqual([]);
+    expect(setupOf(page)?.inputs?.map(({ action }) => action.type)).toEqual(['arena-senses']); // no hand
     expect(page.notices.current.value).toBeNull();
   });
 
