@@ -20,11 +20,6 @@ const DEVICE_BYTES = 64_512;
  */
 const RESERVE_BLOCKS = 258;
 
-/**
- * What a collection costs, in µs: about 20 cycles of 64 MHz for each block that is swept (../firmware/work-in-c.mjs). Estimated.
- */
-const COLLECTION_US = Math.round(((PROGRAM_BLOCKS + RESERVE_BLOCKS) * 5) / 16);
-
 /** Whether one of the four kinds in this byte of the table is FREE (two zero bits). */
 const hasFree = (kinds: number): boolean => ((kinds | (kinds >> 1)) & 0x55) !== 0x55;
 
@@ -48,8 +43,6 @@ export interface HeapInfo {
  * back here after the next collection that finds all of it free again, so that the program's part never grows.
  */
 export class Heap {
-  /** The program wants collections before the memory is full (`gc.threshold`). */
-  isEager = false;
   private reserve = 0;
   private isHeld = true;
   private isSealed = false;
@@ -132,12 +125,8 @@ export class Heap {
     this.isHeld = true;
   }
 
-  /**
-   * The collector has run: fills what has died in the library's part, and takes the reserve back if possible. What an
-   * allocation costs was measured with the collections of a full memory in it; those that come earlier cost their own.
-   */
+  /** The collector has run: fills what has died in the library's part, and takes the reserve back if possible. */
   collected(): void {
-    if (this.isEager) this.firmware.gas.value -= COLLECTION_US;
     if (this.isSealed) this.seal();
     if (!this.reserve || this.isArmed || !this.isHeld) return;
     let isFree = true;

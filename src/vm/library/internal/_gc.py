@@ -1,6 +1,5 @@
 # The device's module gc. It counts the program's 64 KiB alone: our library's part of the heap is always full (heap.ts).
-from gc import collect, disable, enable, isenabled, mem_free as _mem_free, threshold as _threshold
-import _hal
+from gc import collect, disable, enable, isenabled, mem_free as _mem_free, threshold
 
 _BYTES = 64512  # what the device's heap has in all
 _PROGRAM_BYTES = 64352
@@ -13,13 +12,6 @@ def mem_alloc():
 def mem_free():
     # A little more is free while an error is dealt with.
     return min(_mem_free(), _PROGRAM_BYTES)
-
-
-def threshold(*amount):
-    if not amount:
-        return _threshold()
-    _threshold(*amount)
-    _hal.heap_eager(amount[0] >= 0)
 
 
 __name__ = "gc"

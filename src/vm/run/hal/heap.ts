@@ -7,14 +7,9 @@ import type { SyscallTable } from '../syscall';
  *
  * - heap(what) → 0 all bytes, 1 used, 2 free, 3 objects of one block, 4 of two, 5 blocks of the longest object, 6
  *   longest run of free blocks
- * - heap_eager(on): allocations collect before the memory is full
  */
 export function createHeapCalls(heap: Heap): SyscallTable {
   return {
-    heap_eager: (on) => {
-      heap.isEager = on === true;
-      return null;
-    },
     heap: (what) => {
       const { totalBytes, usedBytes, freeBytes, oneBlock, twoBlocks, longestUsed, longestFree } = heap.info();
       return [totalBytes, usedBytes, freeBytes, oneBlock, twoBlocks, longestUsed, longestFree][wholeOf(what) ?? 0] ?? 0;
