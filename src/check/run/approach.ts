@@ -1,9 +1,8 @@
-import type { Vec } from '#core/geometry';
 import { zoneHolds } from '#scene/kinds/zone';
-import { distanceToEdge } from '#scene/outline';
+import { distanceToEdge, type Outline } from '#scene/outline';
 import type { Scene, Zone } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
-import { Route, type Waiting } from '#simulation/task/route';
+import { Route } from '#simulation/task/route';
 import { briefOf } from '#simulation/task/task-brief';
 import type { Step } from './watcher';
 
@@ -13,8 +12,8 @@ const LOOK_US = 20_000;
 /** How near the first robot came to the place that it had to reach next. */
 export class Approach {
   private readonly route: Route;
-  private waiting: Waiting = null;
   private next: readonly Zone[] = [];
+  private outlines: readonly Outline[] = [];
   private nearest: number | null = null;
 
   constructor(course: Scene) {
@@ -29,15 +28,18 @@ export class Approach {
   step({ nowUs, pose }: Step): void {
     if (pose === null) return;
     const at = { x: pose.xMm, y: pose.yMm };
-    this.waiting = this.route.visit(at, this.waiting);
+    this.route.pass(at);
     if (nowUs % LOOK_US !== 0) return;
     const { next } = this.route;
     if (next.length !== this.next.length || next.some((zone, place) => zone !== this.next[place])) {
       this.next = next;
+      this.outlines = next.map(shapeOutline);
       this.nearest = null;
     }
-    for (const zone of next) this.nearest = Math.min(this.nearest ?? Infinity, distanceTo(zone, at));
+    for (const [place, zone] of next.entries()) {
+      const outline = this.outlines[place];
+      const distance = outline === undefined || zoneHolds(zone, at) ? 0 : distanceToEdge(outline, at);
+      this.nearest = Math.min(this.nearest ?? Infinity, distance);
+    }
   }
 }
-
-const distanceTo = (zone: Zone, at: Vec): number => (zoneHolds(zone, at) ? 0 : distanceToEdge(shapeOutline(zone), at));

@@ -14,12 +14,15 @@ export type Waiting = ReadonlySet<string> | null;
 export class Route {
   private readonly reached = new Set<string>();
   private arrival: EarlyArrival | null = null;
+  /** What `later` found last: a robot is asked about with each step, and it seldom changes. */
+  private found: { readonly next: number; readonly reached: number; readonly zones: readonly Zone[] } | null = null;
 
   constructor(private brief: TaskBrief) {}
 
   /** Uses another course from now on. What was reached stays reached. */
   take(brief: TaskBrief): void {
     this.brief = brief;
+    this.found = null;
     if (this.arrival !== null && this.numberOf(this.arrival.id) !== this.arrival.number) this.arrival = null;
   }
 
@@ -56,7 +59,15 @@ export class Route {
    * @param waiting what this returned for the same robot the last time
    */
   visit(at: Vec, waiting: Waiting): Waiting {
-    /** The number of the next checkpoint. */
+    return this.noteEarly(at, this.pass(at), waiting);
+  }
+
+  /**
+   * A robot is here now; whether it has come to a place before its turn is not asked.
+   *
+   * @returns the number of the next checkpoint, `Infinity` when all are reached
+   */
+  pass(at: Vec): number {
     let next = Infinity;
     for (const zone of this.brief.checkpoints) {
       if (this.reached.has(zone.id)) continue;
@@ -65,7 +76,7 @@ export class Route {
       else next = zone.number;
     }
     if (next === Infinity) for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.arrive(zone);
-    return this.noteEarly(at, next, waiting);
+    return next;
   }
 
   private arrive({ id }: Zone): void {
@@ -75,18 +86,24 @@ export class Route {
 
   /** Notes a place that a robot enters before its turn. Where it stands from the start, it has not come to. */
   private noteEarly(at: Vec, next: number, waiting: Waiting): Waiting {
-    const inside = next === Infinity ? [] : this.later(next).filter((zone) => zoneHolds(zone, at));
+    const zones = next === Infinity ? [] : this.later(next);
+    if (!zones.some((zone) => zoneHolds(zone, at))) return NOWHERE;
+    const inside = zones.filter((zone) => zoneHolds(zone, at));
     const entered = waiting === null ? [] : inside.filter(({ id }) => !waiting.has(id));
     const [first] = entered;
     if (first !== undefined) this.arrival = { id: first.id, number: first.number, before: next };
-    return inside.length === 0 ? NOWHERE : new Set(inside.map(({ id }) => id));
+    return new Set(inside.map(({ id }) => id));
   }
 
   /** The zones after the checkpoint of this number. */
   private later(next: number): readonly Zone[] {
+    const { found, reached } = this;
+    if (found?.next === next && found.reached === reached.size) return found.zones;
     const { checkpoints, robotTargets } = this.brief;
-    const isLater = ({ id, number }: Zone): boolean => number > next && !this.reached.has(id);
-    return [...checkpoints.filter(isLater), ...robotTargets];
+    const isLater = ({ id, number }: Zone): boolean => number > next && !reached.has(id);
+    const zones = [...checkpoints.filter(isLater), ...robotTargets];
+    this.found = { next, reached: reached.size, zones };
+    return zones;
   }
 
   /** The number of a checkpoint, 0 for a target, `undefined` for what is not there. */
