@@ -1,5 +1,5 @@
 // What a VM's state consists of: its memory, of a fixed size, and its global variables.
-import { onlyMatch } from './wat.mjs';
+import { onlyMatch, replaceOnce } from './wat.mjs';
 
 /**
  * 4 MiB in pages of 64 KiB. The published 16 MiB are for programs of a browser. Ours need 1.8: heap, C stack, a suspended
@@ -8,10 +8,19 @@ import { onlyMatch } from './wat.mjs';
  */
 const MEMORY_PAGES = 64;
 
+/** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
+const STACK_LIMIT_BYTES = 72 * 1024;
+
 /** Gives the memory its size for good: the host refuses to let it grow (../run/firmware.ts, emscripten_resize_heap). */
 export function fixMemory(module) {
   const [declared] = onlyMatch(module.head, 'memory', /\(memory \S+ 259 32768\)/);
   module.head = module.head.replace(declared, declared.replace('259 32768', `${MEMORY_PAGES} ${MEMORY_PAGES}`));
+}
+
+/** The port allows 32 kB of C stack; the run-time side gives a larger one. */
+export function limitStack(module) {
+  const init = onlyMatch(module.head, 'mp_js_init', /\(export "mp_js_init" \(func \$([^\s)]+)\)\)/)[1];
+  replaceOnce(module, init, 'C stack limit', /\(i32\.const 32768\)/, `(i32.const ${STACK_LIMIT_BYTES})`);
 }
 
 /**

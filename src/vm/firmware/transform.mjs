@@ -13,7 +13,7 @@ import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { readFormatsAsTheBoard } from './earlier-formats.mjs';
 import { chargeThreshold, chargeWork, findWork } from './work-in-c.mjs';
-import { exportState, fixMemory } from './state.mjs';
+import { exportState, fixMemory, limitStack } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
 import { declareVersion } from './version.mjs';
 import { readWholeNumbersAsTheBoard } from './whole-numbers.mjs';
@@ -32,9 +32,6 @@ import {
 
 /** Number of our library's bytecodes that one call may run free of charge; the run-time side has the same number. */
 const FREE_LIBRARY_BYTECODES = 20_000;
-
-/** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
-export const STACK_LIMIT_BYTES = 72 * 1024;
 
 const EMPTY = '\\(i32\\.const 0\\)';
 
@@ -366,12 +363,6 @@ function replaceEndlessLoops(module) {
     module.functions.set(name, line.replace(loop, '(call $fatal) (unreachable)'));
   }
   if (count !== 2) throw new Error(`Endless loops: expected 2 places, found ${count}.`);
-}
-
-/** The port allows 32 kB of C stack; the run-time side gives a larger one. */
-function limitStack(module) {
-  const init = onlyMatch(module.head, 'mp_js_init', /\(export "mp_js_init" \(func \$([^\s)]+)\)\)/)[1];
-  replaceOnce(module, init, 'C stack limit', /\(i32\.const 32768\)/, `(i32.const ${STACK_LIMIT_BYTES})`);
 }
 
 /** What the firmware imports from its host besides the published imports, and the counters it shares with it. */
