@@ -1,4 +1,4 @@
-import type { FromWorker } from '../../src/web/run/worker/protocol';
+import type { OnItsWay } from '../../src/web/run/worker/pictures';
 
 declare global {
   interface Window {
@@ -24,6 +24,8 @@ export interface Watch {
   /** All files are kept for visits without a network; written by `untilKept`. */
   isKept: boolean;
 }
+
+type Keyed = Record<string, unknown>;
 
 /** The things on the page that a measurement touches, as CSS selectors. */
 export const PLACES = {
@@ -82,18 +84,26 @@ export function watchPage({ places, movedMm, pressRun }: WatchOptions): void {
   };
   requestAnimationFrame(onFrame);
 
-  const hear = (message: FromWorker): void => {
+  const below = (changes: unknown, key: string): unknown =>
+    Array.isArray(changes) ? [(changes[0] as Keyed | null)?.[key]] : (changes as Keyed | undefined)?.[key];
+  const newestAt = (changes: unknown, path: string, old: number): number => {
+    const found = path.split('.').reduce(below, changes);
+    return Array.isArray(found) && typeof found[0] === 'number' ? found[0] : old;
+  };
+  const pose = { xMm: 0, yMm: 0 };
+  const hear = (message: OnItsWay): void => {
     if (message.type === 'started') {
       watch.started += 1;
       watch.snapshots = watch.timeUs = 0;
       start = null;
     }
-    if (message.type !== 'snapshot') return;
+    if (message.type !== 'picture') return;
     watch.snapshots += 1;
-    watch.timeUs = message.snapshot.timeUs;
-    const pose = message.snapshot.robot?.pose;
-    if (pose === undefined || watch.movingMs !== null) return;
-    start ??= pose;
+    watch.timeUs = newestAt(message.changes, 'timeUs', watch.timeUs);
+    for (const axis of ['xMm', 'yMm'] as const)
+      pose[axis] = newestAt(message.changes, `robot.pose.${axis}`, pose[axis]);
+    if (watch.movingMs !== null) return;
+    start ??= { ...pose };
     if (Math.abs(pose.xMm - start.xMm) + Math.abs(pose.yMm - start.yMm) < movedMm) return;
     watch.movingMs = performance.now();
     afterFrame(() => (watch.movingMs = performance.now()));
@@ -101,7 +111,7 @@ export function watchPage({ places, movedMm, pressRun }: WatchOptions): void {
   window.Worker = class extends Worker {
     constructor(address: string | URL, options?: WorkerOptions) {
       super(address, options);
-      this.addEventListener('message', (event: MessageEvent<FromWorker>) => hear(event.data));
+      this.addEventListener('message', (event: MessageEvent<OnItsWay>) => hear(event.data));
     }
   };
 }

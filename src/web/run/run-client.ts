@@ -1,5 +1,6 @@
 import type { RunSetup } from '#simulation/run-setup';
 
+import { unpackPictures, type OnItsWay } from './worker/pictures';
 import type { FromWorker, ToWorker } from './worker/protocol';
 import { STOP_ANSWER_MS } from './worker/stop-limits';
 
@@ -7,7 +8,7 @@ import { STOP_ANSWER_MS } from './worker/stop-limits';
 export interface WorkerPort {
   postMessage(message: ToWorker): void;
   terminate(): void;
-  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onmessage: ((event: MessageEvent<OnItsWay | FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
@@ -48,6 +49,8 @@ export class RunClient {
   /** Whether the current run has begun; before that there is nothing to ask it for. */
   private hasBegun = false;
   private spare: WorkerPort | null = null;
+  /** For the messages of the current run's worker. */
+  private unpack = unpackPictures();
   private onStopped: (() => void) | null = null;
   /** Messages sent to a run whose VM is still loading; `null` without such a run. */
   private early: ToRun[] | null = null;
@@ -106,7 +109,9 @@ export class RunClient {
     this.spare = null;
     this.current = worker;
     this.hasBegun = false;
-    worker.onmessage = (event) => this.hear(worker, event.data);
+    this.unpack = unpackPictures();
+    const { unpack } = this;
+    worker.onmessage = (event) => this.hear(worker, unpack(event.data));
     worker.onerror = ({ message }) => this.hear(worker, { type: 'failed', message: message || NO_WORKER });
     worker.postMessage({ type: 'run', setup, ...how });
     for (const message of this.early ?? []) worker.postMessage(message);
@@ -156,8 +161,9 @@ export class RunClient {
     if (worker === null || !this.hasBegun || this.onStopped !== null) return;
     this.current = null;
     setTimeout(() => worker.terminate(), TAPE_ANSWER_MS);
+    const { unpack } = this;
     worker.onmessage = ({ data }) => {
-      hearEnd(data);
+      hearEnd(unpack(data));
       if (data.type === 'inputs') worker.terminate();
     };
     worker.postMessage({ type: 'tape' });

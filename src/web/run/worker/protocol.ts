@@ -1,7 +1,7 @@
 /**
  * The messages between the page and the worker that runs the simulation. Every message is plain data; every message the
  * page can send is a `ToWorker`, every one it can receive a `FromWorker`. One worker serves one run and is then thrown away.
- * A number `device` is the place of one in the run's set-up.
+ * A number `device` is the place of one in the run's set-up. On its way a `snapshot` is what has changed in it (`pictures.ts`).
  *
  *     page                                   worker
  *      │ prepare (compiled VM)  ───────────►  │

@@ -14,6 +14,7 @@ import { answerRepeat, type RepeatRequest } from './look/repeat';
 import type { ToLooker } from './look/protocol';
 import type { Reader, ToReader } from './reader';
 import { sealSandbox } from './sandbox';
+import { packPictures } from './pictures';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
 
@@ -33,8 +34,9 @@ function soon(task: () => void): void {
   channel.port2.postMessage(null);
 }
 
+const pack = packPictures();
 const runner = new Runner({
-  post: (message) => postMessage(message),
+  post: (message) => postMessage(pack(message)),
   nowMs: () => performance.now(),
   later(task, delayMs) {
     if (delayMs > 0) setTimeout(task, delayMs);
