@@ -1,11 +1,7 @@
 import { STEP_S } from '../step';
 import { Settings } from './planck';
 import type { PlanckWorld, TimeStep } from './planck';
-
-interface Point {
-  x: number;
-  y: number;
-}
+import type { Point, SolverBody } from './solver-body';
 
 interface QuietJoint {
   initVelocityConstraints(step: TimeStep): void;
@@ -18,17 +14,14 @@ interface Edge {
   readonly next: Edge | null;
 }
 
-/** What planck 1.5.0 keeps on a body. It is not in planck's own types, one more reason why the version is pinned. */
-interface QuietBody {
+/** What it keeps on a body besides. */
+interface QuietBody extends SolverBody {
   readonly m_next: QuietBody | null;
   readonly m_jointList: Edge | null;
   readonly m_contactList: object | null;
   readonly m_linearVelocity: Point;
   m_angularVelocity: number;
   m_sleepTime: number;
-  readonly m_sweep: { readonly c: Point; readonly c0: Point; a: number; a0: number };
-  readonly c_position: { readonly c: Point; a: number };
-  readonly c_velocity: { readonly v: Point; w: number };
   isAwake(): boolean;
   isStatic(): boolean;
   isDynamic(): boolean;

@@ -1,13 +1,19 @@
 import type { Body } from './planck';
 
+/** A place or a speed that the solver changes. */
+export interface Point {
+  x: number;
+  y: number;
+}
+
 /**
- * What planck 1.5.0 keeps on a body while it solves a step, and the angle behind its transform. Joints work on it
- * directly; it is not in planck's own types, which is one more reason why the version is pinned.
+ * What planck 1.5.0 keeps on a body while it solves a step, and what is behind its transform. Joints and quiet steps work
+ * on it directly; it is not in planck's own types, which is one more reason why the version is pinned.
  */
 export interface SolverBody {
-  readonly c_position: { readonly a: number };
-  readonly c_velocity: { readonly v: { x: number; y: number }; w: number };
-  readonly m_sweep: { a0: number; a: number };
+  readonly c_position: { readonly c: Point; a: number };
+  readonly c_velocity: { readonly v: Point; w: number };
+  readonly m_sweep: { readonly c: Point; readonly c0: Point; a: number; a0: number };
 }
 
 /** The solver's view of a body. */
