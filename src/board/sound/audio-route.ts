@@ -23,10 +23,8 @@ export class AudioRoute {
    * @returns `null`, or the device's ValueError if the pin is held; the sound then goes to no pin
    */
   select(pin: Pin | null, mode: 'music' | 'audio'): string | null {
-    const before = this.current;
-    if (before && (pin !== before || this.mode !== mode)) this.free();
-    const holder = pin?.acquire(mode) ?? null;
-    if (pin && holder) return busyMessage(pin, holder);
+    const problem = this.take(pin, mode);
+    if (problem !== null) return problem;
     this.mode = mode;
     if (pin !== this.pin) {
       this.pin = pin;
@@ -41,10 +39,8 @@ export class AudioRoute {
    * @returns `null`, or the device's ValueError if the pin is held
    */
   giveBack(pin: Pin | null): string | null {
-    const before = this.current;
-    if (before && pin !== before) this.free();
-    const holder = pin?.acquire('music') ?? null;
-    if (pin && holder) return busyMessage(pin, holder);
+    const problem = this.take(pin, 'music');
+    if (problem !== null) return problem;
     pin?.free();
     if (this.pin) this.leave();
     return null;
@@ -61,6 +57,14 @@ export class AudioRoute {
   /** Puts a tone's square wave on the pin, or silence. */
   playTone(periodUs: number | null): void {
     if (this.mode === 'music') this.current?.playTone(periodUs);
+  }
+
+  /** Takes a pin; one that had the sound otherwise is given back. @returns `null`, or what is told if the pin is held */
+  private take(pin: Pin | null, mode: 'music' | 'audio'): string | null {
+    const before = this.current;
+    if (before && (pin !== before || this.mode !== mode)) this.free();
+    const holder = pin?.acquire(mode) ?? null;
+    return pin && holder ? busyMessage(pin, holder) : null;
   }
 
   private leave(): void {
