@@ -32,5 +32,10 @@ export function equalWorlds({ worlds }: ClassTask, solution: CheckResult): reado
 
 /** All that a run shows, without the world's name. */
 const shownOf = ({ hash, passed, atMs, touches, held, missed }: WorldResult) => ({
-  ...{ hash, passed, atMs, touches, held, missed },
+  hash,
+  passed,
+  atMs,
+  touches,
+  held,
+  missed,
 });

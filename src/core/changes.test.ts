@@ -42,6 +42,11 @@ describe('the changes between two pieces of plain data', () => {
     expect(changesOf(before.sensors, after.sensors)).toBeUndefined();
   });
 
+  it('take a key that every object inherits for one of its own', () => {
+    const after = { constructor: 2 };
+    expect(withChanges({ a: 1 }, changesOf({ a: 1 }, after))).toEqual(after);
+  });
+
   it('share nothing with what they were made of', () => {
     const after = { list: [1, 2] };
     const changes = changesOf(null, after);

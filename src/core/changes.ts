@@ -37,7 +37,7 @@ function isAlike(before: unknown, after: unknown): before is Keyed {
   if (Array.isArray(before)) return Array.isArray(after) && before.length === after.length;
   if (!isPlain(before) || !isPlain(after)) return false;
   const keys = Object.keys(after);
-  return keys.length === Object.keys(before).length && keys.every((key) => key in before);
+  return keys.length === Object.keys(before).length && keys.every((key) => Object.hasOwn(before, key));
 }
 
 const isPlain = (value: unknown): value is Keyed => Object.prototype.toString.call(value) === '[object Object]';
