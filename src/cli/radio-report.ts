@@ -1,4 +1,5 @@
 import { textBytesOf } from '#board/radio-text';
+import { hexOf } from '#core/hex';
 import type { RadioPacket } from '#simulation/outlets';
 import { msOf } from '#simulation/report';
 
@@ -41,5 +42,3 @@ export class RadioKeeper {
     return { packets, count };
   }
 }
-
-const hexOf = (bytes: readonly number[]): string => bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('');

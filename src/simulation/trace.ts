@@ -1,4 +1,5 @@
 import { sha256 } from '@noble/hashes/sha2.js';
+import { hexOf } from '#core/hex';
 
 /** Simulated time between two rows of the trace, in µs. */
 export const TRACE_PERIOD_US = 20_000;
@@ -50,6 +51,6 @@ export function createTraceHash(): {
       view.setFloat64(24, headingRad + 0, true);
       hash.update(row);
     },
-    hex: () => Array.from(hash.clone().digest(), (byte) => byte.toString(16).padStart(2, '0')).join(''),
+    hex: () => hexOf(hash.clone().digest()),
   };
 }

@@ -1,4 +1,5 @@
 import { sha256 } from '@noble/hashes/sha2.js';
+import { hexOf } from '#core/hex';
 import { endedWord, type EndedWord } from '#simulation/report';
 import type { Simulation } from '#simulation/simulation';
 
@@ -20,8 +21,6 @@ export interface DeviceResult {
   /** SHA-256 of what it has printed, as UTF-8. */
   readonly outputHash: string;
 }
-
-const hexOf = (bytes: Uint8Array): string => Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 
 /** SHA-256 of a text as UTF-8, 64 hexadecimal digits. */
 export const hashOfText = (text: string): string => hexOf(sha256(new TextEncoder().encode(text)));

@@ -1,6 +1,7 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
 import { freeTaskId, seriesLimits, type Series, type SeriesTask } from '#check/series/series';
+import { hexOf } from '#core/hex';
 
 import { keepDraft, keptDraft } from '../task/series/kept-series';
 
@@ -23,8 +24,7 @@ export interface SeriesDraft {
 }
 
 /** Eight random digits. (`randomUUID` is missing on pages that came over plain http.) */
-const newId = (): string =>
-  Array.from(crypto.getRandomValues(new Uint8Array(4)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+const newId = (): string => hexOf(crypto.getRandomValues(new Uint8Array(4)));
 
 /** Without a name and tasks. What pupils have done of one series has nothing to do with another. */
 export const emptySeries = (): Series => ({ id: newId(), title: '', text: '', tasks: [] });
