@@ -26,7 +26,6 @@ import {
   only,
   onlyFunction,
   onlyMatch,
-  replaceOnce,
   splitModule,
 } from './wat.mjs';
 
