@@ -5,30 +5,33 @@ import { gzipSync } from 'node:zlib';
 
 import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
-import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
+import { build, defineConfig, type Plugin, type PluginOption, type Rolldown, type UserConfig } from 'vite';
 
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
-import { licencesOfApp } from './scripts/licences.mjs';
+import { licencesOf } from './scripts/licences.mjs';
 import { OLDEST } from './scripts/oldest.mjs';
+import { bareServiceWorker } from './scripts/service-worker.mjs';
 import { singleFile } from './scripts/single-file.mjs';
+
+/** Before the name of an icon's own module. */
+const ICON = 'icon:';
 
 /**
  * Makes each icon a module of its own, so that it comes with what shows it. All of them are one module as published: the
  * first page would bring along the icons of everything that is fetched late.
  */
 function iconsApart(): Plugin {
-  const PREFIX = 'icon:';
   const paths: Readonly<Record<string, string | undefined>> = { ...icons };
   return {
     name: 'icons-apart',
     enforce: 'post',
-    resolveId: (id) => (id.startsWith(PREFIX) ? `\0${id}` : null),
+    resolveId: (id) => (id.startsWith(ICON) ? `\0${id}` : null),
     load(id) {
-      if (!id.startsWith(`\0${PREFIX}`)) return null;
-      const name = id.slice(PREFIX.length + 1);
+      if (!id.startsWith(`\0${ICON}`)) return null;
+      const name = id.slice(ICON.length + 1);
       if (paths[name] === undefined) this.error(`There is no icon ${name}.`);
       return `export const ${name} = ${JSON.stringify(paths[name])};`;
     },
@@ -39,7 +42,7 @@ function iconsApart(): Plugin {
           .split(',')
           .map((name) => name.trim())
           .filter((name) => name !== '')
-          .map((name) => `import { ${name} } from '${PREFIX}${name.split(/\s/)[0] ?? ''}';`)
+          .map((name) => `import { ${name} } from '${ICON}${name.split(/\s/)[0] ?? ''}';`)
           .join(' '),
       );
       return { code: apart, map: null };
@@ -116,12 +119,30 @@ function installable(): Plugin {
   };
 }
 
-/** Puts the licences of everything that the app is made of beside it: whoever passes it on passes them on, too. */
+/** The modules with code in the bundles of this build: the page's, its workers' and the service worker's. */
+const bundled = new Set<string>();
+
+const collectModules = (): Plugin => ({
+  name: 'collect-modules',
+  apply: 'build',
+  generateBundle(_, bundle) {
+    for (const part of Object.values(bundle)) if (part.type === 'chunk') addModules(part);
+  },
+});
+
+function addModules({ modules }: Rolldown.OutputChunk): void {
+  for (const [id, { renderedLength }] of Object.entries(modules))
+    if (renderedLength > 0)
+      bundled.add(id.startsWith(`\0${ICON}`) ? fileURLToPath(import.meta.resolve('@mdi/js')) : id);
+}
+
+/** Writes the licences of everything in the app beside it: whoever passes it on passes them on, too. */
 const licences = (): Plugin => ({
   name: 'licences',
   apply: 'build',
   async generateBundle() {
-    this.emitFile({ type: 'asset', fileName: 'LICENSES.txt', source: await licencesOfApp() });
+    addModules(await bareServiceWorker());
+    this.emitFile({ type: 'asset', fileName: 'LICENSES.txt', source: await licencesOf(bundled) });
   },
 });
 
@@ -173,7 +194,7 @@ async function workerCode(): Promise<string> {
     root: common.root,
     logLevel: 'warn',
     resolve: common.resolve,
-    plugins: [programs(), runsInTheOldest()],
+    plugins: [programs(), runsInTheOldest(), collectModules()],
     build: {
       write: false,
       target: OLDEST,
@@ -195,7 +216,9 @@ function partsInside(): Plugin {
     async load(id) {
       if (id === '\0single:worker') return `export default ${JSON.stringify(await workerCode())};`;
       if (id !== '\0single:firmware') return null;
-      const packed = gzipSync(await readFile(here('.cache/vm/vm.wasm')), { level: 9 });
+      const firmware = here('.cache/vm/vm.wasm');
+      bundled.add(firmware);
+      const packed = gzipSync(await readFile(firmware), { level: 9 });
       return `export default ${JSON.stringify(packed.toString('base64'))};`;
     },
   };
@@ -215,7 +238,11 @@ function onePage(): Plugin {
         else this.error(`${name} would lie beside the single file.`);
         Reflect.deleteProperty(bundle, name);
       }
-      const [icon, licences, check] = await Promise.all([read('src/web/logo.svg'), licencesOfApp(), frameCheckParts()]);
+      const [icon, licences, check] = await Promise.all([
+        read('src/web/logo.svg'),
+        licencesOf(bundled),
+        frameCheckParts(),
+      ]);
       for (const page of pages()) {
         const source = singleFile(await read(`src/web/${page}`), { script, css, icon, licences, check });
         this.emitFile({ type: 'asset', fileName: singleOf(page), source });
@@ -270,10 +297,10 @@ const treeshake = { propertyReadSideEffects: false } as const;
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
-  plugins: [...commonPlugins(), frameCheck(), installable(), licences()],
+  plugins: [...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
   worker: {
     format: 'es',
-    plugins: () => [programs(), runsInTheOldest()],
+    plugins: () => [programs(), runsInTheOldest(), collectModules()],
     rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
@@ -300,7 +327,7 @@ const folder: UserConfig = {
  */
 const single: UserConfig = {
   ...common,
-  plugins: [partsInside(), ...commonPlugins(), onePage()],
+  plugins: [partsInside(), ...commonPlugins(), collectModules(), onePage()],
   resolve: {
     alias: [
       ...common.resolve.alias,

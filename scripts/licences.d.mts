@@ -1,1 +1,1 @@
-export function licencesOfApp(): Promise<string>;
+export function licencesOf(modules: Iterable<string>): Promise<string>;

@@ -1,69 +1,82 @@
-// The licences of everything that the built app is made of, as one text.
+// The licences of everything that a bundle is made of, as one text.
+import { readdirSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
-import { join } from 'node:path';
-import { exists } from './fingerprint.mjs';
+import { join, relative, sep } from 'node:path';
 import { root } from './progress.mjs';
 
-/** What the app is built with is within it, but comes from tools: the service worker's own code. */
-const BUILT_IN = ['workbox-precaching'];
+/** Modules of our own that are made from other files: those that say whose code is in them. */
+const MADE_FROM = {
+  '.cache/vm/vm.wasm': ['src/vm/NOTICE'],
+  '.cache/vm/library.json': filesIn('src/vm/library'),
+};
 
-/** Who made what names nobody itself: MicroPython's sources say so at the head of each file. */
-const MAKERS = { '@micropython/micropython-webassembly-pyscript': 'Copyright (c) Damien P. George and contributors' };
+/** A notice in a comment of our own files: `@license NAME: TEXT`, up to the end of the comment. */
+const NOTICE = /@license ([^:]+): ([^]+?)(?=\s*\*\/|\n[^ *#]|\s*$)/g;
 
 /**
- * Gathers the licences of the app itself and of every package whose code may be in it.
+ * Gathers the licences of our own code, of each package with code in a bundle, and of what our files name with `@license`.
  *
- * @returns {Promise<string>} one section per package, by name
+ * @param {Iterable<string>} modules absolute paths of the bundle's modules; a query behind a path is ignored
+ * @returns {Promise<string>} our own section, then one per package and notice, by name
  */
-export async function licencesOfApp() {
-  const { dependencies, version } = await about('');
-  const folders = await withTheirs([...Object.keys(dependencies), ...BUILT_IN]);
-  const own = `Parcours ${version}\n\n${await readFile(join(root, 'LICENSE'), 'utf8')}`;
-  const sections = await Promise.all([...folders].sort().map(licenceOf));
-  return `${[own, ...sections].map((text) => text.trim()).join(`\n\n${'-'.repeat(80)}\n\n`)}\n`;
+export async function licencesOf(modules) {
+  const paths = [...modules].map((id) =>
+    relative(root, id.replace(/^\0/, '').replace(/\?.*$/, '')).replaceAll(sep, '/'),
+  );
+  const packages = new Set(paths.map(packageOf).filter(Boolean));
+  const own = new Set(paths.filter((path) => !path.startsWith('..') && packageOf(path) === undefined));
+  const { version } = await about('');
+  const first = `Parcours ${version}\n\n${await readFile(join(root, 'LICENSE'), 'utf8')}`;
+  const sections = await Promise.all([...packages].map(licenceOfPackage));
+  const rest = [...sections, ...(await noticesIn(own))].sort();
+  return `${[first, ...rest].map((text) => text.trim()).join(`\n\n${'-'.repeat(80)}\n\n`)}\n`;
 }
 
-/** The folders of packages and of those that they need, and so on. */
-async function withTheirs(names) {
-  const all = new Set();
-  const waiting = names.map((name) => ({ name, by: '' }));
-  for (let next = waiting.shift(); next !== undefined; next = waiting.shift()) {
-    const folder = await folderOf(next.name, next.by);
-    if (all.has(folder)) continue;
-    all.add(folder);
-    const needed = Object.keys((await about(folder)).dependencies ?? {});
-    waiting.push(...needed.map((name) => ({ name, by: folder })));
-  }
-  return all;
+/** The folder of the package that a module belongs to, or undefined for one of our own. */
+function packageOf(path) {
+  const at = path.lastIndexOf('node_modules/');
+  if (at < 0) return undefined;
+  const [name, within] = path.slice(at + 'node_modules/'.length).split('/');
+  return `${path.slice(0, at)}node_modules/${name.startsWith('@') ? `${name}/${within}` : name}`;
 }
 
-/** Where a package lies that another one needs: within it, or further out. */
-async function folderOf(name, by) {
-  const within = join(by, 'node_modules', name);
-  if (by === '' || (await exists(join(root, within)))) return within;
-  return folderOf(name, by.includes('/node_modules/') ? by.slice(0, by.lastIndexOf('/node_modules/')) : '');
-}
-
-async function licenceOf(folder) {
+async function licenceOfPackage(folder) {
   const { name, version, license, author, homepage } = await about(folder);
   const files = (await readdir(join(root, folder))).filter((file) => /^(licen[cs]e|copying|notice)/i.test(file)).sort();
   const texts = await Promise.all(files.map((file) => readFile(join(root, folder, file), 'utf8')));
   if (texts.length === 0 && /MIT/.test(license)) texts.push(await mitTerms());
   const by = typeof author === 'object' ? author.name : author;
-  const facts = [
-    `${name} ${version}`,
-    `Licence: ${license}`,
-    MAKERS[name],
-    by && `By: ${by}`,
-    homepage && `See: ${homepage}`,
-  ];
+  const facts = [`${name} ${version}`, `Licence: ${license}`, by && `By: ${by}`, homepage && `See: ${homepage}`];
   return [facts.filter(Boolean).join('\n'), ...texts].join('\n\n');
 }
 
-/** The terms of the MIT licence, for packages that name it and have no copy: as in our own. */
+/** The code and data of others in files of our own: one section for each name. */
+async function noticesIn(paths) {
+  const files = [...paths].flatMap((path) => MADE_FROM[path] ?? path);
+  const notices = new Map();
+  for (const file of files.sort())
+    for (const [, name, text] of (await sourceOf(file)).matchAll(NOTICE))
+      notices.set(name, new Set(notices.get(name)).add(text.replace(/\n[ *#]*/g, '\n')));
+  const terms = await mitTerms();
+  return [...notices].map(([name, texts]) => {
+    const text = [...texts].join('\n');
+    return `${name}\n\n${text}${text.includes('MIT') ? `\n\n${terms}` : ''}`;
+  });
+}
+
+/** Virtual modules of the build's plugins have no file. */
+const sourceOf = (path) => readFile(join(root, path), 'utf8').catch(() => '');
+
+/** All files of a folder of ours. */
+function filesIn(folder) {
+  const all = readdirSync(join(root, folder), { recursive: true });
+  return all.map((file) => `${folder}/${file.replaceAll(sep, '/')}`);
+}
+
+/** The terms of the MIT licence, for those who name it and bring no copy: as in our own. */
 async function mitTerms() {
   const own = await readFile(join(root, 'LICENSE'), 'utf8');
-  return own.slice(own.indexOf('Permission is hereby granted'));
+  return own.slice(own.indexOf('Permission is hereby granted')).trim();
 }
 
 const about = async (folder) => JSON.parse(await readFile(join(root, folder, 'package.json'), 'utf8'));

@@ -4,7 +4,6 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { bundleTypes } from './bundle-types.mjs';
-import { licencesOfApp } from './licences.mjs';
 import { missingInScript } from '../build/oldest.ts';
 import { buildModule, packages, packAll } from './packages.mjs';
 import { root } from './progress.mjs';
@@ -47,12 +46,4 @@ describe('npm run packages', () => {
       expect(script).not.toMatch(filled);
     },
   );
-
-  it('names the licence of everything in the app', async () => {
-    const text = await licencesOfApp();
-    const names = ['vue', 'planck', '@micropython/micropython-webassembly-pyscript', '@codemirror/view'];
-    for (const name of [...names, 'jspdf', 'pako', 'workbox-precaching'])
-      expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+`, 'm'));
-    expect(text).not.toContain('undefined');
-  });
 });

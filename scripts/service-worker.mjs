@@ -28,12 +28,12 @@ export async function buildServiceWorker(folder = 'dist/app') {
     .map((path) => path.slice(app.length + 1).replaceAll('\\', '/'))
     .filter((url) => !LEFT_OUT.test(url));
   const entries = await Promise.all(urls.sort().map((url) => listed(app, url)));
-  const script = await bareServiceWorker();
-  if (script.split(PLACE).length !== 2) throw new Error(`${PLACE} must stand in the service worker once.`);
+  const { code } = await bareServiceWorker();
+  if (code.split(PLACE).length !== 2) throw new Error(`${PLACE} must stand in the service worker once.`);
   const manifest = entries.map(({ url, revision, integrity }) => ({ url, revision, integrity }));
   await writeFile(
     join(app, 'sw.js'),
-    script.replace(PLACE, () => JSON.stringify(manifest)),
+    code.replace(PLACE, () => JSON.stringify(manifest)),
   );
   return { count: entries.length, bytes: entries.reduce((sum, { bytes }) => sum + bytes, 0) };
 }
@@ -46,8 +46,8 @@ async function listed(folder, url) {
   return { url, revision, integrity: `sha256-${hash}`, bytes: content.length };
 }
 
-/** The service worker as one classic script: not every browser takes modules for it. */
-async function bareServiceWorker() {
+/** The service worker as one classic script, without its list of files: not every browser takes modules for it. */
+export async function bareServiceWorker() {
   const made = await build({
     configFile: false,
     root,
@@ -62,7 +62,7 @@ async function bareServiceWorker() {
   });
   const [first] = Array.isArray(made) ? made : [made];
   if (!('output' in first)) throw new Error('The service worker was not built.');
-  return first.output[0].code;
+  return first.output[0];
 }
 
 await main(import.meta.url, async ([folder]) => {

@@ -1,7 +1,10 @@
 /**
  * Trigonometry, exponential and logarithm that give the same bits in every engine.
  * `Math.sin` and its kin differ from browser to browser; these use only + − × ÷ and `Math.sqrt`, which IEEE 754 fixes.
- * Method and coefficients: fdlibm 5.3 (Sun Microsystems, 1993, freely distributable); results are within 1 ulp of the true value.
+ * Method and coefficients: fdlibm 5.3; results are within 1 ulp of the true value.
+ * @license fdlibm (mathematical functions): Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed
+ * at SunPro, a Sun Microsystems, Inc. business. Permission to use, copy, modify, and distribute this software is freely
+ * granted, provided that this notice is preserved.
  */
 
 const TWO_OVER_PI = 6.36619772367581382433e-1;

@@ -1,7 +1,7 @@
 /**
  * The display's 5 × 5 letters, rows from top to bottom, `1` = lit; every other character shows as `?`.
- * Source: lancaster-university/codal-core, source/types/BitmapFont.cpp (pendolino3),
- * MIT licence, Copyright (c) 2017 Lancaster University.
+ * Source: lancaster-university/codal-core, source/types/BitmapFont.cpp (pendolino3).
+ * @license codal-core (the display's letters): MIT. Copyright (c) 2017 Lancaster University.
  */
 export const font: Readonly<Record<string, string>> = {
   ' ': '00000:00000:00000:00000:00000',

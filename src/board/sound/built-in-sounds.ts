@@ -1,6 +1,8 @@
 /**
  * The built-in sounds of the micro:bit and the Calliope mini by name, as `readEffect` reads them: parts of 72 digits.
- * Source of the numbers: codal-microbit-v2 SoundExpressions.cpp (MIT).
+ * Source of the numbers: codal-microbit-v2 SoundExpressions.cpp.
+ * @license codal-microbit-v2 (built-in sounds): MIT. Copyright (c) 2016 British Broadcasting Corporation. Provided by
+ * Lancaster University by arrangement with the BBC.
  */
 export const BUILT_IN_SOUNDS: Readonly<Record<string, string>> = {
   giggle: [

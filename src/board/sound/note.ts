@@ -13,7 +13,10 @@ export interface Note {
   readonly memory: NoteMemory;
 }
 
-/** Periods in µs of the octave of middle C, a … g. Source: micropython-microbit-v2 modmusic.c (MIT). */
+/**
+ * Periods in µs of the octave of middle C, a … g. Source: micropython-microbit-v2 modmusic.c.
+ * @license micropython-microbit-v2 (pictures, melodies, pitches): MIT. Copyright (c) 2015-2020 Damien P. George.
+ */
 const NATURAL_US: readonly number[] = [2273, 2025, 3822, 3405, 3034, 2863, 2551];
 /** The sharps a# … g#; 0 for a missing one. Same source. */
 const SHARP_US: readonly number[] = [2145, 0, 3608, 3214, 0, 2703, 2408];

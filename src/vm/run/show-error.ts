@@ -5,7 +5,10 @@ const SCROLL_DELAY_MS = 150; // the default of display.scroll
 const SAD_US = 1_000_000; // micropython-microbit-v2 main.c: one second
 
 const picture = (leds: string): Uint8Array => Uint8Array.from(leds, (led) => (led === '1' ? 9 : 0));
-/** Image.SAD: micropython-microbit-v2 microbit_constimage.c (MIT, 2015 Mark Shannon). */
+/**
+ * Image.SAD: micropython-microbit-v2 microbit_constimage.c.
+ * @license micropython-microbit-v2 (pictures, melodies, pitches): MIT. Copyright (c) 2015-2020 Damien P. George.
+ */
 const SAD = picture('0000001010000000111010001');
 const DARK = new Uint8Array(25);
 

@@ -1,4 +1,5 @@
-# Image. Behaviour and errors: micropython-microbit-v2 microbit_image.c.
+# Image. Behaviour and errors: micropython-microbit-v2 microbit_image.c; pictures: microbit_constimage.c.
+# @license micropython-microbit-v2 (pictures, melodies, pitches): MIT. Copyright (c) 2015-2020 Damien P. George.
 import _hal
 from _sim import addressof, ints, put, refuse_attribute
 

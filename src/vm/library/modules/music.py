@@ -1,4 +1,5 @@
 # The module music. Behaviour and errors: micropython-microbit-v2 modmusic.c; melodies: modmusictunes.c.
+# @license micropython-microbit-v2 (pictures, melodies, pitches): MIT. Copyright (c) 2015-2020 Damien P. George.
 import _hal as _h
 from _audio import DEFAULT_PIN as _DEFAULT_PIN, check as _check, output as _output
 from _sim import ints as _ints, text as _text
