@@ -39,6 +39,7 @@ export const PAGE_POLICY = [
   "worker-src 'self'",
   "object-src 'none'",
   "base-uri 'none'",
+  "form-action 'none'",
 ].join('; ');
 
 /** The worker runs the pupil's program: it gets its code and the compiled VM from the page and reaches nothing itself. */
