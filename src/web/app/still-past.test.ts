@@ -14,7 +14,7 @@ async function lookingBack() {
   page.editor.choose('pen');
   await startRun(page);
   await show(page, { timeUs: 1_000_000 });
-  page.run.lookBack();
+  page.run.look.back();
   await nextTick();
   return page;
 }
@@ -37,10 +37,10 @@ describe('while somebody looks back', () => {
     page.editor.commit(added);
     await startRun(page);
     await show(page, { timeUs: 1_000_000 });
-    page.run.lookBack();
+    page.run.look.back();
     page.editor.undo();
     expect(page.ids()).toEqual([samples.block.id]);
-    page.run.past.value = null;
+    page.run.look.leave();
     page.editor.undo();
     expect(page.ids()).toEqual([]);
   });
@@ -58,7 +58,7 @@ describe('while somebody looks back', () => {
     expect([page.work.devices.value.length, page.dialogs.current.value]).toEqual([1, null]);
     expect(page.settings.current.value).toMatchObject({ device: 'auto', robot: 'auto', reality: 0 });
     expect([page.run.phase.value, page.run.past.value?.timeUs]).toEqual(['paused', 1_000_000]);
-    page.run.past.value = null;
+    page.run.look.leave();
     page.work.addDevice(newBoard(page), 'A');
     expect(page.work.devices.value).toHaveLength(2);
   });
@@ -66,7 +66,7 @@ describe('while somebody looks back', () => {
   it('only the hand works, and the tool comes back with the present', async () => {
     const page = await lookingBack();
     expect(page.editor.tool.value).toBe('hand');
-    page.run.past.value = null;
+    page.run.look.leave();
     expect(page.editor.tool.value).toBe('pen');
   });
 });

@@ -40,10 +40,10 @@ describe('the console of all devices', () => {
   it('follows what is printed again after somebody has looked back', async () => {
     const { page, print, box } = await withConsole();
     await show(page, { timeUs: 2_000_000 });
-    page.run.lookBack();
+    page.run.look.back();
     await nextTick();
     await scrolled(box, 120); // to the moment that is looked at
-    page.run.past.value = null;
+    page.run.look.leave();
     await print('two\n');
     expect(box.scrollTop).toBe(900);
   });

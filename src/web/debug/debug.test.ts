@@ -159,7 +159,7 @@ describe('the debugger', () => {
     const debug = await needed(page);
     await startRun(page);
     await holds(page, 1000, withN('1'));
-    page.run.lookBack();
+    page.run.look.back();
     await nextTick();
     expect(page.slot.isStanding.value).toBe(false);
     debug.step('over');

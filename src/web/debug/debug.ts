@@ -131,7 +131,7 @@ export class Debug {
     const isNow = run.past.value === run.present.value;
     if (!isNow && (await this.past.step(step))) return;
     if (turn !== this.turns || run.past.value === null) return; // somebody wants something else by now
-    run.past.value = run.recording.value.asked.value = null;
+    run.look.leave();
     if (isNow && this.slot.isStanding.value) run.debug.step(step, work.place.value);
   }
   /** Counts what somebody wants to see of the past. */

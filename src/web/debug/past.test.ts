@@ -92,21 +92,21 @@ describe('the past of a run', () => {
 
   it('is stepped through as far as the run has come', async () => {
     const { page, past, wishes, knowInputs, answerWith } = given;
-    page.run.lookBack();
-    page.run.past.value = pictureOf({ timeUs: 500_000 });
+    page.run.look.back();
+    page.run.look.at(500_000, pictureOf({ timeUs: 500_000 }));
     knowInputs();
     answerWith(lookOf(510_000, pictureOf({ timeUs: 510_000 })));
     await past.step('over');
     expect(wishes).toEqual([
       { kind: 'step', step: 'over', at: { device: 0, timeUs: 500_000, isLine: false }, untilUs: 1_000_000 },
     ]);
-    expect(page.run.past.value.timeUs).toBe(510_000);
+    expect(page.run.past.value?.timeUs).toBe(510_000);
   });
 
   it('is looked into for a host without the page overtaking it, which is told, too', async () => {
     const { page, past, tell, wishes, knowInputs, answerWith } = given;
-    page.run.lookBack();
-    page.run.past.value = pictureOf({ timeUs: 500_000 });
+    page.run.look.back();
+    page.run.look.at(500_000, pictureOf({ timeUs: 500_000 }));
     knowInputs();
     const look = lookOf(500_000, pictureOf({ timeUs: 500_000 }));
     answerWith(look);
@@ -118,12 +118,12 @@ describe('the past of a run', () => {
 
   it('does not tell the variables of a moment that is shown no more', async () => {
     const { page, past, tell, knowInputs, answerWith } = given;
-    page.run.lookBack();
-    page.run.past.value = pictureOf({ timeUs: 500_000 });
+    page.run.look.back();
+    page.run.look.at(500_000, pictureOf({ timeUs: 500_000 }));
     knowInputs();
     answerWith(lookOf(500_000, pictureOf({ timeUs: 500_000 })));
     const look = past.look();
-    page.run.past.value = pictureOf({ timeUs: 600_000 });
+    page.run.look.at(600_000, pictureOf({ timeUs: 600_000 }));
     await look;
     expect(tell).not.toHaveBeenCalled();
   });

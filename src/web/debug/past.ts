@@ -4,7 +4,6 @@ import type { Cause } from '#simulation/causes/causes';
 import type { CodeLine } from '#simulation/causes/output';
 import type { LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
-import { lookAt } from '../run/look-at';
 import {
   LookClient,
   type Instant,
@@ -106,13 +105,12 @@ export class Past {
 
   private async go(wish: LookWish): Promise<boolean> {
     const { run } = this.app;
-    run.lookBack();
+    run.look.back();
     this.goings += 1;
     const look = await this.ask(wish).finally(() => (this.goings -= 1));
     if (look === null || run.past.value === null) return false;
     this.found = look;
-    run.past.value = look.snapshot; // on a phone the time line may be behind another tab
-    lookAt(run, look.snapshot.timeUs, look.snapshot);
+    run.look.at(look.snapshot.timeUs, look.snapshot);
     this.tell(look.device, look.variables);
     this.arrived.value = look;
     return true;

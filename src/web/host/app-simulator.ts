@@ -150,7 +150,7 @@ function hostRuns(
     pause: () => onlyWhen('running', () => run.pause()),
     resume: () =>
       onlyWhen('paused', () => {
-        run.past.value = run.recording.value.asked.value = null; // what goes on is the present
+        run.look.leave(); // what goes on is the present
         run.resume();
       }),
     step() {

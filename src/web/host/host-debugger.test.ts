@@ -178,7 +178,7 @@ describe('a host that debugs', () => {
     await show(page, { timeUs: 40_000, position: { file: 'main.py', line: 2, depth: 0 } });
     stop();
     page.say({ type: 'held', device: 0, timeUs: 40_123 });
-    page.run.lookBack();
+    page.run.look.back();
     expect([of('held'), of('looking')]).toEqual([[], []]);
   });
 });

@@ -126,7 +126,7 @@ async function stepInPast(app: HostedPage, step: HostStep, place: number): Promi
   const { past } = await needed(app);
   const isThere = await (step === 'back' ? past.back(place) : past.step(step, place));
   if (isThere) return null;
-  if (before === null) app.run.past.value = null;
+  if (before === null) app.run.look.leave();
   return step === 'back' ? 'No line began before.' : 'The run has not come to such a line: look-now shows the present.';
 }
 

@@ -3,7 +3,6 @@ import { watch } from 'vue';
 import type { EmbeddedDebugger } from '#embed/debugger';
 import type { Refusal } from '#embed/simulator';
 
-import { lookAt } from '../run/look-at';
 import type { RunParts } from '../run/parts';
 import { RecordedRows } from '../run/recorded-rows';
 import { goOn } from '../run/run-again';
@@ -24,12 +23,11 @@ export function hostPast({
       const recording = await wholeRecording(run, 'all moments');
       const moment = recording && recorded.of(recording).at(timeUs);
       if (moment === null) return 'This needs a run that has been.';
-      run.past.value = moment;
-      lookAt(run, timeUs, moment);
+      run.look.at(timeUs, moment);
       return null;
     },
     lookNow() {
-      run.past.value = run.recording.value.asked.value = null;
+      run.look.leave();
       return null;
     },
     async goOn(paused) {

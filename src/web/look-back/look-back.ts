@@ -37,10 +37,10 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
     atUs.value = Math.min(Math.max(timeUs, 0), endUs.value);
     const moment = exact ?? rows().at(atUs.value);
     if (moment === null || run.past.value === null) return;
-    run.past.value = moment;
+    run.look.show(moment);
     taped = exact === undefined ? moment : null;
     run.trails.lookAt(moment.timeUs);
-    if (atUs.value >= (run.recording.value.asked.value?.timeUs ?? 0)) run.recording.value.asked.value = null;
+    if (atUs.value >= (run.recording.value.asked.value?.timeUs ?? 0)) run.recording.value.ask(null);
   }
   // The tape may have to bring that moment first.
   watch(
@@ -74,7 +74,7 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
     ...{ atUs, endUs, marks, playing },
     play,
     seek(timeUs) {
-      run.recording.value.asked.value = null;
+      run.recording.value.ask(null);
       play(0);
       show(timeUs);
     },

@@ -10,7 +10,7 @@ import type { FromWorker, Output } from './worker/protocol';
 const MOST_OUTPUT = 40_000;
 
 /** A moment that is asked for. */
-interface Asked {
+export interface Asked {
   readonly timeUs: number;
   /** The moment itself, where it is known better than on the tape. */
   readonly exact?: Snapshot;
@@ -41,14 +41,17 @@ export class Recording {
   output: readonly Output[] = [];
   /** Pieces of output that are gone. */
   outputGone = 0;
+  private readonly asking: ShallowRef<Asked | null> = shallowRef(null);
   /** A moment that somebody has asked to see: the time line goes there. `null`: it is there. */
-  readonly asked: ShallowRef<Asked | null> = shallowRef(null);
+  readonly asked: Readonly<ShallowRef<Asked | null>> = this.asking;
+  private readonly question: ShallowRef<WhyAsked | null> = shallowRef(null);
   /** What somebody wants to know the line of; `null`: nothing. */
-  readonly why: ShallowRef<WhyAsked | null> = shallowRef(null);
+  readonly why: Readonly<ShallowRef<WhyAsked | null>> = this.question;
   /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
+  private readonly leftRun: ShallowRef<Recording | null>;
   /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */
-  readonly ghost: ShallowRef<Recording | null>;
+  readonly ghost: Readonly<ShallowRef<Recording | null>>;
 
   /**
    * @param setup of the run; `null`: there is none
@@ -60,7 +63,7 @@ export class Recording {
     left: Recording | null = null,
     private brought: BroughtTape | null = null,
   ) {
-    this.ghost = shallowRef(left);
+    this.ghost = this.leftRun = shallowRef(left);
     this.isBrought = brought !== null;
     this.as = brought;
     for (const piece of brought?.pieces ?? []) this.add(piece, null);
@@ -72,6 +75,21 @@ export class Recording {
   /** The run can be run again. */
   get canGoOn(): boolean {
     return this.setup !== null && this.inputs.value !== null;
+  }
+
+  /** Asks for a moment; `null`: it is there, or nobody wants it any more. */
+  ask(moment: Asked | null): void {
+    this.asking.value = moment;
+  }
+
+  /** Asks for the lines behind something; `null`: nobody asks any more. */
+  askWhy(question: WhyAsked | null): void {
+    this.question.value = question;
+  }
+
+  /** Takes the run that was left out of sight. */
+  hideGhost(): void {
+    this.leftRun.value = null;
   }
 
   /** What the run's worker says of its tape. */

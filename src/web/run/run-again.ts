@@ -11,12 +11,10 @@ import type { RunModel } from './run-model';
  */
 export function goOn(run: RunModel, fromUs: number, paused = false): Promise<void> {
   const { setup, inputs } = run.recording.value;
-  const moment = run.past.value;
   if (setup === null || inputs.value === null) return Promise.resolve();
   const kept = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
-  const begun = run.begin({ kept, paused, catchUpUs: fromUs, left: run.recording.value });
-  if (fromUs > 0) run.past.value = moment; // shown until the run is there
-  return begun;
+  const shown = fromUs > 0 ? run.past.value : null;
+  return run.begin({ kept, paused, catchUpUs: fromUs, left: run.recording.value, shown });
 }
 
 /** A run that was kept, and how it is looked at. */
@@ -38,8 +36,6 @@ export interface RunAgain {
  */
 export function showAgain(run: RunModel, { kept, first, atUs, ...tape }: RunAgain): Promise<void> {
   const { untilUs } = tape;
-  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), brought: tape });
-  run.past.value = first;
-  run.recording.value.asked.value = { timeUs: Math.min(atUs, untilUs), ...(atUs === 0 && { exact: first }) };
-  return begun;
+  const asked = { timeUs: Math.min(atUs, untilUs), ...(atUs === 0 && { exact: first }) };
+  return run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), brought: tape, shown: first, asked });
 }

@@ -237,7 +237,7 @@ describe('a run that is looked back at', () => {
     await aMoment();
     const say = (message: FromWorker): void => workers.at(-2)?.say(message); // the last one waits for the next run
     say(shows(3_000_000));
-    run.lookBack();
+    run.look.back();
     say({ type: 'inputs', inputs: [press(1_000_000), press(2_000_000)], nowUs: 2_000_000 });
     return { run, say };
   }
@@ -245,7 +245,7 @@ describe('a run that is looked back at', () => {
   it('stands still, and shows the moment that is looked at until something is done', async () => {
     const { run } = await atThreeSeconds();
     expect(run.phase.value).toBe('paused');
-    run.past.value = { timeUs: 1_500_000 } as Snapshot;
+    run.look.at(1_500_000, { timeUs: 1_500_000 } as Snapshot);
     expect(run.nowUs.value).toBe(1_500_000);
     run.input({ type: 'interrupt' });
     expect(run.nowUs.value).toBe(3_000_000);
@@ -254,7 +254,7 @@ describe('a run that is looked back at', () => {
   it('goes on from one of its moments with what was done until then, silently until it is there', async () => {
     const heard: number[] = [];
     const { run, say } = await atThreeSeconds({ onEvents: ({ sound }) => heard.push(sound.length) });
-    run.past.value = { timeUs: 1_500_000 } as Snapshot;
+    run.look.at(1_500_000, { timeUs: 1_500_000 } as Snapshot);
     await goOn(run, 1_500_000);
     await aMoment();
     const last = QuickWorker.sent.findLast((message) => message.type === 'run');
@@ -270,7 +270,7 @@ describe('a run that is looked back at', () => {
 
   it('goes on from its very beginning at once', async () => {
     const { run } = await atThreeSeconds();
-    run.past.value = { timeUs: 0 } as Snapshot;
+    run.look.at(0, { timeUs: 0 } as Snapshot);
     await goOn(run, 0);
     expect(run.past.value).toBeNull();
     await aMoment(); // its next worker is there

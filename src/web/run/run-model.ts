@@ -8,8 +8,9 @@ import type { Ended } from '#simulation/simulation';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { DebugPort } from './debug-port';
 import type { EarlierRuns } from './earlier-runs';
+import { LookPort } from './look-port';
 import { PictureRequests } from './picture-requests';
-import { Recording, type BroughtTape } from './recording';
+import { Recording, type Asked, type BroughtTape } from './recording';
 import { Trails } from './trails';
 import type { FromWorker, Output, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions, type ToRun } from './run-client';
@@ -64,6 +65,10 @@ export interface Beginning {
   readonly left?: Recording | null;
   /** It was recorded before: when it has come there, it is looked at from its beginning on. */
   readonly brought?: BroughtTape | null;
+  /** The moment that is shown until the run has caught up. */
+  readonly shown?: Snapshot | null;
+  /** The moment that is asked for meanwhile. */
+  readonly asked?: Asked;
 }
 
 /**
@@ -73,8 +78,13 @@ export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
   /** The run now. */
   readonly present: ShallowRef<Snapshot | null> = shallowRef(null);
-  /** The moment that is looked at instead of now; `null`: nobody looks back. */
-  readonly past: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** Its moments that have been. */
+  readonly look = new LookPort(this, () => {
+    this.pause();
+    this.client.send({ type: 'tape' });
+  });
+  /** The moment that is looked at instead of now; `null`: nobody looks back. Only `look` changes it. */
+  readonly past = this.look.past;
   /** What is to be seen: the run now, or as it was. */
   readonly snapshot: ComputedRef<Snapshot | null> = computed(() => this.past.value ?? this.present.value);
   /** The same as the device that is shown has it: its board, its program and its robot in the first one's place. */
@@ -158,7 +168,7 @@ export class RunModel {
   }
 
   /** Starts a new run in one of all ways. */
-  async begin({ kept, paused, catchUpUs = 0, left = null, brought = null }: Beginning): Promise<void> {
+  async begin({ kept, paused, catchUpUs = 0, left = null, brought = null, ...look }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
     const { value: before } = this.recording;
@@ -176,6 +186,7 @@ export class RunModel {
     try {
       const setup = this.host.setup(kept);
       this.recording.value = new Recording(setup, left, brought);
+      this.look.begin(look.shown, look.asked);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
       await patiently(this.client.start(setup, { speed: this.speed, paused, catchUpUs }), () => isWanted() && this.host.onSlow?.()); // prettier-ignore
@@ -218,16 +229,10 @@ export class RunModel {
 
   private clear(): void {
     this.trails.clear();
-    this.present.value = this.past.value = null;
+    this.present.value = null;
+    this.look.begin();
     this.recording.value = new Recording(null);
     this.endings.value = [];
-  }
-
-  /** Somebody looks back: time stands still, the newest moments come to `recording`, and `past` may be set to any of them. */
-  lookBack(): void {
-    this.pause();
-    this.client.send({ type: 'tape' });
-    this.past.value ??= this.present.value;
   }
 
   pause(): void {
@@ -272,7 +277,7 @@ export class RunModel {
    */
   input(action: InputAction, device?: number): boolean {
     if (this.host.refuses?.(action) === true) return false;
-    this.past.value = this.recording.value.asked.value = null; // what is done, is done now
+    this.look.leave(); // what is done, is done now
     this.host.onInput(action, device ?? this.device);
     const place = device ?? (action.type === 'radio' ? null : this.device);
     const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
@@ -358,8 +363,8 @@ export class RunModel {
   private endCatchingUp(nowUs: number): void {
     if (this.catchUpUs === 0 || nowUs < this.catchUpUs) return;
     this.catchUpUs = 0;
-    if (!this.recording.value.isBrought) this.past.value = null;
-    else if (this.past.value !== null) this.lookBack(); // the rest of its moments
+    if (!this.recording.value.isBrought) this.look.leave();
+    else if (this.past.value !== null) this.look.back(); // the rest of its moments
   }
 
   private setEnded(device: number, ended: Ended | null): void {

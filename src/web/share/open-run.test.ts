@@ -53,7 +53,7 @@ async function saved(program = PROGRAM, act: () => void | Promise<void> = () => 
   await page.run.start();
   await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(300_000));
   await act();
-  page.run.lookBack();
+  page.run.look.back();
   const files = downloads();
   await saveRun(page);
   expect(files.map(({ name }) => name)).toEqual([expect.stringMatching(/\.run\.json$/)]);
@@ -163,7 +163,7 @@ describe('a run that is taken along', () => {
     await newPage();
     open(text);
     await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
-    page.run.past.value = null;
+    page.run.look.leave();
     await nextTick();
     isPassed();
     expect(page.task.stars.all.value).toEqual({});
@@ -173,8 +173,8 @@ describe('a run that is taken along', () => {
     page.work.setText('main.py', PROGRAM);
     await page.run.start();
     await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(300_000));
-    page.run.lookBack();
-    page.run.past.value = { ...page.run.present.value!, timeUs: 240_000 };
+    page.run.look.back();
+    page.run.look.at(240_000, { ...page.run.present.value!, timeUs: 240_000 });
     const link = (await linkToRun(page)) ?? '';
     expect(link).toMatch(/#r=1\.240\.[\w-]+$/);
     scope.stop();
@@ -194,7 +194,7 @@ describe('a run that is taken along', () => {
     page.work.setText('main.py', `${PROGRAM}# ${noise}\n`);
     await page.run.start();
     await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(100_000));
-    page.run.lookBack();
+    page.run.look.back();
     expect(await linkToRun(page)).toBeNull();
     expect(said()).toMatch(/^The run is too long for a link \(\d+ characters, 8000 at most\)\. Save it as a file\.$/);
   });

@@ -155,8 +155,8 @@ describe('a message to the program', () => {
     const { page, mounted, send, entries } = await panel({ ...on, timeUs: 3_000_000 });
     const radio = [packet('early', 1_000_000), packet('late', 2_000_000)];
     page.say({ type: 'events', events: { sound: [], radio, radioDropped: 0, log: [] }, device: 0 });
-    page.run.lookBack();
-    page.run.past.value = { ...page.run.present.value!, timeUs: 1_500_000 };
+    page.run.look.back();
+    page.run.look.at(1_500_000, { ...page.run.present.value!, timeUs: 1_500_000 });
     await settle();
     expect(entries().map((it) => it.replace(/^.*(early|late|später).*$/, '$1'))).toEqual(['early', 'später', 'late']);
     expect(mounted.findAll('.later').map((it) => textOf(it.element))).toEqual([expect.stringContaining('late')]);
@@ -164,7 +164,7 @@ describe('a message to the program', () => {
     await send('now');
     expect([inputsOf(page).length, page.radio.entries.value.length]).toEqual([before, 2]);
     await vi.dynamicImportSettled(); // why not is told
-    page.run.past.value = null;
+    page.run.look.leave();
     await settle();
     expect(entries()).toHaveLength(2);
   });

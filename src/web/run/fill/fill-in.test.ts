@@ -105,7 +105,7 @@ describe('the tape of a run at full speed', () => {
     const recording = await wholeRecording(page.run, 'all moments');
     const wholeUs = rowsOf(recording!).endUs;
     page.run.setSpeed(1);
-    page.run.past.value = null;
+    page.run.look.leave();
     page.run.resume();
     await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(wholeUs + 100_000));
     await wholeRecording(page.run, 'all moments');

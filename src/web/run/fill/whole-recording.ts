@@ -20,7 +20,7 @@ export async function wholeRecording(run: RunModel, wants: 'all moments' | 'the 
         resolve();
       });
     });
-    run.lookBack();
+    run.look.back();
     await come;
   }
   if (wants === 'all moments') await fillInSilently(recording, run);
