@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { parseCommand, type RunOptions } from './arguments';
-import { parseDuration } from './duration';
+import { parseDuration } from '#core/duration';
 
 function optionsOf(line: string): RunOptions {
   const command = parseCommand(line.split(' '));

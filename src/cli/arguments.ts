@@ -3,7 +3,7 @@ import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
 import { checkTexts, parseCheck, type CheckOptions } from './check/check-arguments';
 import { parseDevice, type DeviceOption } from './device-option';
-import { parseDuration } from './duration';
+import { parseDuration } from '#core/duration';
 
 /** The request to `parcours run`. */
 export interface RunOptions {

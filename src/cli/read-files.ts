@@ -8,7 +8,7 @@ import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
-import { parseInputs } from './input-file';
+import { parseInputs } from '#simulation/input-file';
 import { isAddress, onlyProgram, openAddress, workOfAddress, workOfJson, type Work } from './read-work';
 import { reasonOf } from './reason-of';
 

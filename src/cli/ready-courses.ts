@@ -4,7 +4,7 @@ import type { Language } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 import { anyHardware, MAIN, type FurtherDevice, type Project } from '#project/project';
-import { parseInputs } from './input-file';
+import { parseInputs } from '#simulation/input-file';
 import type { InputEvent } from '#simulation/input';
 
 const scenes = import.meta.glob<unknown>('../../courses/*/scene.json', { eager: true, import: 'default' });

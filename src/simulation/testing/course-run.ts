@@ -1,5 +1,5 @@
 import { existsSync, readFileSync } from 'node:fs';
-import { parseInputs } from '#cli/input-file';
+import { parseInputs } from '../input-file';
 import { parseScene } from '#scene/parse';
 import type { DeviceSetup, RunSetup } from '../run-setup';
 

@@ -1,6 +1,6 @@
 import { parseEdit } from '#scene/check-edit';
 import type { InputAction, InputEvent, PlacedPose } from '#simulation/input';
-import { parseDuration } from './duration';
+import { parseDuration } from '#core/duration';
 
 /** The actions of an input file in its own order, or a problem that names entry and field. */
 export type ParsedInputs = { readonly inputs: readonly InputEvent[] } | { readonly problem: string };
