@@ -17,6 +17,7 @@ export const layers = {
   advice: ['core'],
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice'],
+  intake: ['core', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'check'],
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
@@ -24,7 +25,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'catalogue', 'advice',
+    'check', 'intake', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',
@@ -48,6 +49,7 @@ export const layers = {
     'device-check',
     'device-log',
     'check',
+    'intake',
     'catalogue',
   ],
 };

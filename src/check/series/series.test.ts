@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { projectToText } from '#project/file';
 import { linkOf } from '#project/link/link';
 import type { Project } from '#project/project';
-import { readTasks } from './read-files';
+import { readTasks } from '#intake/read-files';
 import { looksLikeSeries, parseSeries, parseSeriesValue } from './read-series';
 import { freeTaskId, seriesLimits, type Series, type TaskSource } from './series';
 import { isSeriesLink, seriesLinkOf, seriesOfLink } from './series-link';

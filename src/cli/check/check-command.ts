@@ -1,7 +1,7 @@
 import { writeFileSync } from 'node:fs';
 import { equalWorlds } from '#check/equal-worlds';
 import { handInOfFiles } from '#check/hand-in/read-hand-in';
-import { contentOf, type Source } from '#check/hand-in/sources';
+import { contentOf, type Source } from '#intake/sources';
 import { inLanes, Lane, type StartThread } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import type { Language } from '#core/languages';

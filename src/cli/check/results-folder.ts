@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { Content } from '#check/hand-in/contents';
+import type { Content } from '#intake/contents';
 import { projectOfHandIn, type HandIn } from '#check/hand-in/hand-in';
 import type { CheckResult } from '#check/result';
 import { taskOf } from '#check/task/read-task';

@@ -1,6 +1,6 @@
 import { existsSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { readTasks, type LoadFile } from '#check/series/read-files';
+import { readTasks, type LoadFile } from '#intake/read-files';
 import { looksLikeSeries, parseSeries } from '#check/series/read-series';
 import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
 import { isSeriesLink, seriesOfLink } from '#check/series/series-link';

@@ -10,10 +10,10 @@ import {
   type Given,
   type Most,
   type Source,
-} from '#check/hand-in/sources';
-import type { TreeFile } from '#check/hand-in/tree';
+} from '#intake/sources';
+import type { TreeFile } from '#intake/tree';
 import { unread } from '#check/hand-in/unread';
-import { isLitter } from '#check/hand-in/zip';
+import { isLitter } from '#intake/zip';
 import { isAddress } from '../read-work';
 import { readyCourse } from '../ready-courses';
 import { reasonOf } from '../reason-of';

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
-import { brokenSource } from '#check/hand-in/sources';
+import { brokenSource } from '#intake/sources';
 import { ahead, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 
 import { stubDatabase } from '../work/storage/testing/memory-database';

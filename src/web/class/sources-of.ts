@@ -1,4 +1,4 @@
-import type { Source } from '#check/hand-in/sources';
+import type { Source } from '#intake/sources';
 
 import type { AddedFile } from '../page/files/added-files';
 import { HandInReader } from '../run/reading/hand-in-reader';

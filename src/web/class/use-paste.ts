@@ -1,6 +1,6 @@
 import { onBeforeUnmount, onMounted, shallowRef, type Ref } from 'vue';
 
-import { listSources } from '#check/hand-in/sources';
+import { listSources } from '#intake/sources';
 
 import { chosenFiles } from '../page/files/added-files';
 import { say } from '../page/i18n/say';

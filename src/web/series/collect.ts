@@ -1,7 +1,7 @@
 import { unread, type Unread } from '#check/hand-in/unread';
-import { readZip } from '#check/hand-in/zip';
+import { readZip } from '#intake/zip';
 import { unreadText } from '#check/report/say';
-import { readTasks, taskOfText } from '#check/series/read-files';
+import { readTasks, taskOfText } from '#intake/read-files';
 import { looksLikeSeries, parseSeries } from '#check/series/read-series';
 import type { Series, SeriesTask } from '#check/series/series';
 import { seriesOfLink } from '#check/series/series-link';

@@ -1,4 +1,4 @@
-import { readTasks } from '#check/series/read-files';
+import { readTasks } from '#intake/read-files';
 import { parseSeries } from '#check/series/read-series';
 import { seriesLimits } from '#check/series/series';
 import { isSeriesLink, seriesOfLink } from '#check/series/series-link';

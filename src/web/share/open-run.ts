@@ -1,6 +1,6 @@
 import { watch } from 'vue';
 
-import { projectOfRun } from '#check/hand-in/project-of-run';
+import { projectOfRun } from '#intake/project-of-run';
 import { isSameCourse } from '#check/task/course-mark';
 import { withFiles } from '#project/devices';
 import type { Project } from '#project/project';

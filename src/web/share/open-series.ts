@@ -1,4 +1,4 @@
-import { readTasks } from '#check/series/read-files';
+import { readTasks } from '#intake/read-files';
 import { looksLikeSeries, parseSeries, type ReadSeries } from '#check/series/read-series';
 import type { Series, TaskSource } from '#check/series/series';
 import { seriesForPupils } from '#check/series/write-series';

@@ -1,5 +1,5 @@
-import { readZip, type ZipEntry } from '#check/hand-in/zip';
-import { readTasks } from '#check/series/read-files';
+import { readZip, type ZipEntry } from '#intake/zip';
+import { readTasks } from '#intake/read-files';
 import { looksLikeSeries, parseSeries } from '#check/series/read-series';
 import type { Series } from '#check/series/series';
 import { SERIES_FILE } from '#check/series/write-series';

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { describe, expect, it } from 'vitest';
 
-import { projectOfRun } from '#check/hand-in/project-of-run';
+import { projectOfRun } from '#intake/project-of-run';
 import { nothingMeasured, type MyRobot } from '#my-robot/my-robot';
 import type { Project, ProjectSettings } from '#project/project';
 import { applyEdit } from '#scene/edit';

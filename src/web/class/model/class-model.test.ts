@@ -1,6 +1,6 @@
 import { describe, expect, it, vi } from 'vitest';
 
-import { brokenSource } from '#check/hand-in/sources';
+import { brokenSource } from '#intake/sources';
 import { htmlOf } from '#check/report/html';
 import { csvOf } from '#check/report/texts';
 import { ahead, sceneWith, targetAt, taskWith } from '#check/testing/tasks';

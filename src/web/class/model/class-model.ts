@@ -1,6 +1,6 @@
-import type { Content } from '#check/hand-in/contents';
+import type { Content } from '#intake/contents';
 import type { HandIn } from '#check/hand-in/hand-in';
-import { brokenSource, contentOf, withOwnNames, type Source } from '#check/hand-in/sources';
+import { brokenSource, contentOf, withOwnNames, type Source } from '#intake/sources';
 import { unread } from '#check/hand-in/unread';
 import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
 import { classResult, type ClassResult } from '#check/report/class-result';

@@ -1,6 +1,6 @@
-import { brokenSource, type Source } from '#check/hand-in/sources';
+import { brokenSource, type Source } from '#intake/sources';
 import { unread, type Unread } from '#check/hand-in/unread';
-import type { Content } from '#check/hand-in/contents';
+import type { Content } from '#intake/contents';
 import type { Every } from '#check/lane';
 import type { Scene } from '#scene/scene';
 

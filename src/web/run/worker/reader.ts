@@ -1,15 +1,7 @@
 /** Reading what was handed in, in a worker of its own: zips are unpacked and texts looked through beside the page. */
-import type { Content } from '#check/hand-in/contents';
-import {
-  contentOf,
-  givenFile,
-  givenFolder,
-  together,
-  type Given,
-  type Most,
-  type Source,
-} from '#check/hand-in/sources';
-import type { TreeFile } from '#check/hand-in/tree';
+import type { Content } from '#intake/contents';
+import { contentOf, givenFile, givenFolder, together, type Given, type Most, type Source } from '#intake/sources';
+import type { TreeFile } from '#intake/tree';
 import { unread } from '#check/hand-in/unread';
 import type { Scene } from '#scene/scene';
 

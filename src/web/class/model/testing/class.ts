@@ -1,5 +1,5 @@
 /** Classes for tests. */
-import { fileSource, type Source } from '#check/hand-in/sources';
+import { fileSource, type Source } from '#intake/sources';
 import type { CheckRequest, StartThread } from '#check/lane';
 import { unreadable } from '#check/result';
 

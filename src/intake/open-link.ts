@@ -3,7 +3,7 @@ import type { Project, SourceFile } from '#project/project';
 import { isRunLink, readRunLink } from '#tape/link';
 import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
 import { handedRun } from './handed-run';
-import { unread, type Unread } from './unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 
 /** Opens the link of a hand-in: a project, a run, or a program of WebTigerPython. */
 export function openLink(

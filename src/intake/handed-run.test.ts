@@ -4,7 +4,7 @@ import { defaultScene } from '#scene/scene';
 import { soloRun } from '#simulation/run-setup';
 import { tapeToText } from '#tape/file';
 import { runLinkOf } from '#tape/link';
-import type { HandIn } from './hand-in';
+import type { HandIn } from '#check/hand-in/hand-in';
 import { contentOf, fileSource, listSources, type Source } from './sources';
 
 const files = { 'main.py': 'forward()\n', 'own.py': 'x = 1\n' };

@@ -3,7 +3,7 @@ import type { ReadyCourses } from '#project/link/link';
 import { MAIN, nameProblem } from '#project/project';
 import { handInOfBytes, handInOfLink, handInOfTree, mostBytes, type Content } from './contents';
 import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
-import { unread, type Unread } from './unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 import { chosenIn, lastOf, sortedBy, withoutLitter, type TreeFile } from './tree';
 import { belowFolders, readZip } from './zip';
 

@@ -3,11 +3,11 @@ import { openJson } from '#project/open-json';
 import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type SourceFile } from '#project/project';
 import { isTapeFile } from '#tape/tape';
 import { handedRun } from './handed-run';
-import type { HandIn } from './hand-in';
+import type { HandIn } from '#check/hand-in/hand-in';
 import { isTextWithLinks, linksInFile } from './links';
-import { handInOf, handInOfFiles } from './read-hand-in';
+import { handInOf, handInOfFiles } from '#check/hand-in/read-hand-in';
 import { openLink } from './open-link';
-import { unread, type Unread } from './unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 import { Budget, chosenIn, HAND_IN_BYTES, lastOf, readBeside, type TreeFile } from './tree';
 import { readZip } from './zip';
 

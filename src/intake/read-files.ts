@@ -1,8 +1,8 @@
 import { openJson } from '#project/open-json';
 import type { ProjectProblem } from '#project/problem';
 import { MAIN } from '#project/project';
-import { looksLikeSeries, unread } from './read-series';
-import type { Series, SeriesTask, TaskSource } from './series';
+import { looksLikeSeries, unread } from '#check/series/read-series';
+import type { Series, SeriesTask, TaskSource } from '#check/series/series';
 
 /** What brings a file beside a series. @param file its address, seen from the series */
 export type LoadFile = (file: string) => Promise<{ readonly text: string } | { readonly problem: string }>;

@@ -1,6 +1,6 @@
 import { FILE_BYTES, MAIN, nameProblem, projectLimits } from '#project/project';
 import { isTextWithLinks } from './links';
-import { unread, type Unread } from './unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 import { isLitter } from './zip';
 
 /** What was read, or why it cannot be. */

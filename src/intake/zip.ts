@@ -1,5 +1,5 @@
 import { unpacked } from '#core/deflate';
-import { unread, type Unread } from './unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 
 /** A file in a zip. */
 export interface ZipEntry {
