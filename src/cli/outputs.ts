@@ -1,5 +1,6 @@
 import { existsSync, realpathSync, statSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
+import { formatOf } from '#intake/formats';
 
 /** A file that a command is asked to write. */
 export interface Output {
@@ -17,7 +18,7 @@ export interface Output {
  */
 export function outputProblem(outputs: readonly Output[], reads: readonly string[], command: string): string | null {
   const asked = outputs.flatMap(({ option, path }) => (path === null ? [] : [{ option, path }]));
-  const program = asked.find(({ path }) => /\.py$/i.test(path));
+  const program = asked.find(({ path }) => formatOf(path) === 'program');
   if (program !== undefined) return `${program.option}: ${program.path} is called like a program. Choose another name.`;
   const wanted = asked.filter(({ path }) => !existsSync(path) || statSync(path).isFile());
   if (wanted.length === 0) return null;

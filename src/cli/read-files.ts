@@ -2,14 +2,15 @@ import { closeSync, existsSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
-import { openJson } from '#project/open-json';
-import { MAIN, projectLimits } from '#project/project';
+import { formatOf, limits } from '#intake/formats';
+import { documentOfText, isOurs } from '#intake/text';
+import { MAIN } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from '#simulation/input-file';
-import { isAddress, onlyProgram, openAddress, workOfAddress, workOfJson, type Work } from './read-work';
+import { addressProblem, documentAt, isAddress, onlyProgram, workOfAddress, workOfJson, type Work } from './read-work';
 import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
@@ -21,9 +22,6 @@ export interface RunFiles extends Work {
   /** The measured robot that `--my-robot` lets drive; `null`: the project's, or the one of the type. */
   readonly myRobot: MyRobot | null;
 }
-
-/** A program or module longer than this is a mistake: the real board has 24 kB for all its files. */
-const MAX_PROGRAM_BYTES = 1_000_000;
 
 const MAX_INPUT_BYTES = 20_000_000; // 100,000 entries of 200 characters
 
@@ -83,13 +81,11 @@ async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 
 
 /** A file with a project is one by its ending, or by what it says. */
 function workOfFile(path: string): Work | { readonly problem: string } {
-  const isNamed = /\.json$/i.test(path);
-  const text = readText(path, isNamed ? projectLimits.textCharacters * 4 : MAX_PROGRAM_BYTES);
-  return isNamed || OURS.test(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text });
+  const isNamed = formatOf(path) === 'json';
+  const text = readText(path, isNamed ? limits.json : limits.program);
+  return isNamed || isOurs(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text });
 }
 
-/** How our files begin. Such a text would be a program, too, one that does nothing. */
-const OURS = /^\s*\{\s*"format"\s*:\s*"parcours-/;
 const PROJECT = /^\s*\{\s*"format"\s*:\s*"parcours-project"/;
 
 /** An address may be as long as a program. */
@@ -101,7 +97,7 @@ function addFile(files: Record<string, string>, path: string): void {
     refuse(path, `the name has ${name.length} characters; the board takes ${MAX_NAME_CHARACTERS}.`);
   }
   if (Object.hasOwn(files, name)) refuse(path, `there is already a file "${name}" on the board.`);
-  files[name] = readText(path, MAX_PROGRAM_BYTES);
+  files[name] = readText(path, limits.program);
 }
 
 /** Whether a word can only be the id of a ready course: a folder of that name is none. */
@@ -112,20 +108,21 @@ async function readScene(word: string): Promise<Scene> {
   if (isAddress(word)) return sceneOfAddress(word);
   const ready = isNoFile(word) ? (await import('./ready-courses')).readyCourse(word) : null;
   if (ready !== null) return ready;
-  const text = readText(word, projectLimits.textCharacters * 4);
-  const opened = openJson(text);
-  if (opened.kind === 'project') return opened.project.scene;
+  const text = readText(word, limits.json);
+  const document = documentOfText(text, () => null);
+  if (document.kind === 'project') return document.project.scene;
   const parsed = parseScene(text);
   if ('scene' in parsed) return parsed.scene;
   // A project is told what is wrong with it, not that it is none.
-  const { problems } = opened.kind === 'problem' && PROJECT.test(text) ? opened : parsed;
+  const { problems } = document.kind === 'unreadable' && PROJECT.test(text) ? document : parsed;
   return refuse(word, problems.map((problem) => problem.message).join('\n'));
 }
 
 async function sceneOfAddress(address: string): Promise<Scene> {
-  const opened = await openAddress(address);
-  if ('problem' in opened) return refuse(shortened(address), opened.problem);
-  return 'project' in opened ? opened.project.scene : refuse(shortened(address), 'is a program without a course.');
+  const document = await documentAt(address);
+  if (document.kind === 'project') return document.project.scene;
+  const isProgram = document.kind === 'program';
+  return refuse(shortened(address), isProgram ? 'is a program without a course.' : addressProblem(document));
 }
 
 function readInputs(path: string): readonly InputEvent[] {
@@ -134,7 +131,7 @@ function readInputs(path: string): readonly InputEvent[] {
 }
 
 function readMyRobot(path: string): MyRobot {
-  const parsed = parseProject(readText(path, projectLimits.textCharacters * 4));
+  const parsed = parseProject(readText(path, limits.json));
   if ('problems' in parsed) return refuse(path, parsed.problems.map((problem) => problem.message).join('\n'));
   const { myRobot } = parsed.project.settings ?? {};
   return (

@@ -1,12 +1,12 @@
-import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
-import { isProjectLink, projectOfLink } from '#project/link/link';
 import { boardOf } from '#board/boards/board-of-device';
-import { openJson } from '#project/open-json';
+import { documentOfAddress } from '#intake/address';
+import type { AddressDocument } from '#intake/document';
+import { documentOfText } from '#intake/text';
+import { isProjectLink } from '#project/link/link';
 import { runFilesOf } from '#project/devices';
-import { filesByName, type Project, type ProjectSettings, type SourceFile } from '#project/project';
+import { filesByName, type Project, type ProjectSettings } from '#project/project';
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
-import { isTapeFile } from '#tape/tape';
 
 /** What stands in the place of a program: a program alone, or a project with what belongs to it. */
 export interface Work {
@@ -38,44 +38,46 @@ type Read = Work | { readonly problem: string };
 /** Whether the words on the command line are an address rather than the name of a file. */
 export const isAddress = (text: string): boolean => /^https?:\/\//i.test(text) || isProjectLink(text);
 
-/** What was opened: a project, a program alone with the microcomputer that it names, or why nothing. */
-export type OpenedWork =
-  | { readonly project: Project }
-  | { readonly files: readonly SourceFile[]; readonly device: string | null }
-  | { readonly problem: string };
+/** The content of an address. */
+export async function documentAt(address: string): Promise<AddressDocument> {
+  const { readyCourse } = await import('./ready-courses');
+  return documentOfAddress(address, readyCourse);
+}
 
-/** Opens a project in a link, or a program in a link of WebTigerPython. */
-export async function openAddress(address: string): Promise<OpenedWork> {
-  const fragment = address.slice(Math.max(address.indexOf('#'), 0));
-  if (isProjectLink(fragment)) {
-    const { readyCourse } = await import('./ready-courses');
-    const read = projectOfLink(fragment, readyCourse);
-    if ('problem' in read) return { problem: `The link cannot be opened. ${withoutReload(read.problem.message)}` };
-    return { project: read.project };
-  }
-  if (!hasProgram(address))
-    return { problem: 'The address holds neither a project nor a program. Copy the whole link.' };
-  const read = programOfLink(address);
-  return 'problem' in read ? { problem: `The link cannot be opened. ${read.problem.message}` } : read;
+/** Why the content of an address is not what is wanted: neither a project nor a program. */
+export function addressProblem(document: AddressDocument): string {
+  if (document.kind === 'recording') return RECORDED;
+  return document.kind === 'unreadable' && document.link !== undefined
+    ? `The link cannot be opened. ${withoutReload(document.message)}`
+    : 'The address holds neither a project nor a program. Copy the whole link.';
 }
 
 /** A project in a link, or a program in a link of WebTigerPython. */
 export async function workOfAddress(address: string): Promise<Read> {
-  const opened = await openAddress(address);
-  if ('problem' in opened) return opened;
-  if ('project' in opened) return workOfProject(opened.project);
-  const program = onlyProgram(filesByName(opened.files));
-  return opened.device === null ? program : { ...program, settings: { device: opened.device } };
+  const document = await documentAt(address);
+  if (document.kind === 'project') return workOfProject(document.project);
+  if (document.kind !== 'program') return { problem: addressProblem(document) };
+  const program = onlyProgram(filesByName(document.files));
+  return document.device === null ? program : { ...program, settings: { device: document.device } };
 }
+
+const RECORDED = 'is a recorded run. Run it again with parcours replay.';
 
 /** A project from the text of its file. */
 export function workOfJson(text: string): Read {
-  if (isTapeFile(text)) return { problem: 'is a recorded run. Run it again with parcours replay.' };
-  const opened = openJson(text);
-  if (opened.kind === 'problem') return { problem: opened.problems.map(({ message }) => message).join('\n') };
-  if (opened.kind === 'scene')
-    return { problem: 'is a course without a program. Give it with --scene, and name a program.' };
-  return workOfProject(opened.project);
+  const document = documentOfText(text, () => null);
+  switch (document.kind) {
+    case 'project':
+      return workOfProject(document.project);
+    case 'course':
+      return { problem: 'is a course without a program. Give it with --scene, and name a program.' };
+    case 'series':
+      return { problem: 'is a series of tasks. Open it on the page, or name one of them for parcours check.' };
+    case 'recording':
+      return { problem: RECORDED };
+    case 'unreadable':
+      return { problem: document.problems.map(({ message }) => message).join('\n') };
+  }
 }
 
 function workOfProject(project: Project): Work {

@@ -1,40 +1,22 @@
-import type { ReadyCourses } from '#project/link/link';
-import { openJson } from '#project/open-json';
-import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type SourceFile } from '#project/project';
-import { isTapeFile } from '#tape/tape';
-import { handedRun } from './handed-run';
 import type { HandIn } from '#check/hand-in/hand-in';
-import { isTextWithLinks, linksInFile } from './links';
 import { handInOf, handInOfFiles } from '#check/hand-in/read-hand-in';
-import { openLink } from './open-link';
 import { unread, type Unread } from '#check/hand-in/unread';
-import { Budget, chosenIn, HAND_IN_BYTES, lastOf, readBeside, type TreeFile } from './tree';
-import { readZip } from './zip';
+import type { ReadyCourses } from '#project/link/link';
+import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type SourceFile } from '#project/project';
+import { documentOfAddress } from './address';
+import type { AddressDocument, Document, ProgramDocument, TextDocument } from './document';
+import { documentOf, textOf } from './file';
+import { isTextWithLinks, lastOf, mostBytes } from './formats';
+import { handedRun } from './handed-run';
+import type { NamedLink } from './links';
+import { SERIES } from './text';
+import { Budget, chosenIn, readBeside, type TreeFile } from './tree';
 
 /** What a source holds: a hand-in, or why there is none. */
 export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
 
 /** Zips in zips that are opened. Chosen: a platform's around a pupil's around what was packed. */
 const MOST_LEVELS = 3;
-
-/** The largest file of a name that is opened, in bytes. */
-export const mostBytes = (name: string): number => (/\.py$/i.test(name) ? FILE_BYTES : HAND_IN_BYTES);
-
-/** The hand-in of a file: a program, a project, a text with a link to one, or a zip of one. Never throws. */
-export async function handInOfBytes(
-  name: string,
-  bytes: Uint8Array,
-  courses: ReadyCourses,
-  packing: Packing = { budget: new Budget(), level: 0 },
-): Promise<Content> {
-  if (/\.zip$/i.test(name)) return handInOfZip(bytes, courses, packing);
-  if (!/\.(json|py)$/i.test(name) && !isTextWithLinks(name)) return unread('kind');
-  const text = textOf(bytes);
-  if (text === null) return unread('not-text');
-  if (/\.json$/i.test(name)) return handInOfJson(text);
-  if (isTextWithLinks(name)) return handInOfText(name, text, courses);
-  return handInOfPrograms([{ name: MAIN, text }]);
-}
 
 /** Where in zips a hand-in lies. */
 interface Packing {
@@ -43,18 +25,42 @@ interface Packing {
   readonly level: number;
 }
 
-/** What is somebody's one link, such as a text that was typed into a learning platform. */
-function handInOfText(name: string, text: string, courses: ReadyCourses): Content {
-  const [first, second] = new Set(linksInFile(name, text).map(({ address }) => address));
-  if (first === undefined) return unread('no-link');
-  return second === undefined ? handInOfLink(first, courses) : unread('many-links');
+const alone = (): Packing => ({ budget: new Budget(), level: 0 });
+
+/** The hand-in of a file. Never throws. */
+export const handInOfBytes = (
+  name: string,
+  bytes: Uint8Array,
+  courses: ReadyCourses,
+  packing = alone(),
+): Promise<Content> => handInOfDocument(name, documentOf(name, bytes, courses), courses, packing);
+
+/** The hand-in in a file that was read: a program, a project, a run, a text with a link to one, or a zip of one. */
+export async function handInOfDocument(
+  name: string,
+  document: Document,
+  courses: ReadyCourses,
+  packing = alone(),
+): Promise<Content> {
+  switch (document.kind) {
+    case 'zip':
+      return packing.level >= MOST_LEVELS ? unread('no-main') : handInOfTree(document.files, courses, packing);
+    case 'links':
+      return handInOfLinks(document.links, courses);
+    case 'log':
+      return unread(isTextWithLinks(name) ? 'no-link' : 'kind');
+    case 'picture':
+      return unread('kind');
+    default:
+      return handInOfWork(document);
+  }
 }
 
 /** The one hand-in that all these files are, at whatever depth its program lies. */
 export async function handInOfTree(
   files: readonly TreeFile[],
   courses: ReadyCourses,
-  { budget, level }: Packing = { budget: new Budget(), level: 0 },
+  { budget, level } = alone(),
 ): Promise<Content> {
   const chosen = chosenIn(files);
   if ('problem' in chosen) return chosen;
@@ -77,27 +83,36 @@ export async function handInOfTree(
 
 /** The hand-in of a link. */
 export function handInOfLink(address: string, courses: ReadyCourses): Content {
-  const opened = openLink(address, courses);
-  if ('problem' in opened) return opened;
-  if ('files' in opened) return handInOfPrograms(opened.files);
-  return handInOfRun({ isEdited: false, ...opened });
+  const document = documentOfAddress(address, courses);
+  if (document.kind !== 'recording') return handInOfWork(document);
+  const run = handInOfRun(document.text);
+  return 'problem' in run ? unread(run.problem.code === 'newer' ? 'newer-link' : 'link') : run;
 }
 
-function handInOfZip(bytes: Uint8Array, courses: ReadyCourses, packing: Packing): Content | Promise<Content> {
-  if (packing.level >= MOST_LEVELS) return unread('no-main');
-  const zip = readZip(bytes);
-  return 'problem' in zip ? zip : handInOfTree(zip.entries, courses, packing);
+/** What is somebody's one link, such as a text that was typed into a learning platform. */
+function handInOfLinks(links: readonly NamedLink[], courses: ReadyCourses): Content {
+  const [first, second] = new Set(links.map(({ address }) => address));
+  if (first === undefined) return unread('no-link');
+  return second === undefined ? handInOfLink(first, courses) : unread('many-links');
 }
 
-function handInOfJson(text: string): Content {
-  if (isTapeFile(text)) {
-    const run = handedRun(text);
-    return 'detail' in run ? unread(run.isNewer ? 'newer' : 'project', { detail: run.detail }) : handInOfRun(run);
+function handInOfWork(document: ProgramDocument | TextDocument | AddressDocument): Content {
+  switch (document.kind) {
+    case 'program':
+      return handInOfPrograms(document.files);
+    case 'project':
+      return handInOfProject(document.project);
+    case 'recording':
+      return handInOfRun(document.text);
+    case 'course':
+      return unread('course');
+    case 'series':
+      return { problem: SERIES.problem };
+    case 'unreadable':
+      return { problem: document.problem };
+    default:
+      return unread('no-work');
   }
-  const opened = openJson(text);
-  if (opened.kind === 'problem')
-    return unread(opened.problems[0]?.code === 'newer-version' ? 'newer' : 'project', { detail: opened.problem });
-  return opened.kind === 'scene' ? unread('course') : handInOfProject(opened.project);
 }
 
 function handInOfProject(project: Project): Content {
@@ -105,23 +120,19 @@ function handInOfProject(project: Project): Content {
   return 'problem' in read ? unread(read.isNewer ? 'newer' : 'project', { detail: read.problem }) : read;
 }
 
-function handInOfRun({ project, isEdited }: { readonly project: Project; readonly isEdited: boolean }): Content {
-  const read = handInOfProject(project);
-  return isEdited && 'handIn' in read ? { handIn: { ...read.handIn, isEdited } } : read;
+function handInOfRun(text: string): Content {
+  const run = handedRun(text);
+  if ('detail' in run) return unread(run.isNewer ? 'newer' : 'project', { detail: run.detail });
+  const read = handInOfProject(run.project);
+  return run.isEdited && 'handIn' in read ? { handIn: { ...read.handIn, isEdited: true } } : read;
 }
 
+/** One alone is main.py, whatever its file is called. */
 function handInOfPrograms(files: readonly SourceFile[]): Content {
   if (files.length > projectLimits.files)
     return unread('many-files', { count: files.length, most: projectLimits.files });
-  const large = files.find(({ text }) => text.length > FILE_BYTES);
+  const named = files.length === 1 ? files.map(({ text }) => ({ name: MAIN, text })) : files;
+  const large = named.find(({ text }) => text.length > FILE_BYTES);
   if (large !== undefined) return unread('large', { file: large.name, most: FILE_BYTES });
-  return { handIn: handInOfFiles(files) };
-}
-
-function textOf(bytes: Uint8Array): string | null {
-  try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    return null;
-  }
+  return { handIn: handInOfFiles(named) };
 }

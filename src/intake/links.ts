@@ -1,3 +1,4 @@
+import { formatOf } from './formats';
 import { readMail } from './mail';
 
 /** A link in a text, and who it is from. */
@@ -7,9 +8,6 @@ export interface NamedLink {
   readonly address: string;
 }
 
-/** Files in which links are looked for. */
-export const isTextWithLinks = (file: string): boolean => /\.(txt|eml|md|csv|html?|url)$/i.test(file);
-
 /** An address of a project, a run or a program, or only the part of it from `#` on. */
 const ADDRESS = /(?:https?:\/\/[^\s<>"']+|#(?:p=\d{1,9}|r=\d{1,9}\.\d{1,12})\.[\w-]+=*)/gi;
 
@@ -18,9 +16,10 @@ const NAME_CHARACTERS = 60;
 
 /** The links in a file, by its ending: a table, a page, or a text such as a whole e-mail. */
 export function linksInFile(file: string, text: string): readonly NamedLink[] {
-  if (/\.csv$/i.test(file)) return linksInTable(text);
-  if (/\.eml$/i.test(file)) return linksInMail(text);
-  return linksIn(/\.html?$/i.test(file) ? textOfPage(text) : text);
+  const format = formatOf(file);
+  if (format === 'table') return linksInTable(text);
+  if (format === 'mail') return linksInMail(text);
+  return linksIn(format === 'page' ? textOfPage(text) : text);
 }
 
 /**
@@ -42,6 +41,17 @@ export function linksIn(text: string): readonly NamedLink[] {
   }
   return links;
 }
+
+/** The link of a series, from `s=` on, whatever stands around it; `null`: there is none in the text. */
+export const seriesLinkIn = (text: string): string | null =>
+  /(?:^|[#\s>"'])(s=\d{1,9}\.[\w-]+)/.exec(text)?.[1] ?? null;
+
+/** Links of projects and series, from `p=` or `s=` on, and ids of ready courses in addresses, in their order. */
+export const taskLinksIn = (text: string): readonly ({ readonly link: string } | { readonly course: string })[] =>
+  Array.from(
+    ` ${text}`.matchAll(/[#\s>"']([ps]=\d{1,9}\.[\w-]+)|(?:#courses?[/=]|[?&]task=)([\w-]+)/g),
+    ([, link, course = '']) => (link === undefined ? { course } : { link }),
+  );
 
 function addressesIn(
   line: string,

@@ -1,11 +1,15 @@
-import { openJson } from '#project/open-json';
 import type { ProjectProblem } from '#project/problem';
-import { MAIN } from '#project/project';
 import { looksLikeSeries, unread } from '#check/series/read-series';
 import type { Series, SeriesTask, TaskSource } from '#check/series/series';
+import type { FileProblem } from './document';
+import { documentOfText, SERIES, taskIn } from './text';
 
-/** What brings a file beside a series. @param file its address, seen from the series */
-export type LoadFile = (file: string) => Promise<{ readonly text: string } | { readonly problem: string }>;
+/**
+ * What brings a file beside a series; `null`: it did not come along.
+ *
+ * @param file its address, seen from the series
+ */
+export type LoadFile = (file: string) => Promise<{ readonly text: string } | { readonly problem: string } | null>;
 
 /** A series with the tasks that lie in files beside it; one that cannot be read says so in its place. */
 export async function readTasks(series: Series, load: LoadFile): Promise<Series> {
@@ -19,34 +23,27 @@ export async function readTasks(series: Series, load: LoadFile): Promise<Series>
 async function taskInFile({ id, title }: SeriesTask, file: string, load: LoadFile): Promise<TaskSource> {
   const value = { id, ...(title !== '' && { title }), file };
   const loaded = await load(file);
+  if (loaded === null) return unread(value, [problemOf('not-beside', file, `${file}: is not beside the series.`)]);
   if ('problem' in loaded) {
     const said = `${file}: ${loaded.problem}`;
-    return { ...unread(value, [{ code: 'missing', path: file, value: '', params: {}, message: said }]), said };
+    return { ...unread(value, [problemOf('missing', file, said)]), said };
   }
-  const from = taskOfText(loaded.text);
-  if ('kind' in from) return from;
+  const task = looksLikeSeries(loaded.text) ? SERIES : taskIn(documentOfText(loaded.text, () => null));
+  if ('project' in task) return { kind: 'project', project: task.project };
   return unread(
     value,
-    from.problems.map((problem) => inFile(problem, file)),
+    task.problems.filter(isOfProject).map((problem) => inFile(problem, file)),
   );
 }
+
+const problemOf = (code: 'missing' | 'not-beside', path: string, message: string): ProjectProblem => ({
+  ...{ code, path, message, value: '', params: {} },
+});
+
+const isOfProject = (problem: FileProblem): problem is ProjectProblem => problem.code !== 'not-a-series';
 
 const inFile = (problem: ProjectProblem, file: string): ProjectProblem => ({
   ...problem,
   path: problem.path === '' ? file : `${file}: ${problem.path}`,
   message: `${file}: ${problem.message}`,
 });
-
-/** The task in the text of a file: a project, or a course with an empty program. */
-export function taskOfText(
-  text: string,
-): Extract<TaskSource, { readonly kind: 'project' }> | { readonly problems: readonly ProjectProblem[] } {
-  if (looksLikeSeries(text)) {
-    const message = 'is a series itself; a series holds tasks only. Add its tasks one by one.';
-    return { problems: [{ code: 'wrong-type', path: '', value: '"parcours-series"', params: {}, message }] };
-  }
-  const opened = openJson(text);
-  if (opened.kind === 'problem') return { problems: opened.problems };
-  if (opened.kind === 'project') return { kind: 'project', project: opened.project };
-  return { kind: 'project', project: { files: [{ name: MAIN, text: '' }], scene: opened.scene, course: null } };
-}

@@ -1,11 +1,13 @@
 import { unseenShown } from '#core/unseen';
 import type { ReadyCourses } from '#project/link/link';
 import { MAIN, nameProblem } from '#project/project';
-import { handInOfBytes, handInOfLink, handInOfTree, mostBytes, type Content } from './contents';
-import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
+import { handInOfDocument, handInOfLink, handInOfTree, type Content } from './contents';
+import { openFile, type Opened } from './file';
+import { formatOf, isTextWithLinks, lastOf, limits, mostBytes, stemOf } from './formats';
+import { linksIn, linksInFile, type NamedLink } from './links';
 import { unread, type Unread } from '#check/hand-in/unread';
-import { chosenIn, lastOf, sortedBy, withoutLitter, type TreeFile } from './tree';
-import { belowFolders, readZip } from './zip';
+import { chosenIn, sortedBy, withoutLitter, type TreeFile } from './tree';
+import { belowFolders, type Zip } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
 export interface Source {
@@ -21,20 +23,15 @@ export const brokenSource = (name: string, problem: Unread): Source => ({ name, 
 export const fileSource = (file: TreeFile, courses: ReadyCourses): Source => {
   const name = lastOf(file.path);
   return {
-    name: handInName(name),
+    name: stemOf(name),
     async read() {
-      const most = mostBytes(name);
-      const read = file.size > most ? unread('large', { file: name, most }) : await file.read(most);
-      return 'problem' in read ? read : handInOfBytes(name, read.bytes, courses);
+      return handInOfDocument(name, await openFile(file, courses, mostAlone(name)), courses);
     },
   };
 };
 
-/** Largest zip, and largest text with links, in bytes. */
-export interface Most {
-  readonly zip: number;
-  readonly list: number;
-}
+/** The largest file that is one hand-in. */
+const mostAlone = (path: string): number => Math.min(mostBytes(path), limits.handIn);
 
 /** What was given at once, such as a word of the command line or a file that was chosen. */
 export interface Given {
@@ -46,30 +43,18 @@ export interface Given {
 }
 
 /** The hand-ins of a file: those in a zip, those behind the links in a text, else the one that it is. Never rejects. */
-export async function givenFile(file: TreeFile, most: Most, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
+export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
   const name = lastOf(file.path);
-  try {
-    return await openedFile(file, most, courses, isAlone);
-  } catch (error) {
-    const problem = error instanceof Error ? error.message : String(error);
-    return plainly([brokenSource(name, unread('gone', { problem }).problem)]);
-  }
+  if (zip !== null) return givenZip(name, zip, courses, isAlone);
+  if (!isTextWithLinks(name)) return plainly([fileSource(file, courses)]);
+  const document = await openFile(file, courses);
+  if (document.kind !== 'links')
+    return plainly([{ name: stemOf(name), read: () => handInOfDocument(name, document, courses) }]);
+  return plainly(document.links.map((link, place) => linkSource(link, place, courses)));
 }
 
 /** Those that have their own names. */
 const plainly = (sources: readonly Source[]): Given => ({ name: '', isTree: false, sources });
-
-async function openedFile(file: TreeFile, most: Most, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
-  const name = lastOf(file.path);
-  const isZip = /\.zip$/i.test(name);
-  if (!isZip && !isTextWithLinks(name)) return plainly([fileSource(file, courses)]);
-  const read = await file.read(isZip ? most.zip : most.list);
-  const called = isZip ? name : handInName(name);
-  if ('problem' in read) return plainly([brokenSource(called, read.problem)]);
-  if (isZip) return givenZip(name, read.bytes, courses, isAlone);
-  const linked = listSources(new TextDecoder().decode(read.bytes), courses, name);
-  return plainly(linked.length === 0 ? [brokenSource(called, unread('no-link').problem)] : linked);
-}
 
 /** All hand-ins of what was given together: of several things, one that has a single hand-in says whose it is. */
 export const together = (all: readonly Given[]): readonly Source[] =>
@@ -127,7 +112,7 @@ function treeSources(
 /** Beside a main.py there are those of others: in several folders, or programs that it could not import, such as `main (1).py`. */
 const hasOthers = (files: readonly TreeFile[]): boolean =>
   foldersIn(files).filter((inside) => inside.some(({ path }) => lastOf(path) === MAIN)).length > 1 ||
-  files.some(({ path }) => !path.includes('/') && /\.py$/i.test(path) && nameProblem(path, []) !== null);
+  files.some(({ path }) => !path.includes('/') && formatOf(path) === 'program' && nameProblem(path, []) !== null);
 
 const foldersIn = (files: readonly TreeFile[]): readonly (readonly TreeFile[])[] =>
   [...byTop(files)].flatMap(([key, inside]) => (key.endsWith('/') ? [inside] : []));
@@ -151,19 +136,15 @@ function folderSource(name: string, inside: readonly TreeFile[], courses: ReadyC
   return { name, read: () => handInOfTree(files, courses) };
 }
 
-/** All that may be unpacked of a zip, by its directory. Chosen: a hundred kilobytes for each of ten thousand hand-ins. */
-const ZIP_BYTES = 1_000_000_000;
-
 /** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
-function givenZip(file: string, bytes: Uint8Array, courses: ReadyCourses, isAlone: boolean): Given {
-  const zip = readZip(bytes);
+function givenZip(file: string, zip: Zip, courses: ReadyCourses, isAlone: boolean): Given {
   const broken = (problem: Unread): Given => plainly([brokenSource(file, problem)]);
   if ('problem' in zip) return broken(zip.problem);
   // What is too large alone is refused alone, and a film is never unpacked.
-  const wanted = zip.entries.filter(({ path, size }) => isOpened(path) && size <= mostBytes(path));
-  if (wanted.reduce((sum, { size }) => sum + size, 0) > ZIP_BYTES)
-    return broken(unread('zip-much', { most: ZIP_BYTES }).problem);
-  const name = handInName(file);
+  const wanted = zip.entries.filter(({ path, size }) => isOpened(path) && size <= mostAlone(path));
+  if (wanted.reduce((sum, { size }) => sum + size, 0) > limits.classInZip)
+    return broken(unread('zip-much', { most: limits.classInZip }).problem);
+  const name = stemOf(file);
   const sources = treeSources(name, zip.entries, {
     courses,
     isAlone,
@@ -172,7 +153,7 @@ function givenZip(file: string, bytes: Uint8Array, courses: ReadyCourses, isAlon
   return sources.length > 0 ? { name, isTree: true, sources } : broken(unread('no-main').problem);
 }
 
-const isOpened = (path: string): boolean => /\.(py|json|zip)$/i.test(path) || isTextWithLinks(path);
+const isOpened = (path: string): boolean => !['picture', 'sheet', 'other'].includes(formatOf(path));
 
 /** The folder of a hand-in says whose it is. */
 const isHandIn = (files: readonly TreeFile[]): boolean => files.some(({ path }) => path === MAIN);
@@ -204,9 +185,6 @@ export async function contentOf(source: Source): Promise<Content> {
     return unread('gone', { problem: error instanceof Error ? error.message : String(error) });
   }
 }
-
-/** `anna` for anna.py, anna.json, anna.parcours.json and anna.run.json. */
-const handInName = (file: string): string => file.replace(/(\.parcours|\.run)?\.[^.]*$/, '') || file;
 
 /** `anna`, `anna (2)`, …: of several with one name each gets its own, and none that only looks like another's. `taken`: names that others have already. */
 export function withOwnNames(sources: readonly Source[], taken: Iterable<string> = []): readonly Source[] {

@@ -1,5 +1,5 @@
 import { FILE_BYTES, MAIN, nameProblem, projectLimits } from '#project/project';
-import { isTextWithLinks } from './links';
+import { formatOf, isTextWithLinks, lastOf, limits, type Format } from './formats';
 import { unread, type Unread } from '#check/hand-in/unread';
 import { isLitter } from './zip';
 
@@ -24,18 +24,15 @@ interface Chosen {
   readonly beside?: readonly TreeFile[];
 }
 
-/** All that may be unpacked of one hand-in. Chosen: more than the largest project. */
-export const HAND_IN_BYTES = 4 * projectLimits.textCharacters;
-
-/** Files beside a program that are none themselves, in sum. Chosen: the real board holds a hundredth of it. */
-const OTHER_BYTES = 4_000_000;
+/** What a hand-in may be without a main.py. */
+const PROGRAMS: readonly Format[] = ['program', 'json', 'zip'];
 
 /** So many names of files are told. */
 const MOST_NAMES = 5;
 
 /** What may still be unpacked of a hand-in. */
 export class Budget {
-  private left = HAND_IN_BYTES;
+  private left: number = limits.handIn;
 
   /** Reads a file, if there is still room for it. */
   async read(file: TreeFile, most: number): Promise<Bytes> {
@@ -46,9 +43,6 @@ export class Budget {
     return read;
   }
 }
-
-/** What stands behind the last `/`. */
-export const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** With the `/` at its end; empty: at the top. */
 const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
@@ -70,7 +64,7 @@ export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem:
     if (!mains.every(({ path }) => path.startsWith(folder))) return several(mains);
     return { program, beside: files.filter((file) => file !== program && folderOf(file.path) === folder) };
   }
-  const programs = files.filter(({ path }) => /\.(py|json|zip)$/i.test(path));
+  const programs = files.filter(({ path }) => PROGRAMS.includes(formatOf(path)));
   const likely = programs.length > 0 ? programs : files.filter(({ path }) => isTextWithLinks(path));
   const [program, another] = likely;
   if (program === undefined) return unread('no-main');
@@ -101,7 +95,7 @@ export async function readBeside(
     if ('problem' in read) return read;
     found.push({ name: lastOf(file.path), bytes: read.bytes });
   }
-  let left = OTHER_BYTES;
+  let left: number = limits.besideProgram;
   for (const file of others.toSorted((a, b) => a.size - b.size)) {
     if (file.size > Math.min(FILE_BYTES, left)) break;
     const read = await budget.read(file, Math.min(FILE_BYTES, left));
@@ -112,7 +106,7 @@ export async function readBeside(
   return sortedBy(found, ({ name }) => name);
 }
 
-const isModule = ({ path }: TreeFile): boolean => /\.py$/i.test(path);
+const isModule = ({ path }: TreeFile): boolean => formatOf(path) === 'program';
 
 /** Sorted the same everywhere: by the letters' numbers. */
 export const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>

@@ -6,6 +6,7 @@ export type ProjectProblemCode =
   | 'not-a-project'
   | 'not-a-level'
   | 'links-too-large'
+  | 'not-beside'
   | 'no-main'
   | 'file-name'
   | 'file-too-large'

@@ -1,13 +1,12 @@
 import { basename } from 'node:path';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
-import { openJson } from '#project/open-json';
-import { MAIN, projectLimits, type Project } from '#project/project';
-import type { Scene } from '#scene/scene';
+import { limits, stemOf } from '#intake/formats';
+import { documentOfText, taskIn } from '#intake/text';
 import { isNoFile, readLimited } from '../read-files';
-import { readyProject } from '../ready-courses';
-import { isAddress, openAddress } from '../read-work';
-import { partsOf, seriesLinkIn, taskOfLink, taskOfSeriesFile, type OpenedTask } from './series-task';
+import { readyCourse, readyProject } from '../ready-courses';
+import { addressProblem, documentAt, isAddress } from '../read-work';
+import { partsOf, seriesLinkIn, taskInFile, taskOfLink, withoutReload, type OpenedTask } from './series-task';
 
 /** A task with the names that reports have for it. */
 export interface NamedTask {
@@ -42,26 +41,26 @@ async function openedTask(word: string): Promise<OpenedTask | Problem> {
   if (isAddress(word)) return taskOfAddress(word);
   const ready = isNoFile(where) ? readyProject(where) : null;
   if (ready !== null) return which === '' ? { project: ready, name: where } : isSingle(where, which);
-  const file = readLimited(where, projectLimits.textCharacters * 4);
+  const file = readLimited(where, limits.json);
   if ('problem' in file)
     return isId(where) ? { problem: `${file.problem} There is no ready course "${where}" either.` } : file;
-  const ofSeries = await taskOfSeriesFile(where, file.text, which);
-  if (ofSeries !== null) return saidOf(which === '' ? where : word, ofSeries);
-  const opened = openJson(file.text);
-  if (opened.kind === 'problem') return { problem: `${where}: ${opened.problem}` };
+  const document = documentOfText(file.text, readyCourse);
+  if (document.kind === 'series')
+    return saidOf(which === '' ? where : word, await taskInFile(where, document.series, which));
+  const task = taskIn(document);
+  if (!('project' in task)) return { problem: `${word}: ${withoutReload(task.message)}` };
   if (which !== '') return isSingle(where, which);
-  const project = opened.kind === 'scene' ? projectOfScene(opened.scene) : opened.project;
-  return { project, name: project.scene.name || basename(where).replace(/(\.parcours)?\.json$/i, '') };
+  return { project: task.project, name: task.project.scene.name || stemOf(basename(where)) };
 }
 
 async function taskOfAddress(address: string): Promise<OpenedTask | Problem> {
   const word = shortened(address);
   if (/#series=/.test(address))
     return { problem: `${word}: The series lies on a web server. Save its file, and name that.` };
-  const opened = await openAddress(address);
-  if ('problem' in opened) return { problem: `${word}: ${opened.problem}` };
-  if (!('project' in opened)) return { problem: `${word}: is a program, and no task.` };
-  return { project: opened.project, name: opened.project.scene.name || 'link' };
+  const document = await documentAt(address);
+  if (document.kind === 'project') return { project: document.project, name: document.project.scene.name || 'link' };
+  const isProgram = document.kind === 'program';
+  return { problem: `${word}: ${isProgram ? 'is a program, and no task.' : addressProblem(document)}` };
 }
 
 const saidOf = (word: string, opened: OpenedTask | Problem): OpenedTask | Problem =>
@@ -72,8 +71,6 @@ const isSingle = (where: string, which: string): Problem => ({
 });
 
 const isId = (word: string): boolean => /^[\w-]+$/.test(word);
-
-const projectOfScene = (scene: Scene): Project => ({ files: [{ name: MAIN, text: '' }], scene, course: null });
 
 /** An address may be as long as a program. */
 const shortened = (word: string): string => (word.length > 60 ? `${word.slice(0, 57)}…` : word);

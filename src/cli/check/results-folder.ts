@@ -8,7 +8,7 @@ import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 import { isRecord } from '#core/record';
-import { openJson } from '#project/open-json';
+import { documentOfText } from '#intake/text';
 import { projectToText } from '#project/file';
 import { version } from '../../../package.json';
 import { reasonOf } from '../reason-of';
@@ -52,8 +52,8 @@ export class ResultsFolder {
     try {
       if (!statSync(path).isDirectory()) return { problem: `${path}: is no folder.` };
       const text = readFileSync(join(path, TASK), 'utf8');
-      const opened = openJson(text);
-      const read = opened.kind === 'project' ? taskOf(opened.project) : { problem: `${TASK} holds no task.` };
+      const document = documentOfText(text, () => null);
+      const read = document.kind === 'project' ? taskOf(document.project) : { problem: `${TASK} holds no task.` };
       if ('problem' in read) return { problem: `${path}: ${read.problem}` };
       const list: unknown = JSON.parse(readFileSync(join(path, LIST), 'utf8'));
       if (!isList(list)) return { problem: `${path}: ${LIST} is damaged.` };

@@ -1,10 +1,10 @@
 import { existsSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { readTasks, type LoadFile } from '#intake/read-files';
-import { looksLikeSeries, parseSeries } from '#check/series/read-series';
-import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
-import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
-import { DAMAGED_LINK } from '#project/link/link';
+import type { Series, SeriesTask } from '#check/series/series';
+import { isSeriesLink } from '#check/series/series-link';
+import { documentOfSeriesLink } from '#intake/address';
+import { limits } from '#intake/formats';
 import type { Project } from '#project/project';
 import { readLimited } from '../read-files';
 import { readyCourse, readyProject, readyTitle } from '../ready-courses';
@@ -46,37 +46,23 @@ export function seriesLinkIn(where: string): string | null {
   return isSeriesLink(fragment) ? fragment : null;
 }
 
-/** What is wrong with a link, beside what is wrong with the series in it. */
-const faults = {
-  damaged: DAMAGED_LINK,
-  newer: 'The link is from a newer version. Update Parcours.',
-  'too-large': 'The link holds far too much and is not opened.',
-} as const;
-
 /** The task that is meant of the series in a link. */
 export async function taskOfLink(fragment: string, which: string): Promise<OpenedTask | Problem> {
-  const read = seriesOfLink(fragment, readyCourse);
-  if ('fault' in read) return { problem: faults[read.fault] };
-  if ('problem' in read) return { problem: withoutReload(read.problem) };
-  return chosen(read.series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
+  const document = documentOfSeriesLink(fragment, readyCourse);
+  if (document.kind === 'unreadable') return { problem: withoutReload(document.message) };
+  return chosen(document.series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
 }
 
-/** The task that is meant of the series in a file; `null`: the text is none. */
-export async function taskOfSeriesFile(
-  path: string,
-  text: string,
-  which: string,
-): Promise<OpenedTask | Problem | null> {
-  if (!looksLikeSeries(text)) return null;
-  const read = parseSeries(text, readyCourse);
-  if ('problem' in read) return { problem: withoutReload(read.problem) };
+/** The task that is meant of the series in a file. */
+export async function taskInFile(path: string, series: Series, which: string): Promise<OpenedTask | Problem> {
   const beside: string[] = [];
-  const task = await chosen(read.series, which, path, (file) => Promise.resolve(fileBeside(path, file, beside)));
+  const task = await chosen(series, which, path, (file) => Promise.resolve(fileBeside(path, file, beside)));
   return 'problem' in task ? task : { ...task, beside };
 }
 
 /** The page says so to people who have it open. */
-const withoutReload = (problem: string): string => problem.replace(' Reload the page to update.', ' Update Parcours.');
+export const withoutReload = (problem: string): string =>
+  problem.replace(' Reload the page to update.', ' Update Parcours.');
 
 /** A file beside a series: its address is seen from there, as on a web server. */
 function fileBeside(series: string, file: string, found: string[]): { readonly text: string } | Problem {
@@ -86,7 +72,7 @@ function fileBeside(series: string, file: string, found: string[]): { readonly t
     return { problem: 'lies on a web server. Save it beside the series.' };
   const path = fileURLToPath(url);
   found.push(path);
-  const read = readLimited(path, seriesLimits.characters * 4);
+  const read = readLimited(path, limits.json);
   return 'problem' in read ? { problem: read.problem.replace(`${path}: `, '') } : read;
 }
 

@@ -1,5 +1,7 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join, resolve } from 'node:path';
+import { openGiven } from '#intake/file';
+import { limits } from '#intake/formats';
 import {
   brokenSource,
   givenFile,
@@ -8,7 +10,6 @@ import {
   together,
   withOwnNames,
   type Given,
-  type Most,
   type Source,
 } from '#intake/sources';
 import type { TreeFile } from '#intake/tree';
@@ -17,9 +18,6 @@ import { isLitter } from '#intake/zip';
 import { isAddress } from '../read-work';
 import { readyCourse } from '../ready-courses';
 import { reasonOf } from '../reason-of';
-
-/** Chosen: fits in memory beside the runs. */
-const MOST: Most = { zip: 500_000_000, list: 20_000_000 };
 
 /** Folders in folders, and files in all of them, that are looked into. Chosen: more than any class has. */
 const [MOST_DEPTH, MOST_FILES] = [20, 200_000];
@@ -66,7 +64,8 @@ async function givenAt(path: string, isAlone: boolean): Promise<FilesGiven | { r
   } catch (error) {
     return { problem: `${path}: ${reasonOf(error)}` };
   }
-  return { ...(await givenFile(treeFile(path, name), MOST, readyCourse, isAlone)), files: [path] };
+  const opened = await openGiven(treeFile(path, name), limits.zipOnCommandLine);
+  return { ...(await givenFile(opened, readyCourse, isAlone)), files: [path] };
 }
 
 /** All files of a folder, at any depth. An empty folder stays somebody's. */

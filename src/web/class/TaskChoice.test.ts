@@ -93,7 +93,7 @@ describe('a series for a class', () => {
   it('has its first task checked, and offers the others', async () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
-    bringSeries(model, { series: aSeries() });
+    bringSeries(model, { kind: 'series', series: aSeries() });
     await nextTick();
     expect(parts(shown)).toEqual({
       from: 'Serie: Woche 3: Linien',
@@ -109,7 +109,7 @@ describe('a series for a class', () => {
   it('is still there when the page comes back, with the task that was chosen', async () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
-    bringSeries(model, { series: aSeries() });
+    bringSeries(model, { kind: 'series', series: aSeries() });
     await nextTick();
     await shown.get('[data-testid="class-series-task"]').setValue('3');
     expect(parts(mountOn(page, TaskChoice, { model })).task).toBe('3. Ohne Aufgabe');
@@ -139,13 +139,13 @@ describe('a series for a class', () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
     const gone = { id: 'x', title: 'Weg', from: { kind: 'file', file: 'weg.json' } } as const;
-    bringSeries(model, { series: { ...aSeries(), tasks: [gone, ...aSeries().tasks.slice(1)] } });
+    bringSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone, ...aSeries().tasks.slice(1)] } });
     await nextTick();
     expect(parts(shown)).toMatchObject({
       tasks: ['1. Weg (nicht lesbar) –', '2. Ans Ziel', '3. Ohne Aufgabe'],
       task: '2. Ans Ziel',
     });
-    bringSeries(model, { series: { ...aSeries(), tasks: [gone] } });
+    bringSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone] } });
     await nextTick();
     expect(model.task.value).toBeNull();
     expect(shown.get('[role="alert"]').text()).toContain('keine Aufgabe, die sich lesen lässt');

@@ -1,14 +1,20 @@
 import type { AddedFile } from '../page/files/added-files';
-import { seriesAmong } from '../share/series-among';
+import { HandInReader } from '../run/reading/hand-in-reader';
+import { readyCourses } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
-import { sourcesOf } from './sources-of';
 import { bringSeries } from './task-series';
 
-/** Takes files that were dropped, chosen or pasted: a series brings tasks, all others are hand-ins. @returns how many those are */
+const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id, scene }) => [id, scene])));
+
+/**
+ * Takes files that were dropped, chosen or pasted: a series brings tasks, all others are hand-ins as the command line takes
+ * them. All are read in a worker.
+ *
+ * @returns how many hand-ins there are
+ */
 export async function takeFiles(model: ClassModel, files: readonly AddedFile[]): Promise<number> {
-  const among = await seriesAmong(files);
-  if (among !== null) bringSeries(model, among.read);
-  const sources = await sourcesOf(among?.rest ?? files);
+  const { series, sources } = await reader.open(files);
+  if (series !== null) bringSeries(model, series);
   if (sources.length > 0) await model.add(sources);
   return sources.length;
 }

@@ -1,13 +1,14 @@
 import { projectOf } from '#catalogue/course';
 import { withStart } from '#catalogue/starts';
 import type { Series, SeriesTask } from '#check/series/series';
-import { seriesOfLink } from '#check/series/series-link';
+import { documentOfSeriesLink } from '#intake/address';
+import type { SeriesDocument, Unreadable } from '#intake/document';
+import { seriesLinkIn } from '#intake/links';
 import type { Project } from '#project/project';
 import { shallowRef, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../page/i18n';
-import type { WholeSeries } from '../share/series-among';
-import { seriesLinkReason } from '../share/series-reason';
+import { unreadableReason } from '../share/unreadable-words';
 import { courseName } from '../work/catalogue/first-course';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
@@ -35,25 +36,20 @@ export function taskSeriesOf(model: ClassModel): ShallowRef<Brought> {
 }
 
 /** Brings a series: its first task that can be had is the one that is checked. */
-export function bringSeries(model: ClassModel, read: WholeSeries): void {
+export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable): void {
   const known = taskSeriesOf(model);
-  if ('problem' in read) known.value = { ...known.value, problem: read.problem };
+  if (read.kind === 'unreadable') known.value = { ...known.value, problem: unreadableReason(read) };
   else {
     const first = read.series.tasks.find((task) => projectIn(task) !== null);
     known.value = { chosen: { series: read.series, task: first?.id ?? '' }, problem: null };
   }
 }
 
-/** The link of a series, whatever stands around it. */
-const LINK = /(?:^|[#\s>"'])(s=\d{1,9}\.[\w-]+)/;
-
 /** Brings the series of a link in a text. @returns whether there is one */
 export function bringLink(model: ClassModel, text: string): boolean {
-  const [, link] = LINK.exec(text) ?? [];
-  if (link === undefined) return false;
-  const read = seriesOfLink(link, readyScene);
-  bringSeries(model, 'series' in read ? read : { problem: seriesLinkReason(read) });
-  return true;
+  const link = seriesLinkIn(text);
+  if (link !== null) bringSeries(model, documentOfSeriesLink(link, readyScene));
+  return link !== null;
 }
 
 /** A task as it is checked; `null`: it cannot be had. */

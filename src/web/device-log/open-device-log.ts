@@ -1,20 +1,27 @@
 import { readDeviceLog } from '#device-log/read-device-log';
+import type { Document } from '#intake/document';
+import { openLog } from '#intake/file';
+import { inMB, limits } from '#intake/formats';
 
+import { treeFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import type { OpenedLog } from '../run/data-log-model';
 import { deviceLogWords as words } from './device-log-words';
 import { problemText } from './log-texts';
 import type { TakesLogs } from './takes-logs';
 
-/** Largest file that is read: a micro:bit's page has 0.13 MB, and its table from a spreadsheet twice as much at most. */
-const MAX_MB = 1; // chosen: a weak tablet reads it in two or three seconds
+/** A file of readings that was read. */
+interface GivenLog {
+  readonly file: File;
+  readonly document: Document;
+}
 
 /** Shows the readings of a file beside those of the simulation, of several the last. What cannot be read gives a message and changes nothing. */
-export async function openDeviceLogs(app: TakesLogs, files: readonly File[]): Promise<void> {
+export function openDeviceLogs(app: TakesLogs, files: readonly GivenLog[]): void {
   const refusals: string[] = [];
   const opened: OpenedLog[] = [];
   for (const file of files) {
-    const read = await readFile(file);
+    const read = logIn(file);
     if (typeof read === 'string') refusals.push(read);
     else opened.push(read);
   }
@@ -30,13 +37,19 @@ export async function openDeviceLogs(app: TakesLogs, files: readonly File[]): Pr
   if (text !== '') app.notices.show({ kind, key: 'notice.text', values: { text } });
 }
 
+/** Shows the readings of files that were chosen as such, whatever they are called. */
+export async function openChosenLogs(app: TakesLogs, files: readonly File[]): Promise<void> {
+  const chosen = files.map(async (file) => ({ file, document: await openLog(treeFile({ path: file.name, file })) }));
+  openDeviceLogs(app, await Promise.all(chosen));
+}
+
 /** @returns the log, or why there is none, in words */
-async function readFile(given: File): Promise<OpenedLog | string> {
-  const file = given.name;
-  const sizeMB = given.size / 1024 / 1024;
-  if (sizeMB > MAX_MB) return say(words.problems.tooLarge, { file, size: Math.ceil(sizeMB), max: MAX_MB });
-  const bytes = await given.arrayBuffer().catch(() => null);
-  if (bytes === null) return say(words.problems.unreadable, { file });
-  const read = readDeviceLog(new Uint8Array(bytes));
+function logIn({ file: { name: file, size: bytes }, document }: GivenLog): OpenedLog | string {
+  if (document.kind !== 'log') {
+    const isLarge = document.kind === 'unreadable' && document.problem.code === 'large';
+    const values = { file, size: inMB(bytes), max: inMB(limits.log) };
+    return say(words.problems[isLarge ? 'tooLarge' : 'unreadable'], values);
+  }
+  const read = readDeviceLog(document.bytes);
   return read.kind === 'log' ? { file, log: read.log } : problemText(file, read.problem);
 }

@@ -9,7 +9,7 @@ export function pickDeviceLog(app: TakesLogs): void {
   picker.addEventListener('change', () => {
     const files = [...(picker.files ?? [])];
     import('./open-device-log')
-      .then(({ openDeviceLogs }) => openDeviceLogs(app, files))
+      .then(({ openChosenLogs }) => openChosenLogs(app, files))
       .catch(() => app.notices.show(latePart));
   });
   picker.click();

@@ -1,11 +1,12 @@
-import { readTasks } from '#intake/read-files';
 import { parseSeries } from '#check/series/read-series';
 import { seriesLimits } from '#check/series/series';
-import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
+import { isSeriesLink } from '#check/series/series-link';
+import { documentOfSeriesLink } from '#intake/address';
+import { readTasks } from '#intake/read-files';
+import { seriesDocument } from '#intake/text';
 
 import { say } from '../page/i18n/say';
 import { shownAndKept, type FoundSeries } from '../share/open-series';
-import { seriesReason } from '../share/series-reason';
 import { shareWords } from '../share/share-words';
 import { keptSeries, seriesFrom } from '../task/series/kept-series';
 import { urlOf } from '../visit/address';
@@ -19,11 +20,7 @@ import { seriesWords as words } from './series-words';
  * @param from the address behind `#`: `s=…`, `series=ADDRESS`, `series/ID`
  */
 export async function findSeries(from: string): Promise<FoundSeries> {
-  if (isSeriesLink(from)) {
-    const read = seriesOfLink(from, readyScene);
-    if ('fault' in read) return { problem: say(shareWords.series.faults[read.fault]) };
-    return shownAndKept(read);
-  }
+  if (isSeriesLink(from)) return shownAndKept(documentOfSeriesLink(from, readyScene));
   if (from.startsWith('series=')) return fetchSeries(decoded(from.slice('series='.length)));
   const series = await keptSeries(from.slice('series/'.length));
   return series === null ? { problem: say(words.notKept) } : { series };
@@ -40,15 +37,15 @@ async function fetchSeries(given: string): Promise<FoundSeries> {
     const series = await seriesFrom(url.href);
     return series === null ? { problem: loaded.problem } : { series, isOld: true };
   }
-  const read = parseSeries(loaded.text, readyScene);
-  if ('problem' in read) return { problem: seriesReason(read.problems) };
-  const whole = await readTasks(read.series, async (file) => {
+  const document = seriesDocument(parseSeries(loaded.text, readyScene));
+  if (document.kind === 'unreadable') return shownAndKept(document);
+  const series = await readTasks(document.series, async (file) => {
     const place = urlOf(file, url.href);
     if (place === null || place.origin !== url.origin)
       return { problem: say(words.foreign, { host: place?.host ?? file }) };
     return textAt(place);
   });
-  return shownAndKept({ series: whole }, url.href);
+  return shownAndKept({ ...document, series }, url.href);
 }
 
 async function textAt(url: URL): Promise<{ readonly text: string } | { readonly problem: string }> {

@@ -1,5 +1,9 @@
+import { documentIn, openFile, openGiven } from '#intake/file';
+import { formatOf, limits, mayBeLog } from '#intake/formats';
+import { seriesAmong } from '#intake/series-among';
+import type { TreeFile } from '#intake/tree';
 import { withFiles } from '#project/devices';
-import { FILE_BYTES, freeName, nameProblem, type SourceFile } from '#project/project';
+import { freeName, nameProblem, type SourceFile } from '#project/project';
 
 import { stampSettings } from '../work/stamp-settings';
 import type { PageParts } from '../page/parts';
@@ -7,8 +11,10 @@ import type { RunParts } from '../run/parts';
 import type { WorkParts, Workplace } from '../work/model/parts';
 import { useOpenings } from '../work/use-openings';
 import { workName } from '../work/work-name';
-import type { TakesDocuments } from './open-json';
+import { openDocuments, type Taken, type TakesDocuments } from './open-documents';
+import { treeFile } from '../page/files/added-files';
 import { latePart } from '../page/late-part';
+import { readyScene } from '../work/catalogue/ready-courses';
 
 /** Where files of all kinds are taken in. */
 export type TakesFiles = TakesDocuments & Pick<RunParts, 'dataLog'>;
@@ -43,16 +49,11 @@ export async function loadFiles(
   ask: (conflict: Conflict) => void,
 ): Promise<void> {
   const all = [...files];
-  const isPython = ({ name }: File): boolean => name.toLowerCase().endsWith('.py');
   // Programs come last: they belong into the project that comes with them.
-  const others = all.filter((file) => !isPython(file));
-  const logs = others.filter(isLog);
-  const rest = others.filter((file) => !isLog(file));
-  if (rest.length > 0) await late(app, import('./open-json'), ({ openJsonFiles }) => openJsonFiles(app, rest));
-  if (logs.length > 0)
-    await late(app, import('../device-log/open-device-log'), ({ openDeviceLogs }) => openDeviceLogs(app, logs));
-  for (const loaded of all.filter(isPython)) {
-    const file = await readFile(app, loaded);
+  const programs = all.filter(({ name }) => formatOf(name) === 'program');
+  await takeOthers(app, all.filter((file) => !programs.includes(file))); // prettier-ignore
+  for (const loaded of programs) {
+    const file = await readProgram(app, loaded);
     if (file === null) continue;
     const own = app.work.find(file.name);
     if (own?.text === file.text) app.work.show(file.name);
@@ -66,34 +67,50 @@ export async function loadFiles(
   }
 }
 
-/** What a real board has logged, also on the way through a spreadsheet. */
-const isLog = ({ name }: File): boolean => /\.(?:html?|csv|tsv|txt|xlsx?|ods)$/i.test(name);
+/** Opens what is no program. A series is opened with the tasks in the others, and no work besides. */
+async function takeOthers(app: TakesFiles, files: readonly File[]): Promise<void> {
+  const opened = await Promise.all(files.map((file) => openGiven(asTree(file))));
+  const among = await seriesAmong(opened, readyScene);
+  const taken: Taken[] = [];
+  for (const [place, one] of opened.entries()) {
+    const [file, isRest] = [files[place], among?.rest.includes(one) ?? true];
+    const most = mayBeLog(one.file.path) ? limits.log : undefined;
+    if (file !== undefined && isRest) taken.push({ file, document: await documentIn(one, readyScene, most) });
+  }
+  const isLog = ({ file, document }: Taken): boolean => mayBeLog(file.name) && document.kind !== 'links';
+  const [logs, works] = [taken.filter(isLog), taken.filter((one) => !isLog(one))];
+  if (among !== null) await late(app, import('./open-series'), ({ openSeries }) => openSeries(app, among.document));
+  else if (works.length > 0) await openDocuments(app, works);
+  if (logs.length > 0)
+    await late(app, import('../device-log/open-device-log'), ({ openDeviceLogs }) => openDeviceLogs(app, logs));
+}
 
-/** Opens what is no program: what does that comes late. */
-async function late<T>({ notices }: TakesFiles, part: Promise<T>, act: (part: T) => Promise<void>): Promise<void> {
+const asTree = (file: File): TreeFile => treeFile({ path: file.name, file });
+
+/** What only some files need comes late. */
+async function late<T>(
+  { notices }: TakesFiles,
+  part: Promise<T>,
+  act: (part: T) => void | Promise<void>,
+): Promise<void> {
   const come = await part.catch(() => null);
   if (come === null) notices.show(latePart);
   else await act(come);
 }
 
-async function readFile({ notices }: Pick<PageParts, 'notices'>, loaded: File): Promise<SourceFile | null> {
+async function readProgram({ notices }: Pick<PageParts, 'notices'>, loaded: File): Promise<SourceFile | null> {
   const file = loaded.name;
   if (nameProblem(file, []) !== null) {
     notices.show({ kind: 'error', key: 'files.notPython', values: { file } });
     return null;
   }
-  if (loaded.size > FILE_BYTES) {
-    const values = { file, size: Math.ceil(loaded.size / 1024), max: FILE_BYTES / 1024 };
-    notices.show({ kind: 'error', key: 'files.tooLarge', values });
-    return null;
-  }
-  try {
-    const text = new TextDecoder('utf-8', { fatal: true }).decode(await loaded.arrayBuffer());
-    return { name: file, text: text.replaceAll('\r\n', '\n') };
-  } catch {
-    notices.show({ kind: 'error', key: 'files.notText', values: { file } });
-    return null;
-  }
+  const document = await openFile(asTree(loaded), readyScene);
+  const [program] = document.kind === 'program' ? document.files : [];
+  if (program !== undefined) return { name: file, text: program.text.replaceAll('\r\n', '\n') };
+  const isLarge = document.kind === 'unreadable' && document.problem.code === 'large';
+  const values = { file, size: Math.ceil(loaded.size / 1024), max: limits.program / 1024 };
+  notices.show({ kind: 'error', key: isLarge ? 'files.tooLarge' : 'files.notText', values });
+  return null;
 }
 
 /** Replaces the file of the same name by a loaded one. All of the work is put aside first and can be brought back. */

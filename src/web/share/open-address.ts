@@ -1,20 +1,17 @@
-import { isProjectLink, projectOfLink } from '#project/link/link';
+import { documentOfAddress } from '#intake/address';
+import type { ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';
 import { defaultProjectSettings, type Project } from '#project/project';
-import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
-
-import { isRunLink } from '#tape/link';
 
 import type { Workplace } from '../work/model/parts';
 import { isOurs, useCourses } from '../work/use-courses';
 import { useDevice } from '../work/hardware/use-device';
 import { useOpenings } from '../work/use-openings';
-import { parametersOf, urlOf } from '../visit/address';
+import { urlOf } from '../visit/address';
 import { say } from '../page/i18n/say';
-import type { Course } from '#catalogue/course';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
-import { openRunLink } from './open-run';
+import { openRun } from './open-run';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
 import { shareWords as words } from './share-words';
@@ -29,46 +26,44 @@ import { shareWords as words } from './share-words';
  * @returns `null` on success, otherwise why it failed; then nothing has changed
  */
 export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
-  const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
-  if (isProjectLink(fragment)) return openProjectLink(app, fragment);
-  if (isRunLink(fragment)) return openRunLink(app, fragment);
-  if (showSeries(address.trim(), fragment)) return null;
-  const id = courseIn(address.trim());
-  const course = id === null ? null : readyCourse(id.course);
-  if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id.course });
-  if (hasProgram(address)) return openProgramLink(app, address.trim(), course, wish);
-  if (id === null || course === null) return say(words.problems.notALink);
+  const document = documentOfAddress(address, readyScene);
+  switch (document.kind) {
+    case 'project':
+      return openLinked(app, document);
+    case 'recording':
+      return openRun(app, { ...document, file: say(words.openField) });
+    case 'program':
+      return openProgram(app, document, wish);
+    case 'ready':
+      return openReady(app, document);
+    // A series has an address of this page, which shows it.
+    case 'series-link':
+      location.hash = document.link;
+      return null;
+    case 'series-place':
+      location.hash = `series=${placeSeenFrom(address.trim(), document.place)}`;
+      return null;
+    case 'unreadable':
+      return document.link === undefined ? say(words.problems.notALink) : linkReason(document.link);
+  }
+}
+
+/** A relative place of a series is seen from the page that it was given with. */
+function placeSeenFrom(address: string, place: string): string {
+  const base = urlOf(address.replace(/#.*/, ''), location.href) ?? location.href;
+  return urlOf(decodeURIComponent(place), String(base))?.href ?? place;
+}
+
+function openReady(app: Workplace, { course: id, isWhole }: ReadyDocument): string | null {
+  const course = readyCourse(id);
+  if (course === null) return say(words.problems.unknownCourse, { course: id });
   const { openScene, openWhole } = useCourses(app);
-  if (id.name === 'task') openWhole(course);
+  if (isWhole) openWhole(course);
   else openScene(course);
   return null;
 }
 
-/** A series has an address of this page, which shows it; a relative one is seen from the page that it was given with. */
-function showSeries(address: string, fragment: string): boolean {
-  const [, inside, place] = /^#?(?:(s=\d.*)|series=(.+))$/.exec(fragment) ?? [];
-  if (inside !== undefined) location.hash = inside;
-  else if (place !== undefined) {
-    const base = urlOf(address.replace(/#.*/, ''), location.href) ?? location.href;
-    location.hash = `series=${urlOf(decodeURIComponent(place), String(base))?.href ?? place}`;
-  }
-  return (inside ?? place) !== undefined;
-}
-
-/** The ready course that an address names. */
-function courseIn(address: string): { readonly name: 'task' | 'world'; readonly course: string } | null {
-  const url = urlOf(address, location.href);
-  if (url === null) return null;
-  const given = parametersOf(url);
-  const name = given.has('task') ? 'task' : 'world';
-  const course = given.get(name);
-  return course === null ? null : { name, course };
-}
-
-function openProjectLink(app: Workplace, fragment: string): string | null {
-  const read = projectOfLink(fragment, readyScene);
-  if ('problem' in read) return linkReason(read.problem);
-  const { project, isCourseChanged } = read;
+function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocument): string | null {
   const { scene, course } = project;
   const name = scene.name === '' && course === null ? say(words.shared) : courseName(scene, course);
   openProject(app, project, name);
@@ -80,16 +75,11 @@ function openProjectLink(app: Workplace, fragment: string): string | null {
   return null;
 }
 
-/** The program of the link in the course it names, else in the arena that is open. */
-function openProgramLink(
-  app: Workplace,
-  address: string,
-  course: Course | null,
-  wish: 'held' | 'brought',
-): string | null {
-  const read = programOfLink(address);
-  if ('problem' in read) return linkReason(read.problem);
-  const { files, device } = read;
+/** The program of a link in the course it names, else in the arena that is open. */
+function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | 'brought'): string | null {
+  const { files, device, course: id } = document;
+  const course = id === null ? null : readyCourse(id);
+  if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id });
   const open = app.work.work.value.project;
   const project: Project =
     course === null

@@ -5,7 +5,6 @@ import { isSameCourse } from '#check/task/course-mark';
 import { withFiles } from '#project/devices';
 import type { Project } from '#project/project';
 import { parseTape } from '#tape/file';
-import { readRunLink } from '#tape/link';
 import { differences } from '#tape/result';
 import type { Tape } from '#tape/tape';
 import type { Scene } from '#scene/scene';
@@ -41,16 +40,6 @@ interface Given {
   readonly stem?: string;
   /** The moment from which it is looked at. */
   readonly atUs: number;
-}
-
-/** The run in a link. @returns why nothing was opened */
-export function openRunLink(app: Workplace, fragment: string): string | null {
-  const read = readRunLink(fragment);
-  if ('fault' in read) {
-    const { newerLink, damagedLink } = shareWords.problems;
-    return say(read.fault === 'newer' ? newerLink : damagedLink);
-  }
-  return openRun(app, { ...read, file: say(shareWords.openField) });
 }
 
 /**

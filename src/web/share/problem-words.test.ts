@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 
+import { documentOfText } from '#intake/text';
 import { projectOfLink } from '#project/link/link';
-import { openJson } from '#project/open-json';
 import { programOfLink } from '#project/webtigerpython/program-link';
 
 import { LANGUAGES, showLanguage, type Language } from '../page/i18n';
@@ -33,8 +33,8 @@ const files: readonly unknown[] = [
 
 /** What is said of each broken file and link. */
 function said(): readonly string[] {
-  const opened = [...files.map((file) => JSON.stringify(file)), '[1,', 'x'.repeat(12_000_001)].map(openJson);
-  const reasons = opened.map((it) => (it.kind === 'problem' ? reasonOf(it.problems) : ''));
+  const opened = [...files.map((file) => JSON.stringify(file)), '[1,', 'x'.repeat(12_000_001)].map((text) => documentOfText(text, () => null)); // prettier-ignore
+  const reasons = opened.map((it) => (it.kind === 'unreadable' ? reasonOf(it.problems) : ''));
   const links = ['#p=1.x', '#p=9.x', `#p=1.${'x'.repeat(600_000)}`].map((link) => projectOfLink(link, () => null));
   const programs = [programOfLink('?code=x')];
   return [...reasons, ...[...links, ...programs].map((it) => ('problem' in it ? linkReason(it.problem) : ''))];

@@ -1,22 +1,21 @@
 import type { Texts } from '#core/languages';
+import type { FileProblem } from '#intake/document';
 import type { LinkProblem } from '#project/link/link';
-import type { ProjectProblem } from '#project/problem';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
-import type { SceneProblem } from '#scene/problem';
 
 import { say } from '../page/i18n/say';
 import { shareWords } from './share-words';
 
 const words = shareWords.problems;
 
-type Problem = ProjectProblem | SceneProblem;
-
-const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
+const byCode: Readonly<Record<FileProblem['code'], Texts>> = {
   'too-long': words.tooLong,
   'not-json': words.notJson,
   'not-a-scene': words.notOurs,
   'not-a-project': words.notOurs,
   'not-a-level': words.notALevel,
+  'not-a-series': shareWords.series.notASeries,
+  'not-beside': shareWords.series.fileBeside,
   'unknown-version': words.unknownVersion,
   'newer-version': words.newerFile,
   missing: words.missing,
@@ -49,7 +48,7 @@ const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
 };
 
 /** What is wrong with a file, in words: the first problem, and how many follow. */
-export function reasonOf(problems: readonly Problem[]): string {
+export function reasonOf(problems: readonly FileProblem[]): string {
   const [first] = problems;
   if (first === undefined) return '';
   const { code, path, value, params } = first;

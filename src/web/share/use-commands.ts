@@ -14,7 +14,7 @@ export function useCommands(app: TakesFiles) {
   function load(): void {
     const picker = document.createElement('input');
     picker.type = 'file';
-    picker.accept = '.py,.json,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
+    picker.accept = '.py,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
     picker.multiple = true;
     picker.addEventListener('change', () => take(picker.files ?? []));
     picker.click();

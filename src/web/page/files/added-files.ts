@@ -1,3 +1,6 @@
+import { unread } from '#check/hand-in/unread';
+import type { TreeFile } from '#intake/tree';
+
 /** A file with its path in the folder that was chosen or dropped; alone it has just its name. */
 export interface AddedFile {
   readonly path: string;
@@ -32,3 +35,13 @@ async function filesIn(entry: FileSystemEntry, above: string): Promise<readonly 
 /** What was chosen in a dialog of the browser: files, or a folder with all that is in it. */
 export const chosenFiles = (files: Iterable<File>): readonly AddedFile[] =>
   [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
+
+/** A file of the page as one that is read. */
+export const treeFile = ({ path, file }: AddedFile): TreeFile => ({
+  path,
+  size: file.size,
+  async read(maxBytes) {
+    if (file.size > maxBytes) return unread('large', { file: file.name, most: maxBytes });
+    return { bytes: new Uint8Array(await file.arrayBuffer()) };
+  },
+});

@@ -44,7 +44,7 @@ const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve
 describe('hand-ins that are read beside the page', () => {
   it('are read by one worker, each when its turn comes', async () => {
     const { reader, workers } = readerWith(() => false);
-    const sources = await reader.open(added('Ada.py', 'Ben.py', 'Cem.zip'));
+    const { sources } = await reader.open(added('Ada.py', 'Ben.py', 'Cem.zip'));
     expect(sources.map(({ name }) => name)).toEqual(['Ada', 'Ben', 'Cem.zip']);
     const contents = await Promise.all(sources.map(async (source) => source.read()));
     expect(contents).toMatchObject([
@@ -57,7 +57,7 @@ describe('hand-ins that are read beside the page', () => {
 
   it('that do not come to an end are tried once more, then told; the others are read', async () => {
     const { reader, pass, workers } = readerWith((message) => isOf(message, 1));
-    const sources = await reader.open(added('Ada.py', 'Ben.py', 'Cem.py'));
+    const { sources } = await reader.open(added('Ada.py', 'Ben.py', 'Cem.py'));
     const reading = Promise.all(sources.map(async (source) => source.read()));
     await pass();
     expect(workers()).toBe(2);
@@ -72,7 +72,7 @@ describe('hand-ins that are read beside the page', () => {
 
   it('are read at the second try where the machine was only busy', async () => {
     const { reader, pass } = readerWith((message, worker) => worker === 1 && isOf(message, 0));
-    const [source] = await reader.open(added('Ada.py'));
+    const [source] = (await reader.open(added('Ada.py'))).sources;
     const reading = Promise.resolve(source?.read());
     await pass();
     expect(await reading).toMatchObject({ handIn: {} });
@@ -83,7 +83,7 @@ describe('hand-ins that are read beside the page', () => {
     const opening = reader.open(added('class.zip'));
     await pass();
     await pass();
-    const [source] = await opening;
+    const [source] = (await opening).sources;
     expect([source?.name, await source?.read()]).toEqual([
       'class.zip',
       { problem: { code: 'slow', params: { seconds: 20 } } },

@@ -1,6 +1,7 @@
 import { brokenSource, type Source } from '#intake/sources';
 import { unread, type Unread } from '#check/hand-in/unread';
 import type { Content } from '#intake/contents';
+import type { SeriesAmong } from '#intake/series-among';
 import type { Every } from '#check/lane';
 import type { Scene } from '#scene/scene';
 
@@ -33,6 +34,12 @@ interface Batch {
   readonly added: readonly AddedFile[];
 }
 
+/** What came with the files of a class. */
+export interface OpenedHandIns {
+  readonly series: SeriesAmong['document'] | null;
+  readonly sources: readonly Source[];
+}
+
 /**
  * Reads hand-ins beside the page, one after the other. What does not end is tried a second time in a new worker: the machine
  * may have been busy. Then it is told, and the others go on.
@@ -49,12 +56,14 @@ export class HandInReader {
     private readonly ports: ReaderPorts = inWorker,
   ) {}
 
-  /** The hand-ins of files and folders; each is read when its turn comes. */
-  async open(added: readonly AddedFile[]): Promise<readonly Source[]> {
+  /** The hand-ins of files and folders, each read when its turn comes; a series among them is read at once. */
+  async open(added: readonly AddedFile[]): Promise<OpenedHandIns> {
     const batch: Batch = { number: (this.batches += 1), added };
     const answer = await this.inTurn(() => this.twice(() => this.names(batch)));
-    if ('problem' in answer) return added.map(({ path }) => brokenSource(path, answer.problem));
-    return answer.names.map((name, place) => ({ name, read: () => this.read(batch, place) }));
+    if ('problem' in answer)
+      return { series: null, sources: added.map(({ path }) => brokenSource(path, answer.problem)) };
+    const { names, series } = answer;
+    return { series, sources: names.map((name, place) => ({ name, read: () => this.read(batch, place) })) };
   }
 
   private async read(batch: Batch, place: number): Promise<Content> {

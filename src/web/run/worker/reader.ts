@@ -1,11 +1,14 @@
 /** Reading what was handed in, in a worker of its own: zips are unpacked and texts looked through beside the page. */
-import type { Content } from '#intake/contents';
-import { contentOf, givenFile, givenFolder, together, type Given, type Most, type Source } from '#intake/sources';
-import type { TreeFile } from '#intake/tree';
 import { unread } from '#check/hand-in/unread';
+import type { Content } from '#intake/contents';
+import { openGiven, type Opened } from '#intake/file';
+import { seriesAmong, type SeriesAmong } from '#intake/series-among';
+import { contentOf, givenFile, givenFolder, together, type Given, type Source } from '#intake/sources';
+import type { TreeFile } from '#intake/tree';
+import type { ReadyCourses } from '#project/link/link';
 import type { Scene } from '#scene/scene';
 
-import type { AddedFile } from '../../page/files/added-files';
+import { treeFile, type AddedFile } from '../../page/files/added-files';
 
 /** From the page: files that were handed in together, and then which of their hand-ins is wanted. */
 export type ToReader =
@@ -20,11 +23,13 @@ export type ToReader =
 
 /** To the page: the answers, in the same order. */
 export type FromReader =
-  | { readonly type: 'read-names'; readonly names: readonly string[] }
+  | {
+      readonly type: 'read-names';
+      readonly names: readonly string[];
+      /** The series that came among the files: it is nobody's hand-in. `null`: there is none. */
+      readonly series: SeriesAmong['document'] | null;
+    }
   | { readonly type: 'read-content'; readonly content: Content };
-
-/** Chosen: a tablet's browser holds it beside the workers. */
-const MOST: Most = { zip: 200_000_000, list: 20_000_000 };
 
 /** Reads what it is sent; never throws. */
 export class Reader {
@@ -33,9 +38,12 @@ export class Reader {
   async answer(message: ToReader): Promise<FromReader> {
     if (message.type === 'read-open') {
       const { batch, added, scenes } = message;
-      const sources = await sourcesOf(added, (id) => (Object.hasOwn(scenes, id) ? (scenes[id] ?? null) : null));
+      const courses: ReadyCourses = (id) => (Object.hasOwn(scenes, id) ? (scenes[id] ?? null) : null);
+      const opened = await Promise.all(added.map(treeFile).map(openedAtTop));
+      const among = await seriesAmong(opened, courses);
+      const sources = await sourcesOf(among?.rest ?? opened, courses);
       this.batches.set(batch, sources);
-      return { type: 'read-names', names: sources.map(({ name }) => name) };
+      return { type: 'read-names', names: sources.map(({ name }) => name), series: among?.document ?? null };
     }
     const source = this.batches.get(message.batch)?.[message.place];
     const content = source === undefined ? unread('gone', { problem: '' }) : await contentOf(source);
@@ -43,32 +51,21 @@ export class Reader {
   }
 }
 
+/** The turn of a zip in a folder comes later. */
+const openedAtTop = async (file: TreeFile): Promise<Opened> =>
+  file.path.includes('/') ? { file, zip: null } : openGiven(file);
+
 /** The hand-ins of files and folders that were chosen or dropped, each as the command line takes it. */
-async function sourcesOf(
-  added: readonly AddedFile[],
-  courses: (id: string) => Scene | null,
-): Promise<readonly Source[]> {
+async function sourcesOf(all: readonly Opened[], courses: ReadyCourses): Promise<readonly Source[]> {
   const folders = new Map<string, TreeFile[]>();
   const found: Given[] = [];
-  const isAlone = new Set(added.map(({ path }) => path.split('/', 1)[0])).size === 1;
-  for (const { path, file } of added) {
-    const [top = '', ...below] = path.split('/');
-    if (below.length === 0) found.push(await givenFile(treeFile(path, file), MOST, courses, isAlone));
-    else {
-      const inside = folders.get(top);
-      if (inside === undefined) folders.set(top, [treeFile(below.join('/'), file)]);
-      else inside.push(treeFile(below.join('/'), file));
-    }
+  const isAlone = new Set(all.map(({ file }) => file.path.split('/', 1)[0])).size === 1;
+  for (const opened of all) {
+    const [top = '', ...below] = opened.file.path.split('/');
+    const file = { ...opened.file, path: below.join('/') };
+    if (below.length === 0) found.push(await givenFile(opened, courses, isAlone));
+    else if (folders.get(top)?.push(file) === undefined) folders.set(top, [file]);
   }
   const inFolders = [...folders].map(([name, inside]) => givenFolder(name, inside, courses, isAlone));
   return together([...found, ...inFolders]);
 }
-
-const treeFile = (path: string, file: File): TreeFile => ({
-  path,
-  size: file.size,
-  async read(maxBytes) {
-    if (file.size > maxBytes) return unread('large', { file: file.name, most: maxBytes });
-    return { bytes: new Uint8Array(await file.arrayBuffer()) };
-  },
-});

@@ -5,10 +5,11 @@ import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { sceneLimits } from '#scene/scene';
 import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 
-import { parseProject, projectToText } from './file';
-import { openJson } from './open-json';
-import { projectLimits, type Project } from './project';
-import { classProject, devicesProject, fullProject, handedInProject } from './testing/projects';
+import { parseProject, projectToText } from '#project/file';
+import { projectLimits, type Project } from '#project/project';
+import { classProject, devicesProject, fullProject, handedInProject } from '#project/testing/projects';
+
+import { documentOfText } from './text';
 
 /** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
@@ -29,21 +30,22 @@ describe('randomly changed project files and levels', () => {
       const several = JSON.parse(projectToText(devicesProject())) as unknown;
       const ofClass = { ...classProject(), ...handedInProject() };
       const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks], several, JSON.parse(projectToText(ofClass))]; // prettier-ignore
-      const counts = { project: 0, scene: 0, problem: 0 };
+      const counts = { project: 0, course: 0, unreadable: 0, series: 0, recording: 0 };
       for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const value = values[seed % 3 === 0 ? 1 + (seed % 2) : seed % 3 === 1 ? (seed % 2) * 4 : 3];
         const file = rng.unit() < 0.3 ? mutatedText(text, rng) : (JSON.stringify(mutatedTree(value, rng, false)) ?? '');
-        const opened = openJson(file);
+        const opened = documentOfText(file, () => null);
         counts[opened.kind] += 1;
-        if (opened.kind === 'problem') expect(opened.problem, `seed ${String(seed)}`).not.toBe('');
+        if (opened.kind === 'unreadable') expect(opened.message, `seed ${String(seed)}`).not.toBe('');
         if (opened.kind !== 'project') continue;
         expectWithinLimits(opened.project);
         expect(parseProject(projectToText(opened.project)), `seed ${String(seed)}`).toEqual({
           project: opened.project,
         });
       }
-      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(fuzzRuns / 100);
+      for (const count of [counts.project, counts.course, counts.unreadable])
+        expect(count).toBeGreaterThan(fuzzRuns / 100);
       expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
     },
     TIME_LIMIT_MS,

@@ -5,27 +5,32 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
-import { projectToText } from './file';
-import { openJson } from './open-json';
-import { fullProject } from './testing/projects';
+import { projectToText } from '#project/file';
+import { fullProject } from '#project/testing/projects';
 
-const open = (value: unknown) => openJson(JSON.stringify(value));
+import { documentOfText } from './text';
+
+const read = (text: string) => documentOfText(text, () => null);
+const open = (value: unknown) => read(JSON.stringify(value));
 const problemIn = (value: unknown): string => {
-  const opened = typeof value === 'string' ? openJson(value) : open(value);
-  return opened.kind === 'problem' ? opened.problem : '';
+  const opened = typeof value === 'string' ? read(value) : open(value);
+  return opened.kind === 'unreadable' ? opened.message : '';
 };
 const sceneIn = (value: unknown): Scene => {
   const opened = open(value);
-  if (opened.kind !== 'scene') throw new Error(problemIn(value));
+  if (opened.kind !== 'course') throw new Error(problemIn(value));
   return opened.scene;
 };
 
 describe('a JSON file', () => {
   it('is told apart: project, course, something else', () => {
-    expect(openJson(projectToText(fullProject()))).toEqual({ kind: 'project', project: fullProject() });
-    expect(openJson(`\ufeff${serializeScene(defaultScene())}`)).toEqual({ kind: 'scene', scene: defaultScene() });
+    expect(read(projectToText(fullProject()))).toEqual({
+      ...{ kind: 'project', isCourseChanged: false },
+      project: fullProject(),
+    });
+    expect(read(`\ufeff${serializeScene(defaultScene())}`)).toEqual({ kind: 'course', scene: defaultScene() });
     const old = readFileSync(new URL('../../courses/closed-line/scene.json', import.meta.url), 'utf8');
-    expect(openJson(old).kind).toBe('scene');
+    expect(read(old).kind).toBe('course');
     for (const value of [null, 7, 'x', {}, [], [1, 2], { version: 1 }, [{ x: 1 }], { files: [] }])
       expect(problemIn(JSON.stringify(value))).toContain('neither a project nor a course');
     expect(problemIn('[1, 2')).toContain('not JSON: line 1, column 6');

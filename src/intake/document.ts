@@ -1,0 +1,111 @@
+import type { Unread } from '#check/hand-in/unread';
+import type { SeriesProblem } from '#check/series/read-series';
+import type { Series } from '#check/series/series';
+import type { LinkProblem } from '#project/link/link';
+import type { Project, SourceFile } from '#project/project';
+import type { ProjectProblem } from '#project/problem';
+import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
+import type { Scene } from '#scene/scene';
+import type { SceneProblem } from '#scene/problem';
+import type { NamedLink } from './links';
+import type { ZipEntry } from './zip';
+
+/** What a file, a text or an address is. Each door takes some of the kinds, and says of the others that they are not for it. */
+export type Document =
+  | ProgramDocument
+  | ProjectDocument
+  | CourseDocument
+  | SeriesDocument
+  | RecordingDocument
+  /** A zip: hand-ins, tasks, or the folder of a series lie in it. */
+  | { readonly kind: 'zip'; readonly files: readonly ZipEntry[] }
+  /** A text with links to hand-ins. */
+  | { readonly kind: 'links'; readonly links: readonly NamedLink[] }
+  /** A device's readings, to be read by `#device-log`. */
+  | { readonly kind: 'log'; readonly bytes: Uint8Array }
+  | { readonly kind: 'picture' }
+  | Unreadable;
+
+/** A text of JSON. */
+export type TextDocument = ProjectDocument | CourseDocument | SeriesDocument | RecordingDocument | Unreadable;
+
+/** The content of an address. */
+export type AddressDocument =
+  | ProgramDocument
+  | ProjectDocument
+  | RecordingDocument
+  /** The link of a series, from `s=` on; `seriesOfLink` reads it. */
+  | { readonly kind: 'series-link'; readonly link: string }
+  /** The file of a series on a web server, seen from the page of the address. */
+  | { readonly kind: 'series-place'; readonly place: string }
+  | ReadyDocument
+  | Unreadable;
+
+/** A program without a course. */
+export interface ProgramDocument {
+  readonly kind: 'program';
+  /** main.py first in an address; in a file the one program, under the file's name. */
+  readonly files: readonly SourceFile[];
+  /** Id of the microcomputer it is for; `null`: nobody says. */
+  readonly device: string | null;
+  /** Id of the ready course that the address also names; `null`: none. */
+  readonly course: string | null;
+}
+
+/** A ready course. */
+export interface ReadyDocument {
+  readonly kind: 'ready';
+  /** Its id; perhaps nobody has one of it. */
+  readonly course: string;
+  /** With its program. */
+  readonly isWhole: boolean;
+}
+
+export interface ProjectDocument {
+  readonly kind: 'project';
+  readonly project: Project;
+  /** The ready course that its link names has changed since the link was made. */
+  readonly isCourseChanged: boolean;
+}
+
+export interface CourseDocument {
+  readonly kind: 'course';
+  readonly scene: Scene;
+}
+
+/** A series; tasks in files beside it are not read yet (`readTasks`). */
+export interface SeriesDocument {
+  readonly kind: 'series';
+  readonly series: Series;
+}
+
+/** A recorded run, to be read by `#tape/file`. */
+export interface RecordingDocument {
+  readonly kind: 'recording';
+  readonly text: string;
+  /** The moment from which it is looked at. */
+  readonly atUs: number;
+}
+
+/** One thing that is wrong inside a file. */
+export type FileProblem = ProjectProblem | SceneProblem | SeriesProblem;
+
+/** Nothing that can be read, and why. */
+export interface Unreadable {
+  readonly kind: 'unreadable';
+  /** By code and parameters, as reports have it. */
+  readonly problem: Unread;
+  /** In English, for the command line: the first thing that is wrong inside, and how many follow. Empty: the code says all. */
+  readonly message: string;
+  /** All that is wrong inside a file. */
+  readonly problems: readonly FileProblem[];
+  /** What is wrong with a link. */
+  readonly link?: LinkProblem | ProgramLinkProblem;
+  /** What is wrong with the link of a series. */
+  readonly seriesLink?: 'damaged' | 'newer' | 'too-large';
+}
+
+/** Something unreadable of which the code says all. */
+export const unreadable = (problem: Unread): Unreadable => ({
+  ...{ kind: 'unreadable', problem, message: '', problems: [] },
+});

@@ -1,0 +1,84 @@
+import { unread } from '#check/hand-in/unread';
+import type { ReadyCourses } from '#project/link/link';
+import { unreadable, type Document } from './document';
+import { formatOf, isTextWithLinks, lastOf, limits, mayBeLog, mostBytes } from './formats';
+import { linksInFile } from './links';
+import { documentOfText, isOurs } from './text';
+import type { Bytes, TreeFile } from './tree';
+import { readZip, type Zip } from './zip';
+
+/** Reads the bytes of a file, by the ending of its name; our own files are known without one, too. Never throws. */
+export function documentOf(path: string, bytes: Uint8Array, courses: ReadyCourses): Document {
+  const name = lastOf(path);
+  const format = formatOf(name);
+  if (format === 'picture') return { kind: 'picture' };
+  if (format === 'zip') return zipDocument(readZip(bytes));
+  if (isTextWithLinks(name)) {
+    const links = linksInFile(name, new TextDecoder().decode(bytes));
+    if (links.length > 0) return { kind: 'links', links };
+    return mayBeLog(name) ? { kind: 'log', bytes } : unreadable(unread('no-link').problem);
+  }
+  if (mayBeLog(name)) return { kind: 'log', bytes };
+  const text = textOf(bytes);
+  if (format === 'json' || (text !== null && format === 'other' && isOurs(text)))
+    return text === null ? unreadable(unread('not-text').problem) : documentOfText(text, courses);
+  if (format === 'other') return unreadable(unread('kind').problem);
+  if (text === null) return unreadable(unread('not-text').problem);
+  return { kind: 'program', files: [{ name, text }], device: null, course: null };
+}
+
+/** Reads a file that is not too large for its kind. Never rejects. @param most as the door has it, else as its name says */
+export async function openFile(file: TreeFile, courses: ReadyCourses, most?: number): Promise<Document> {
+  const format = formatOf(file.path);
+  if (format === 'picture') return { kind: 'picture' };
+  const read = await bytesOf(file, most ?? mostBytes(file.path));
+  if ('bytes' in read) return documentOf(file.path, read.bytes, courses);
+  const isStrange = format === 'other' && read.problem.code === 'large';
+  return unreadable(isStrange ? unread('kind').problem : read.problem);
+}
+
+/** Reads a file that was opened with others. Never rejects. */
+export const documentIn = ({ file, zip }: Opened, courses: ReadyCourses, most?: number): Promise<Document> =>
+  zip === null ? openFile(file, courses, most) : Promise.resolve(zipDocument(zip));
+
+/** A file that is wanted as a device's readings, whatever it is called. Never rejects. */
+export async function openLog(file: TreeFile): Promise<Document> {
+  const read = await bytesOf(file, limits.log);
+  return 'bytes' in read ? { kind: 'log', bytes: read.bytes } : unreadable(read.problem);
+}
+
+/** The bytes of a file, or why there are none. Never rejects. @param unpacked the most that comes of it, whatever it says */
+export async function bytesOf(file: TreeFile, most: number, unpacked = most): Promise<Bytes> {
+  try {
+    if (file.size > most) return unread('large', { file: lastOf(file.path), most });
+    return await file.read(unpacked);
+  } catch (error) {
+    return unread('gone', { problem: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+/** A file that came with others. The list of a zip is read once: whoever looks into it takes it from here. */
+export interface Opened {
+  readonly file: TreeFile;
+  /** `null`: it is no zip, or its turn comes later. */
+  readonly zip: Zip | null;
+}
+
+/** Opens a file. Never rejects. @param most the largest zip that is read, in bytes */
+export async function openGiven(file: TreeFile, most: number = limits.zip): Promise<Opened> {
+  if (formatOf(file.path) !== 'zip') return { file, zip: null };
+  const read = await bytesOf(file, most);
+  return { file, zip: 'problem' in read ? read : readZip(read.bytes) };
+}
+
+const zipDocument = (zip: Zip): Document =>
+  'problem' in zip ? unreadable(zip.problem) : { kind: 'zip', files: zip.entries };
+
+/** A text in UTF-8; `null`: it is none. */
+export function textOf(bytes: Uint8Array): string | null {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    return null;
+  }
+}
