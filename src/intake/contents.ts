@@ -3,12 +3,13 @@ import { handInOf, handInOfFiles } from '#check/hand-in/read-hand-in';
 import { unread, type Unread } from '#check/hand-in/unread';
 import type { ReadyCourses } from '#project/link/link';
 import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type SourceFile } from '#project/project';
+import { parseTape } from '#tape/file';
 import { documentOfAddress } from './address';
 import type { AddressDocument, Document, ProgramDocument, TextDocument } from './document';
 import { documentOf, textOf } from './file';
 import { isTextWithLinks, lastOf, mostBytes } from './formats';
-import { handedRun } from './handed-run';
 import type { NamedLink } from './links';
+import { projectOfRun } from './project-of-run';
 import { SERIES } from './text';
 import { Budget, chosenIn, readBeside, type TreeFile } from './tree';
 
@@ -120,11 +121,16 @@ function handInOfProject(project: Project): Content {
   return 'problem' in read ? unread(read.isNewer ? 'newer' : 'project', { detail: read.problem }) : read;
 }
 
+/** The project of a recorded run. What the run came to does not count: it is run anyway. */
 function handInOfRun(text: string): Content {
-  const run = handedRun(text);
-  if ('detail' in run) return unread(run.isNewer ? 'newer' : 'project', { detail: run.detail });
-  const read = handInOfProject(run.project);
-  return run.isEdited && 'handIn' in read ? { handIn: { ...read.handIn, isEdited: true } } : read;
+  const read = parseTape(text);
+  if ('problem' in read) return unread(read.fault === 'newer' ? 'newer' : 'project', { detail: read.problem });
+  const { setup } = read.tape;
+  const made = projectOfRun(setup, setup.devices[0].name);
+  if ('problems' in made) return unread('project', { detail: made.problems.map(({ message }) => message).join(' ') });
+  const content = handInOfProject(made.project);
+  const isEdited = read.changes.length > 0;
+  return isEdited && 'handIn' in content ? { handIn: { ...content.handIn, isEdited } } : content;
 }
 
 /** One alone is main.py, whatever its file is called. */

@@ -1,4 +1,4 @@
-import { unread } from '#check/hand-in/unread';
+import { unread, type Unread } from '#check/hand-in/unread';
 import { looksLikeSeries } from '#check/series/read-series';
 import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
 import { SERIES_FILE } from '#check/series/write-series';
@@ -19,44 +19,24 @@ export interface SeriesAmong {
 
 /** The series among files that came together, also in the zip of its folder; `null`: there is none. Never rejects. */
 export async function seriesAmong(all: readonly Opened[], courses: ReadyCourses): Promise<SeriesAmong | null> {
-  for (const one of all) {
-    const zipped = one.zip !== null && 'entries' in one.zip ? await seriesInZip(one.zip.entries, courses) : null;
-    if (zipped !== null) return { document: zipped, rest: all.filter((other) => other !== one) };
-    const text = formatOf(one.file.path) === 'json' ? await jsonIn(one.file) : '';
+  const loose = all.map(({ file }) => file).filter(isJson);
+  for (const { file, zip } of all) {
+    const inZip = zip === null ? null : jsonInZip(zip);
+    if (inZip !== null && 'problem' in inZip) continue;
+    const first = inZip === null ? file : inZip.files.find(({ path }) => lastOf(path) === SERIES_FILE);
+    const text = first !== undefined && isJson(first) ? await jsonIn(first) : null;
     if (typeof text !== 'string' || !looksLikeSeries(text)) continue;
-    const used = new Set([one]);
-    const document = await seriesIn(text, courses, async (file) => {
-      const beside = all.find((other) => lastOf(other.file.path) === lastOf(file) && isJson(other.file));
-      if (beside !== undefined) used.add(beside);
-      const read = beside && (await jsonIn(beside.file));
+    const used = new Set([file]);
+    const document = await seriesIn(text, courses, async (name) => {
+      const beside = (inZip?.files ?? loose).find(({ path }) => lastOf(path) === lastOf(name));
+      if (beside === undefined) return null;
+      used.add(beside);
+      const read = await jsonIn(beside);
       return typeof read === 'string' ? { text: read } : null;
     });
-    return { document, rest: all.filter((other) => !used.has(other)) };
+    return { document, rest: all.filter((other) => !used.has(other.file)) };
   }
   return null;
-}
-
-async function seriesInZip(
-  entries: readonly TreeFile[],
-  courses: ReadyCourses,
-): Promise<SeriesDocument | Unreadable | null> {
-  const files = entries.filter(isJson);
-  if (sumOf(files) > limits.tasksInZip) return null;
-  const named = (name: string): TreeFile | undefined => files.find(({ path }) => lastOf(path) === name);
-  const first = named(SERIES_FILE);
-  const text = first && (await jsonIn(first));
-  if (typeof text !== 'string' || !looksLikeSeries(text)) return null;
-  return seriesIn(text, courses, async (file) => {
-    const beside = named(lastOf(file));
-    const read = beside && (await jsonIn(beside));
-    return typeof read === 'string' ? { text: read } : null;
-  });
-}
-
-async function seriesIn(text: string, courses: ReadyCourses, load: LoadFile): Promise<SeriesDocument | Unreadable> {
-  const document = documentOfText(text, courses);
-  if (document.kind === 'series') return { ...document, series: await readTasks(document.series, load) };
-  return document as Unreadable; // what looks like a series is one, or unreadable
 }
 
 /** Tasks in files, whole series, and what is neither. */
@@ -70,7 +50,7 @@ export interface TasksAmong {
 /** The tasks in files that came together, also in zips. Never rejects. */
 export async function tasksAmong(all: readonly Opened[], courses: ReadyCourses): Promise<TasksAmong> {
   const [tasks, series]: [Omit<SeriesTask, 'id'>[], Series[]] = [[], []];
-  const { texts, unreadable: refused } = await textsIn(all);
+  const { texts, refused } = await textsIn(all);
   const beside = new Map([...texts].map(([path, text]) => [lastOf(path), text]));
   const isUsed = new Set<string>();
   for (const [path, text] of texts) {
@@ -96,34 +76,43 @@ export async function tasksAmong(all: readonly Opened[], courses: ReadyCourses):
   return { tasks, series, unreadable: refused };
 }
 
-/** The JSON files among what came, by their paths; of a zip more than a teacher has is told, and never unpacked. */
+/** A series with the tasks beside it. What only looks like one is unreadable. */
+async function seriesIn(text: string, courses: ReadyCourses, load: LoadFile): Promise<SeriesDocument | Unreadable> {
+  const document = documentOfText(text, courses);
+  if (document.kind === 'series') return { ...document, series: await readTasks(document.series, load) };
+  return document as Unreadable;
+}
+
+/** The JSON files among what came, by their paths, and what is none. */
 async function textsIn(all: readonly Opened[]) {
   const texts = new Map<string, string>();
   const refused: { readonly file: string; readonly document: Unreadable }[] = [];
-  const take = async (file: TreeFile, shown: string): Promise<void> => {
-    const read = await jsonIn(file);
-    if (typeof read === 'string') texts.set(file.path, read);
-    else refused.push({ file: shown, document: read });
-  };
   for (const { file, zip } of all) {
-    const { path } = file;
-    if (zip === null && isJson(file)) await take(file, path);
-    else if (zip === null) refused.push({ file: path, document: unreadable(unread('kind').problem) });
-    else if ('problem' in zip) refused.push({ file: path, document: unreadable(zip.problem) });
-    else {
-      const files = zip.entries.filter(isJson);
-      const isMuch = sumOf(files) > limits.tasksInZip;
-      const much = unread('zip-much', { most: limits.tasksInZip });
-      if (isMuch) refused.push({ file: path, document: unreadable(much.problem) });
-      else for (const entry of files) await take(entry, `${path}/${entry.path}`);
-    }
+    const none = (problem: Unread): void => void refused.push({ file: file.path, document: unreadable(problem) });
+    const found = zip === null ? { files: [file].filter(isJson) } : jsonInZip(zip);
+    if ('problem' in found) none(found.problem);
+    else if (zip === null && found.files.length === 0) none(unread('kind').problem);
+    else
+      for (const one of found.files) {
+        const read = await jsonIn(one);
+        if (typeof read === 'string') texts.set(one.path, read);
+        else refused.push({ file: zip === null ? one.path : `${file.path}/${one.path}`, document: read });
+      }
   }
-  return { texts, unreadable: refused };
+  return { texts, refused };
+}
+
+/** The JSON files of a zip; more than a teacher has is told, and never unpacked. */
+function jsonInZip(
+  zip: NonNullable<Opened['zip']>,
+): { readonly files: readonly TreeFile[] } | { readonly problem: Unread } {
+  if ('problem' in zip) return zip;
+  const files = zip.entries.filter(isJson);
+  const size = files.reduce((sum, one) => sum + one.size, 0);
+  return size > limits.tasksInZip ? unread('zip-much', { most: limits.tasksInZip }) : { files };
 }
 
 const isJson = ({ path }: TreeFile): boolean => formatOf(path) === 'json';
-
-const sumOf = (files: readonly TreeFile[]): number => files.reduce((sum, { size }) => sum + size, 0);
 
 /** The text of a file of JSON, or why there is none. */
 async function jsonIn(file: TreeFile): Promise<string | Unreadable> {
