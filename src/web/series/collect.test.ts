@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { projectToText } from '#project/file';
 import { defaultScene } from '#scene/scene';
 
+import { unreadReason } from '../share/unreadable-words';
 import { collectFiles } from './collect';
 
 const text = projectToText({ files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null });
@@ -36,5 +37,12 @@ describe('the files of a series', () => {
     const { tasks, refusals: told } = await collectFiles(huge);
     expect([tasks.length, told.length]).toEqual([1, 1]);
     expect(told[0]).toContain('tasks.zip/huge.json');
+  });
+
+  it('are to come together: what did not come is told in the place of its task', async () => {
+    const series = '{"format":"parcours-series","version":1,"title":"A","tasks":[{"file":"gone.json"}]}';
+    const read = await collectFiles([{ path: 'series.json', file: new File([series], 'series.json') }]);
+    const from = read.series[0]?.tasks[0]?.from;
+    expect(from?.kind === 'unread' && unreadReason(from)).toContain('Öffne alle Dateien des Ordners zusammen');
   });
 });
