@@ -39,7 +39,7 @@ function controlsIn(source: string): readonly (readonly string[])[] {
     const patterns = Array.from(attributes.matchAll(/:data-testid="`([^`]+)`"/g), ({ 1: id = '' }) =>
       id.replace(/\$\{[^}]*\}/g, '*'),
     );
-    const labels = attributes.matchAll(/:(?:label|title|aria-label)="([^"]*)"/g);
+    const labels = attributes.matchAll(/:(?:label|text|title|aria-label)="([^"]*)"/g);
     const inner = isEmpty === '/' ? '' : (template.slice(index + tag.length).split('</')[0] ?? '');
     const said = [...Array.from(labels, ({ 1: label = '' }) => label), inner].join(' ');
     const keys = Array.from(said.matchAll(/'([a-zA-Z]+\.[a-zA-Z]+)'/g), ({ 1: key = '' }) => key);

@@ -55,6 +55,18 @@ describe('a button of the page', () => {
     expect(named.classes()).not.toContain('ctl--icon');
     expect(named.text()).toBe('Link');
   });
+
+  it('is named by the words that it shows, unless it has a longer name', async () => {
+    const button = mount(CtlButton, { props: { text: 'Link', icon: 'M0 0' }, global });
+    expect(button.classes()).not.toContain('ctl--icon');
+    expect([button.text(), button.attributes('aria-label'), button.attributes('title')]).toEqual([
+      'Link',
+      'Link',
+      'Link',
+    ]);
+    await button.setProps({ label: 'Link kopieren' });
+    expect([button.text(), button.attributes('aria-label')]).toEqual(['Link', 'Link kopieren']);
+  });
 });
 
 describe('a slider', () => {
