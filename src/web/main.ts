@@ -4,6 +4,7 @@ import './page/styles/base.css';
 import './page/styles/tokens.css';
 import './page/styles/page.css';
 import './page/styles/controls.css';
+import './page/styles/blocks.css';
 
 import { createApp } from 'vue';
 

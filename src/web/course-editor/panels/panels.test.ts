@@ -57,8 +57,8 @@ describe('the settings of a course', () => {
     await fill('Tipp 1', 'Langsam.');
     await press('Tipp dazu');
     await fill('Tipp 2', 'Noch langsamer.');
-    await mounted.get('[data-testid="allow-hand"]').trigger('change');
-    await mounted.get('[data-testid="give-stars"]').trigger('change');
+    await mounted.get('[data-testid="allow-hand"]').setValue(true);
+    await mounted.get('[data-testid="give-stars"]').setValue(true);
     expect(scene()).toMatchObject({ name: 'Kurve', description: 'Fahr ins Ziel.' });
     expect(scene().task).toMatchObject({
       ...{ allows: ['hand'], stars: [30, 20] },
@@ -131,20 +131,20 @@ describe('the settings of a course', () => {
   it('limit the time: a minute at first, then what is set, and no time at all again', async () => {
     const { scene, mounted, steps } = await settings();
     expect(mounted.find('[role="spinbutton"][aria-valuemax="3600"]').exists()).toBe(false);
-    await mounted.get('[data-testid="time-limit"]').trigger('change');
+    await mounted.get('[data-testid="time-limit"]').setValue(true);
     expect(scene().task.seconds).toBe(60);
     await press('Sekunden: mehr');
     expect(scene().task.seconds).toBe(65);
     await fill('Sekunden', '5000');
     expect(scene().task.seconds).toBe(3600);
     expect((named('Sekunden: mehr') as HTMLButtonElement).disabled).toBe(true);
-    await mounted.get('[data-testid="time-limit"]').trigger('change');
+    await mounted.get('[data-testid="time-limit"]').setValue(false);
     expect([scene().task.seconds, steps()]).toEqual([null, 4]);
   });
 
   it('forbid to touch anything, and leave the time as it is', async () => {
     const { scene, mounted } = await settings([], { task: { seconds: 30, noTouch: false } });
-    await mounted.get('[data-testid="no-touch"]').trigger('change');
+    await mounted.get('[data-testid="no-touch"]').setValue(true);
     expect(scene().task).toEqual({ seconds: 30, noTouch: true });
   });
 
