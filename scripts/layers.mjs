@@ -1,7 +1,7 @@
 // Checks who imports whom (layers.mjs), that no folders of the page import each other in a circle, that no folder is crowded,
 // and that the graphs in docs/architecture.md are what the code says; `--write` renews them.
 import { readdir, readFile, writeFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { dirname, join, posix } from 'node:path';
 import { cruise } from 'dependency-cruiser';
 import configuration from '../.dependency-cruiser.mjs';
 import { layers, webLayers } from '../layers.mjs';
@@ -11,7 +11,7 @@ const DOCUMENT = 'docs/architecture.md';
 /** Most source files in one folder: more than a newcomer takes in at a glance. Chosen. */
 const CROWDED = 30;
 const isTest = (path) => /\.test\.ts$|\/testing\//.test(path);
-const isCode = (path) => /\.(ts|vue)$/.test(path);
+const isCode = (path) => /\.(ts|vue|css)$/.test(path);
 
 /** The graphs of the document: which folder's rooms, in which order, and the rooms that every other may import. */
 const GRAPHS = [
@@ -24,6 +24,32 @@ export const importsOf = (modules) =>
   modules.flatMap(({ source, dependencies }) =>
     isTest(source) ? [] : dependencies.map(({ resolved }) => [source, resolved]),
   );
+
+/**
+ * The stylesheets that a component or a stylesheet takes in, as imports: `<style src>` and `@import`. The cruiser sees only what
+ * scripts import.
+ *
+ * @param {string} path of the file below the root, with `/`
+ * @param {string} text what is in it
+ * @returns {[from: string, to: string][]}
+ */
+export function styleImportsIn(path, text) {
+  const found = text.matchAll(/<style\b[^>]*\ssrc="([^"]+)"|@import\s+(?:url\()?["']?([^"')\s;]+)/g);
+  return Array.from(found, ([, source, imported]) => [
+    path,
+    posix.join(posix.dirname(path), source ?? imported),
+  ]).filter(([, to]) => to.endsWith('.css'));
+}
+
+/** Imports between rooms of a table that it does not allow, each with its sentence. */
+export const forbiddenBetween = (imports, { folder, table }) =>
+  imports.flatMap(([from, to]) => {
+    const [room, other] = [from, to].map(
+      (path) => path.startsWith(`${folder}/`) && path.split('/')[folder.split('/').length],
+    );
+    if (!room || room === other || table[room] === undefined || (other && table[room].includes(other))) return [];
+    return [`${from} → ${to}\n    ${room} may import ${table[room].join(', ') || 'nothing'} (layers.mjs)`];
+  });
 
 /** Mermaid text of the imports between the rooms below a folder as they are; the floor, which every room may import, is left out. */
 export function graphOf(imports, { folder, table, floor }) {
@@ -86,6 +112,16 @@ async function crowdedFolders() {
   return [...counts].flatMap(([folder, count]) => (count > CROWDED ? [`${folder}: ${count} source files`] : []));
 }
 
+/** All stylesheets that are taken in below src/. */
+async function styleImports() {
+  const names = await readdir(join(root, 'src'), { recursive: true });
+  const paths = names.map((name) => `src/${name.replaceAll('\\', '/')}`).filter((path) => /\.(vue|css)$/.test(path));
+  const found = await Promise.all(
+    paths.map(async (path) => styleImportsIn(path, await readFile(join(root, path), 'utf8'))),
+  );
+  return found.flat();
+}
+
 async function cruiseSources() {
   const { options, forbidden } = configuration;
   const { output } = await cruise(
@@ -97,12 +133,13 @@ async function cruiseSources() {
   return output;
 }
 
-function complain(violations) {
+function complain(violations, styles) {
   const lines = violations.map(({ from, to, rule, cycle }) => {
     const way = cycle ? cycle.map(({ name }) => name).join(' → ') : to;
     const why = configuration.forbidden.find(({ name }) => name === rule.name)?.comment ?? '';
     return `${from} → ${way}\n    ${rule.name}: ${why}`;
   });
+  lines.push(...forbiddenBetween(styles, { folder: 'src/web', table: webLayers }));
   if (lines.length > 0) throw new Failure(`${lines.length} forbidden imports:\n${lines.join('\n')}`);
 }
 
@@ -122,12 +159,13 @@ const withGraphs = (document, imports) =>
 
 await main(import.meta.url, async ([option]) => {
   const { modules, summary } = await cruiseSources();
-  const imports = importsOf(modules);
+  const styles = await styleImports();
+  const imports = [...importsOf(modules), ...styles];
   const place = join(root, DOCUMENT);
   const before = await readFile(place, 'utf8');
   const after = withGraphs(before, imports);
   if (option === '--write') await writeFile(place, after);
-  complain(summary.violations);
+  complain(summary.violations, styles);
   await checkFolders(imports);
   if (option !== '--write' && after !== before) throw new Failure(`The graphs in ${DOCUMENT} are stale: npm run graph`);
   note(`${modules.length} modules, no forbidden import, no circle between folders of the page.`);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { folderCircles, graphOf, importsOf } from './layers.mjs';
+import { folderCircles, forbiddenBetween, graphOf, importsOf, styleImportsIn } from './layers.mjs';
 
 describe('folders that import each other', () => {
   it('are found, also over a third one', () => {
@@ -30,5 +30,33 @@ describe('the graph of the rooms', () => {
     ]);
     const graph = graphOf(imports, { folder: 'src', table: { core: [], a: [], b: [] }, floor: 'core' });
     expect(graph.split('\n')).toEqual(['```mermaid', 'flowchart TD', '  b --> a', '```', '']);
+  });
+});
+
+describe('a stylesheet', () => {
+  const component = '<style scoped src="../work/own.css"></style>\n<style>\n@import "./near.css";\n</style>';
+  const imports = styleImportsIn('src/web/task/Card.vue', component);
+
+  it('is an import of the component that takes it in, by address or by name', () => {
+    expect(imports).toEqual([
+      ['src/web/task/Card.vue', 'src/web/work/own.css'],
+      ['src/web/task/Card.vue', 'src/web/task/near.css'],
+    ]);
+    expect(styleImportsIn('src/web/page/all.css', '@import url(./one.css);\nb { color: red; }')).toEqual([
+      ['src/web/page/all.css', 'src/web/page/one.css'],
+    ]);
+  });
+
+  it('of another room is taken in only where the table allows it', () => {
+    const rooms = (table) => forbiddenBetween(imports, { folder: 'src/web', table });
+    expect(rooms({ task: ['work'], work: [] })).toEqual([]);
+    expect(rooms({ task: [], work: [] })).toEqual([
+      'src/web/task/Card.vue → src/web/work/own.css\n    task may import nothing (layers.mjs)',
+    ]);
+  });
+
+  it('ties a circle between folders as any import does', () => {
+    const back = [['src/web/work/x.ts', 'src/web/task/y.ts']];
+    expect(folderCircles([...imports, ...back], 'src/web')).toEqual(['src/web/task ↔ src/web/work']);
   });
 });
