@@ -7,6 +7,7 @@ import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
 import { build, defineConfig, type Plugin, type PluginOption, type Rolldown, type UserConfig } from 'vite';
 
+import { breakPoints } from './build/break-points.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
@@ -66,6 +67,7 @@ function frameCheck(): Plugin {
     transformIndexHtml: {
       order: 'post',
       handler: async (html, { path }) => {
+        if (!pages().includes(path.slice(1))) return html; // the gallery of the kit, which is no page of the app
         const parts = await frameCheckParts();
         const own = parts.html.replaceAll('parcours.single.html', singleOf(path.replace(/^.*\//, '')));
         return withFrameCheck(html, { ...parts, html: own });
@@ -151,7 +153,7 @@ const common = {
   root: 'src/web',
   base: './',
   publicDir: false,
-  css: { postcss: { plugins: [olderUnits] } },
+  css: { postcss: { plugins: [breakPoints, olderUnits] } },
   resolve: {
     alias: [
       // What jsPDF would fetch to print web pages; courses are printed from their own data.
