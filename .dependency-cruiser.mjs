@@ -135,7 +135,7 @@ export default {
     enhancedResolveOptions: {
       exportsFields: ['exports'],
       conditionNames: ['import', 'module', 'browser', 'default', 'types'],
-      extensions: ['.ts', '.vue', '.mjs', '.js', '.json'],
+      extensions: ['.ts', '.vue', '.mjs', '.js', '.json', '.d.ts'],
     },
   },
 };

@@ -90,7 +90,17 @@ const sizes = {
 };
 
 export default tseslint.config(
-  { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/', 'examples/hosts/*/public/'] },
+  {
+    ignores: [
+      'dist/',
+      '.cache/',
+      'coverage/',
+      'test-results/',
+      'playwright-report/',
+      'examples/hosts/*/public/',
+      'src/**/words/**/index.d.ts',
+    ],
+  },
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
     plugins: { parcours: { rules: { 'class-lines': classLines } } },

@@ -4,6 +4,7 @@ import { defineConfig, type Plugin } from 'vite';
 
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
+import { words } from './build/words.ts';
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
@@ -25,7 +26,7 @@ export default defineConfig(({ mode }) => {
   const outDir = here(bench ? 'dist/bench' : 'dist/cli');
   return {
     publicDir: false,
-    plugins: [programs(), scenes(), vmBeside(outDir)],
+    plugins: [programs(), scenes(), words(), vmBeside(outDir)],
     ssr: { noExternal: true, target: 'node' },
     build: {
       ssr: true,

@@ -11,6 +11,8 @@ import { breakPoints } from './build/break-points.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
+import { reachedWords } from './build/word-groups.ts';
+import { words, wordsByLanguage, type WordGroups } from './build/words.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { licencesOf } from './scripts/licences.mjs';
 import { OLDEST } from './scripts/oldest.mjs';
@@ -196,7 +198,7 @@ async function workerCode(): Promise<string> {
     root: common.root,
     logLevel: 'warn',
     resolve: common.resolve,
-    plugins: [programs(), runsInTheOldest(), collectModules()],
+    plugins: [programs(), words(), runsInTheOldest(), collectModules()],
     build: {
       write: false,
       target: OLDEST,
@@ -256,6 +258,34 @@ function onePage(): Plugin {
 /** The late parts that everybody waits for. */
 const FIRST_PARTS = /\/(CodeEditor|MicrobitView|VerdictBar|WelcomeCard)-[^/]*\.js$/;
 
+/** What is on the page before anybody presses anything; its words come together. */
+const FIRST_SOURCES = [
+  ...['main.ts', 'code/CodeEditor.vue', 'board/drawing/MicrobitView.vue', 'arena/verdict/VerdictBar.vue'],
+  ...['first-steps/greeting/WelcomeCard.vue', 'course-editor/EditorBars.vue'],
+];
+
+/** The files of other words, by whose they are. */
+const LATE_WORDS: readonly (readonly [RegExp, string])[] = [
+  [/\/src\/web\/course-editor\//, 'editor'],
+  [/\/src\/(web\/(class|series|task-maker|print|several-devices|real-device|device-log|my-robot)|check)\//, 'teacher'],
+  [/\/src\/advice\//, 'errors'],
+  [/./, 'late'],
+];
+
+/** Which words share a file, of which there is one for each language. */
+function wordFiles(): WordGroups {
+  const { first, late } = reachedWords(
+    FIRST_SOURCES.map((path) => here(`src/web/${path}`)),
+    here('src'),
+  );
+  const groups: Record<string, string[]> = { first: [...first] };
+  for (const folder of late) {
+    const [, group = ''] = LATE_WORDS.find(([place]) => place.test(folder)) ?? [];
+    (groups[group] ??= []).push(folder);
+  }
+  return groups;
+}
+
 /**
  * Which of the files that a late part imports are asked for together with it, instead of after it. The lists of those
  * files lie in the first chunk, and would make it 3 kB heavier if every late part had one. Styles are always needed: a
@@ -274,7 +304,7 @@ const chunkGroups = [
   { name: 'picture-kinds', test: /\/arena\/picture\/(kinds\/|scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
     name: 'editor-bars',
-    test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon|words\/(editor-words\.ts|\w+\.json))/,
+    test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon|words$)/,
   },
   { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];
@@ -299,10 +329,10 @@ const treeshake = { propertyReadSideEffects: false } as const;
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
-  plugins: [...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
+  plugins: [wordsByLanguage(wordFiles), ...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
   worker: {
     format: 'es',
-    plugins: () => [programs(), runsInTheOldest(), collectModules()],
+    plugins: () => [programs(), words(), runsInTheOldest(), collectModules()],
     rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
@@ -329,7 +359,7 @@ const folder: UserConfig = {
  */
 const single: UserConfig = {
   ...common,
-  plugins: [partsInside(), ...commonPlugins(), collectModules(), onePage()],
+  plugins: [partsInside(), words(), ...commonPlugins(), collectModules(), onePage()],
   resolve: {
     alias: [
       ...common.resolve.alias,

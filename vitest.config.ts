@@ -5,6 +5,7 @@ import { defineConfig } from 'vitest/config';
 
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
+import { words } from './build/words.ts';
 
 /** The page's tests share a document and a language, so each file has its own. */
 const PAGE = 'src/web/**/*.test.ts';
@@ -14,7 +15,7 @@ const PAGE = 'src/web/**/*.test.ts';
  * `// @vitest-environment happy-dom`.
  */
 export default defineConfig({
-  plugins: [programs(), scenes(), vue()],
+  plugins: [programs(), scenes(), words(), vue()],
   test: {
     projects: [
       {

@@ -1,6 +1,8 @@
 // npm run check: format, lint, layers and types. What `npm test` runs first; quick enough to run before every push.
 import { availableParallelism } from 'node:os';
-import { elapsed, Failure, main, run } from './progress.mjs';
+import { join } from 'node:path';
+import { elapsed, Failure, main, root, run } from './progress.mjs';
+import { writeWordTypes } from './word-types.mjs';
 
 const bin = { prettier: 'prettier/bin/prettier.cjs', eslint: 'eslint/bin/eslint.js', tsc: 'vue-tsc/bin/vue-tsc.js' };
 const tool = (name, ...args) => [`node_modules/${bin[name]}`, ...args];
@@ -27,6 +29,7 @@ const CHECKS = [
  * @returns {Promise<{ name: string, passed: number, failed: number, skipped: number, ms: number }[]>}
  */
 export async function check() {
+  await writeWordTypes(join(root, 'src'));
   const waiting = [...CHECKS];
   const results = [];
   const worker = async () => {

@@ -6,6 +6,7 @@ import { dirname, join } from 'node:path';
 import { format, resolveConfig } from 'prettier';
 import { Failure, main, note, root } from './progress.mjs';
 import { exportName, renewLists, robotFolders } from './robots.mjs';
+import { writeWordTypes } from './word-types.mjs';
 
 const TEMPLATE = join(root, 'scripts/robot-template');
 const DEVICE_MODULES = join(root, 'src/vm/library/modules');
@@ -77,6 +78,7 @@ export async function makeRobot(id, place) {
     await writeFile(target, await layout(fill(await readFile(file, 'utf8')), target));
     made.push(name.replaceAll('\\', '/'));
   }
+  await writeWordTypes(join(place, id));
   await renewLists(place, { write: true });
   return made.sort();
 }

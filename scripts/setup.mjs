@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { buildWhenChanged } from './fingerprint.mjs';
 import { Failure, main, mustRun, note, root, step } from './progress.mjs';
+import { writeWordTypes } from './word-types.mjs';
 
 const OLDEST_NODE = [20, 19];
 const isTest = (path) => /\.test\.ts$|\/testing\//.test(path);
@@ -18,6 +19,7 @@ export async function setUp() {
   } else {
     note('Packages: installed as the lock file says.');
   }
+  await writeWordTypes(join(root, 'src'));
   await step('MicroPython VM', async () => {
     await mustRun('node', ['scripts/build-vm.mjs']);
     await mustRun('node', ['scripts/build-library.mjs']);

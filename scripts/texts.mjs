@@ -1,6 +1,6 @@
 // Checks the words of the app: all languages, the same places for values, nothing left untranslated, nothing unused.
 import { readdir, readFile } from 'node:fs/promises';
-import { basename, join, posix } from 'node:path';
+import { join, posix } from 'node:path';
 import { Failure, main, note, root } from './progress.mjs';
 import { sameWords } from './texts-same.mjs';
 
@@ -142,43 +142,27 @@ function unusedTexts({ folder, keys }, files) {
   const isAlone = folder.startsWith('src/') && !OF_PROGRAMS.test(folder);
   if (readers.length === 0) return isAlone ? [`${folder}*.json: no source reads it`] : [];
   if (readers.some(({ name }) => name === null)) return []; // found by names that are no code: of Python, of rules
-  const used = readers.flatMap(({ path, name }) =>
-    usersOf(name, path, files).flatMap(({ alias, text }) => membersOf(alias, text)),
-  );
+  const used = readers.flatMap(({ name, text }) => membersOf(name, text));
   const isUsed = (key) => used.some((it) => it === '' || `${key}.`.startsWith(`${it}.`) || it.startsWith(`${key}.`));
   return keys.filter((key) => !isUsed(key)).map((key) => `${folder}*.json ${key}: used nowhere`);
 }
 
 /** The sources that read a part's words, and how they call them; `null`: they are found by language. */
 function readersOf(folder, files) {
-  return [...files].flatMap(([path, text]) => {
-    const types = Array.from(text.matchAll(/^import type (\w+) from '(\.[^']*\/)de\.json';$/gm));
-    const type = types.find(([, , from]) => posix.join(posix.dirname(path), from) === folder)?.[1];
-    if (type === undefined) return [];
-    const reading = new RegExp(`const (\\w+) = wordsOf\\(\\s*import\\.meta\\.glob<typeof ${type}>`);
-    return [{ path, name: reading.exec(text)?.[1] ?? null }];
-  });
-}
-
-/** Where words may be named: the source that reads them, and those that import them, at once or late, by the name they have there. */
-function usersOf(name, home, files) {
-  const stem = basename(home, '.ts');
-  const imported = new RegExp(`import \\{[^}]*\\b${name}\\b(?: as (\\w+))?[^}]*\\}`);
-  return [...files].flatMap(([path, text]) => {
-    if (path === home || text.includes(`/${stem}')`)) return [{ alias: name, text }];
-    const found = imported.exec(text);
-    return found === null ? [] : [{ alias: found[1] ?? name, text }];
-  });
+  return [...files].flatMap(([path, text]) =>
+    Array.from(text.matchAll(/^import (?:type )?(\w+) from '(\.[^']*)';$/gm)).flatMap(([, name, from]) => {
+      const target = posix.join(posix.dirname(path), from);
+      if (target === `${folder}de.json`) return [{ name: null, text }];
+      return `${target.replace(/\/$/, '')}/` === folder ? [{ name, text }] : [];
+    }),
+  );
 }
 
 /** The members that a source names, followed through names of its own for some of them: `kinds.block`; '' for all of them. */
 function membersOf(alias, text) {
-  const code = text
-    .replace(/\/\*[^]*?\*\/|(?<=^|\s)\/\/.*$/gm, '')
-    .replace(/^import [^;]*;$/gm, '')
-    .replace(new RegExp(`const ${alias} =`), '');
+  const code = text.replace(/\/\*[^]*?\*\/|(?<=^|\s)\/\/.*$/gm, '').replace(/^import [^;]*;$/gm, '');
   // Alone, the name means all of them where it is passed on, and nothing as a word in a text or the name of a style.
-  const member = `(?<![\\w.'-])${alias}\\b(?=[.?[]|\\)|,|;| [}i])((?:\\??\\.\\w+|\\['[^']+'\\])*)`;
+  const member = `(?<![\\w'-]|(?<!\\.\\.)\\.)${alias}\\b(?=[.?[]|\\)|,|;| [}i])((?:\\??\\.\\w+|\\['[^']+'\\])*)`;
   const pathOf = (chain) => chain.replace(/\??\.(\w+)|\['([^']+)'\]/g, '.$1$2').slice(1);
   const own = Array.from(code.matchAll(new RegExp(`const (\\w+) = ${member};`, 'g')));
   const rest = own.reduce((before, [line]) => before.replace(line, ''), code);

@@ -10,9 +10,7 @@ const inWords = (texts) => ({
   ...Object.fromEntries(
     Object.entries(texts).map(([language, title]) => [`src/a/words/${language}.json`, JSON.stringify({ title })]),
   ),
-  'src/a/wall.ts':
-    "import type de from './words/de.json';\n" +
-    "const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true }));\nsay(words.title);",
+  'src/a/wall.ts': "import words from './words';\nsay(words.title);",
 });
 const good = { de: 'Wand', fr: 'Mur', it: 'Muro', en: 'Wall' };
 const found = (texts) => problems(inWords({ ...good, ...texts })).join('\n');
@@ -75,13 +73,8 @@ describe('the words of a part', () => {
     it: '{ "title": "Muro", "kinds": { "block": "Blocco {id}" } }',
     en: '{ "title": "Wall", "kinds": { "block": "Block no. {id}" } }',
   });
-  const reader = {
-    'src/a/wall.ts':
-      "import type de from './words/de.json';\n" +
-      "export const wallWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true }));\n" +
-      'say(wallWords.title);',
-  };
-  const user = { 'src/b.ts': "import { wallWords as words } from './a/wall';\nsay(words.kinds[kind]);" };
+  const reader = { 'src/a/wall.ts': "import words from './words';\nsay(words.title);" };
+  const user = { 'src/b.ts': "import wallWords from './a/words';\nsay(wallWords.kinds[kind]);" };
 
   it('are all right in four languages, each of them read', () => {
     expect(problems({ ...files, ...reader, ...user })).toEqual([]);
@@ -110,14 +103,17 @@ describe('the words of a part', () => {
     ]);
   });
 
-  it('are followed through other names: of an import, of some of them, and where they come late', () => {
-    const late = "const { wallWords } = await import('./a/wall');\nshow(wallWords.kinds.block);";
-    expect(problems({ ...files, ...reader, 'src/b.ts': late })).toEqual([]);
-    const some = "import { wallWords } from './a/wall';\nconst kinds = wallWords.kinds;\nsay(kinds.";
+  it('are followed through a name for some of them', () => {
+    const some = "import wallWords from './a/words';\nconst kinds = wallWords.kinds;\nsay(kinds.";
     expect(problems({ ...files, ...reader, 'src/b.ts': `${some}block);` })).toEqual([]);
     expect(problems({ ...files, ...reader, 'src/b.ts': `${some}wall);` })).toEqual([
       'src/a/words/*.json kinds.block: used nowhere',
     ]);
+  });
+
+  it('that are found by language are all used', () => {
+    const byName = "import type de from './words/de.json';\nexport const load = byLanguage(files);";
+    expect(problems({ ...files, 'src/a/wall.ts': byName })).toEqual([]);
   });
 
   it('may not have a text that nobody names', () => {

@@ -20,3 +20,11 @@ declare module '*.py?languages' {
   const program: { readonly file: string; readonly title: Texts; readonly source: Texts };
   export default program;
 }
+
+/** The page's words, which come one language at a time (`build/words.ts`); empty where all languages are in its parts. */
+declare module 'virtual:word-files' {
+  import type { Language } from '#core/languages';
+  type Loader = () => Promise<{ readonly wordTexts: readonly (readonly string[])[] }>;
+  const files: Readonly<Record<string, Readonly<Record<Language, Loader>>>>;
+  export default files;
+}

@@ -1,10 +1,7 @@
 /** New Robot: what the gallery tells about it. */
-import { wordsOf } from '#core/words';
 import type { RobotSheet } from '../robot';
-import type de from './words/sheet/de.json';
+import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 export const newRobotSheet: RobotSheet = {
   robot: 'new-robot',

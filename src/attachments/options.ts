@@ -1,11 +1,9 @@
 import type { Option } from '#core/option';
-import { inEvery, wordsOf } from '#core/words';
-import type de from './words/de.json';
+import { inEvery } from '#core/words';
+import words from './words';
 
 /** What can hang on a servo port, by id, the most usual first; `none` leaves it empty. */
-export const attachmentTitles = wordsOf(
-  import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }),
-);
+export const attachmentTitles = words;
 
 /** The options of a robot's servo ports: what hangs on each. Light: the page loads it before anything runs. */
 export function attachmentOptions(ports: readonly string[]): readonly Option[] {

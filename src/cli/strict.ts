@@ -1,10 +1,9 @@
 import type { Language } from '#core/languages';
-import { wordsOf } from '#core/words';
 import { checkForDevice } from '#device-check/check-for-device';
 import { explain } from '#device-check/explain';
 import type { Device } from '#device-check/finding';
 import { loadRuleTexts } from '#device-check/rule-texts';
-import type de from './words/de.json';
+import words from './words';
 
 /** The result of `--strict` for a program. */
 export interface StrictReport {
@@ -17,9 +16,6 @@ export interface StrictReport {
   /** Findings that only change a result, such as numbers with more digits than the device keeps. Listed as hints. */
   readonly hints: number;
 }
-
-/** `hint` stands before a finding with which the device goes on. */
-const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /**
  * Lists what runs in these files here but not on the device.

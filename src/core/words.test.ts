@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { byLanguage, inEvery, wordsOf } from './words';
+import { byLanguage, inEvery } from './words';
 
 const files = {
   './words/de.json': { title: 'Wand', kinds: { block: 'Block' } },
@@ -10,12 +10,6 @@ const files = {
 };
 
 describe('the words of a part', () => {
-  it('are its texts in every language, named as in its files', () => {
-    const words = wordsOf(files);
-    expect(words.title).toEqual({ de: 'Wand', fr: 'Mur', it: 'Muro', en: 'Wall' });
-    expect(words.kinds.block).toEqual({ de: 'Block', fr: 'bloc', it: 'blocco', en: 'block' });
-  });
-
   it('are found by the language that a file is named after', () => {
     expect(byLanguage(files).it.title).toBe('Muro');
     expect(Object.keys(byLanguage(files))).toEqual(['de', 'fr', 'it', 'en']);

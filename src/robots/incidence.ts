@@ -1,10 +1,9 @@
 import { radOf } from '#core/angle';
 import type { Option, OptionValues } from '#core/option';
-import { wordsOf } from '#core/words';
 import type { Cone } from '#world/probes/distance-cone';
-import type de from './words/de.json';
+import robotWords from './words';
 
-const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' })).incidence;
+const words = robotWords.incidence;
 
 /**
  * Up to which angle from a wall's normal a robot's ultrasonic sensor hears it. Beyond, the sound is thrown elsewhere. 25°:

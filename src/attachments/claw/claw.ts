@@ -13,7 +13,7 @@
  */
 import type { Vec } from '#core/geometry';
 import type { GripperType } from '#world/chassis';
-import { attachmentAbout } from '../about';
+import attachmentAbout from '../words/about';
 import type { Attachment, AttachmentContext, AttachmentType } from '../attachment';
 import { box, onRobot, share } from '../mount';
 import { attachmentTitles } from '../options';

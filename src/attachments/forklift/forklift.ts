@@ -2,7 +2,7 @@
  * The Maqueen Mechanic kit "Forklift": two tines that go under a block and lift it. Lengths are chosen (no drawing is
  * public): the middle of a block of 3 to 8 cm that touches the mast lies above the tines.
  */
-import { attachmentAbout } from '../about';
+import attachmentAbout from '../words/about';
 import type { AttachmentType } from '../attachment';
 import { attachLift, DOWN_DEG } from '../lift';
 import { box } from '../mount';

@@ -2,7 +2,7 @@
  * The Maqueen Mechanic kit "Loader": a shovel on two arms. Its size is chosen (no drawing is public): 64 mm wide and
  * 35 mm deep.
  */
-import { attachmentAbout } from '../about';
+import attachmentAbout from '../words/about';
 import type { AttachmentType } from '../attachment';
 import { attachLift, DOWN_DEG } from '../lift';
 import { box } from '../mount';

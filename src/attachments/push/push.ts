@@ -7,7 +7,7 @@
  * counter-clockwise for larger angles. Lengths are chosen.
  */
 import type { Vec } from '#core/geometry';
-import { attachmentAbout } from '../about';
+import attachmentAbout from '../words/about';
 import type { Attachment, AttachmentContext, AttachmentType } from '../attachment';
 import { box, onRobot } from '../mount';
 import { attachmentTitles } from '../options';

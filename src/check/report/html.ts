@@ -7,7 +7,8 @@ import { worldName, type Check, type ClassTask } from '../task/task';
 import { passedOf, type ClassResult, type NamedResult } from './class-result';
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
-import { otherTaskTexts, remarkText, reportWords } from './say';
+import { otherTaskTexts, remarkText } from './say';
+import reportWords from './words';
 import styles from './report.css?raw';
 import { isUnread, reasonsAgainst, secondsText } from './texts';
 

@@ -1,45 +1,43 @@
 import type { Language } from '#core/languages';
 import { unseenShown } from '#core/unseen';
-import { filledIn, wordsOf } from '#core/words';
+import { filledIn } from '#core/words';
 import type { EqualWorlds } from '../equal-worlds';
 import { unreadCodes, type Unread } from '../hand-in/unread';
 import type { Reason, Remark } from '../result';
 import { otherTasks, type ClassResult } from './class-result';
-import type de from './words/de.json';
-
-export const reportWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
+import words from './words';
 
 /** Why a check does not hold: a sentence, and what there is to say of the run besides. */
 export function reasonText({ code, params: given, advice }: Reason, language: Language): string {
   const params = shownIn(given);
-  const { reasons, more } = reportWords;
+  const { reasons, more } = words;
   const besides = (['near', 'limit'] as const).filter((name) => params[name] !== undefined);
-  const said = [reasons[code], ...besides.map((name) => more[name])].map((words) => filledIn(words[language], params));
+  const said = [reasons[code], ...besides.map((name) => more[name])].map((text) => filledIn(text[language], params));
   // What the board says of an error ends with no full stop.
   return advice === undefined ? said.join(' ') : `${said.join(' ')} – ${unseenShown(advice[language])}`;
 }
 
 /** Why something cannot be read. */
 export const unreadText = ({ code, params }: Unread, language: Language): string =>
-  filledIn(reportWords.unread[code][language], shownIn(params));
+  filledIn(words.unread[code][language], shownIn(params));
 
 /** A sentence about something that the teacher is told. */
 export function remarkText({ code, params: said }: Remark, language: Language): string {
   const params = shownIn(said);
   const why = unreadCodes.find((one) => one === params['why']);
   const problem = why && unreadText({ code: why, params: said }, language);
-  return filledIn(reportWords.remarks[code][language], problem === undefined ? params : { problem });
+  return filledIn(words.remarks[code][language], problem === undefined ? params : { problem });
 }
 
 /** A sentence for each other task that hand-ins belong to: perhaps the wrong one is open. */
 export const otherTaskTexts = (found: ClassResult, language: Language): readonly string[] =>
   otherTasks(found).map(({ task, count }) =>
-    filledIn(reportWords.report.others[language], shownIn({ task, count, of: found.handIns.length })),
+    filledIn(words.report.others[language], shownIn({ task, count, of: found.handIns.length })),
   );
 
 /** A sentence for each hidden world that hides nothing. */
 export const equalTexts = (worlds: readonly EqualWorlds[], language: Language): readonly string[] =>
-  worlds.map(({ id, other }) => filledIn(reportWords.report.equal[language], shownIn({ id, other })));
+  worlds.map(({ id, other }) => filledIn(words.report.equal[language], shownIn({ id, other })));
 
 /** What pupils have written turns no sentence around. */
 const shownIn = (params: Reason['params']): Reason['params'] =>

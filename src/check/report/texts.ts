@@ -4,7 +4,8 @@ import type { CheckResult } from '../result';
 import type { ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
 import { escaped } from './escaped';
-import { reasonText, remarkText, reportWords } from './say';
+import { reasonText, remarkText } from './say';
+import reportWords from './words';
 
 /**
  * The result of a class as one line of JSON, without wall times: equal work gives equal text.

@@ -1,9 +1,7 @@
 import type { Language } from '#core/languages';
-import { filledIn, wordsOf } from '#core/words';
+import { filledIn } from '#core/words';
 import type { Check } from './task';
-import type de from './words/de.json';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
+import words from './words';
 
 /** What a check asks, in a few words; a picture is shown beside them (`ledDrawing`). */
 export function checkText(check: Check, language: Language): string {

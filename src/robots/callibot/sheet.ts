@@ -1,15 +1,12 @@
 /** Calli:bot: what the gallery tells about it. */
-import { wordsOf } from '#core/words';
 import type { RegisterTable, RobotSheet, WiringRow } from '../robot';
-import type de from './words/sheet/de.json';
+import words from './words/sheet';
 import bumper from './examples/bumper.py?languages';
 import encoder from './examples/encoder.py?languages';
 import firstDrive from './examples/first_drive.py?languages';
 import lights from './examples/lights.py?languages';
 import line from './examples/line.py?languages';
 import servo from './examples/servo.py?languages';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 const wiring: readonly WiringRow[] = [
   { ...words.wiring.linkCalliopeMini, at: 'A0: SCL, SDA' },

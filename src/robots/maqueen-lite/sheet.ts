@@ -1,14 +1,11 @@
 /** Maqueen Lite: what the gallery tells about it. */
-import { wordsOf } from '#core/words';
 import type { RobotSheet } from '../robot';
-import type de from './words/sheet/de.json';
+import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';
 import lights from './examples/lights.py?languages';
 import ring from './examples/ring.py?languages';
 import servo from './examples/servo.py?languages';
 import square from './examples/square.py?languages';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 export const maqueenLiteSheet: RobotSheet = {
   robot: 'maqueen-lite',

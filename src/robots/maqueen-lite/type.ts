@@ -4,14 +4,10 @@
  */
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
-import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import type de from './words/de.json';
-
-/** The words of what can be chosen about it. */
-const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
+import words from './words';
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;

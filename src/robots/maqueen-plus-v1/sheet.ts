@@ -1,12 +1,9 @@
 /** Maqueen Plus V1: what the gallery tells about it. */
-import { wordsOf } from '#core/words';
 import type { RegisterTable, RobotSheet } from '../robot';
-import type de from './words/sheet/de.json';
+import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';
 import line from './examples/line.py?languages';
 import wheels from './examples/wheels.py?languages';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 const controller: RegisterTable = {
   address: 0x10,

@@ -1,14 +1,11 @@
 /** Maqueen Plus V2: what the gallery tells about it. */
-import { wordsOf } from '#core/words';
 import type { RobotSheet } from '../robot';
-import type de from './words/sheet/de.json';
+import words from './words/sheet';
 import distance from './examples/distance.py?languages';
 import firstDrive from './examples/first_drive.py?languages';
 import lights from './examples/lights.py?languages';
 import line from './examples/line.py?languages';
 import servo from './examples/servo.py?languages';
-
-const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 export const maqueenPlusV2Sheet: RobotSheet = {
   robot: 'maqueen-plus-v2',

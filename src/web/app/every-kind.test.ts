@@ -26,7 +26,7 @@ import { drawObject, pictureKinds } from '../arena/picture/kinds/index';
 import type { PictureKind } from '../arena/picture/kinds/kind';
 import { lightPalette } from '../arena/model/palette';
 import { fitView } from '../arena/view/view-transform';
-import { kindNames } from '../course-editor/words/kind-names';
+import kindNames from '../course-editor/words/kinds';
 import { kindWords, namesOf, whereText } from '../course-editor/words/object-words';
 import { setLanguage } from '../page/i18n';
 import { printKinds } from '../print/kinds/index';

@@ -8,7 +8,7 @@ import { say } from '../page/i18n/say';
 import { fillInSilently, useFilled } from '../run/fill/fill-in';
 import type { RunParts } from '../run/parts';
 import type { WorkParts } from '../work/model/parts';
-import { chartWords as words } from './series/chart-words';
+import words from './series/words';
 import { canJoin, chosenIds, drawable } from './chosen-curves';
 import type { Curve } from './plot/chart-plot';
 import { lookAt } from './plot/looks';

@@ -10,7 +10,7 @@ import { every, laneCount, startThread } from '../run/check-thread';
 import { askOnLeaving } from './ask-on-leaving';
 import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './model/class-model';
-import { classWords as words } from './class-words';
+import words from './words';
 
 /** The class of each work: it stays while the page is open, also when it is out of sight. */
 const classes = new WeakMap<WorkParts['work'], ClassModel>();

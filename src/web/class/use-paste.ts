@@ -6,7 +6,7 @@ import { chosenFiles } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import { readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
-import { classWords as words } from './class-words';
+import words from './words';
 import { takeFiles } from './take-files';
 import { bringLink } from './task-series';
 

@@ -5,7 +5,7 @@ import { mdiAlertOutline, mdiInformationOutline } from '@mdi/js';
 
 import { say } from '../page/i18n/say';
 import { deviceGutter } from './device-gutter';
-import { deviceWords as words } from './device-words';
+import words from './words';
 
 /** A place that was marked, where it is now. */
 interface Marked {

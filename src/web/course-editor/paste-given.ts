@@ -3,7 +3,7 @@ import type { Vec } from '#core/geometry';
 import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
-import { editingWords } from './words/editing-words';
+import editingWords from './words/editing';
 import type { CourseEditorParts } from './state/parts';
 import type { SelectionActs } from './state/selection-acts';
 

@@ -2,7 +2,7 @@ import type { Texts } from '#core/languages';
 import type { LogProblem, Remark } from '#device-log/device-log';
 
 import { say } from '../page/i18n/say';
-import { deviceLogWords as words } from './device-log-words';
+import words from './words';
 
 const problemTexts: Readonly<Record<LogProblem['code'], Texts>> = {
   empty: words.problems.empty,

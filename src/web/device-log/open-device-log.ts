@@ -6,7 +6,7 @@ import { inMB, limits } from '#intake/formats';
 import { treeFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import type { OpenedLog } from '../run/data-log-model';
-import { deviceLogWords as words } from './device-log-words';
+import words from './words';
 import { problemText } from './log-texts';
 import type { TakesLogs } from './takes-logs';
 

@@ -3,7 +3,7 @@ import { computed } from 'vue';
 import { say } from '../page/i18n/say';
 import { useHardware } from '../work/hardware/use-hardware';
 import type { Workplace } from '../work/model/parts';
-import { deviceWords as words } from './device-words';
+import words from './words';
 
 /** The pupil's own robot, if one of the type in use was measured, and what it is called. */
 export function useMine(app: Workplace) {

@@ -9,7 +9,7 @@ import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import type { WorkModel } from '../work/model/work-model';
-import { handedOutWords as words } from './handed-out-words';
+import words from './words';
 import { mainText } from './main-text';
 import { followLines } from './follow-lines';
 

@@ -18,7 +18,7 @@ import { say } from '../page/i18n/say';
 import type { RunParts } from '../run/parts';
 import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
-import { handedOutWords as words } from './handed-out-words';
+import words from './words';
 import { mainText } from './main-text';
 import { holdSettings, OF_THE_ROBOT } from './hold-settings';
 import { lockedLines } from './locked-lines';

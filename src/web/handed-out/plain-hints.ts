@@ -3,7 +3,7 @@ import { watch } from 'vue';
 import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { Keeper } from '../work/model/keeper';
-import { handedOutWords as words } from './handed-out-words';
+import words from './words';
 
 const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
 

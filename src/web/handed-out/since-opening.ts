@@ -6,7 +6,7 @@ import { MAIN, type Project } from '#project/project';
 import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
-import { handedOutWords as words } from './handed-out-words';
+import words from './words';
 import { mainText } from './main-text';
 
 /**

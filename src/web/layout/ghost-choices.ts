@@ -7,7 +7,7 @@ import type { EarlierRun, GhostWish } from '../run/earlier-runs';
 import type { RunParts } from '../run/parts';
 import { hardwareNow } from '../work/hardware/use-hardware';
 import type { WorkParts } from '../work/model/parts';
-import { showWords } from './show-words';
+import showWords from './words';
 
 const words = showWords.ghost;
 

@@ -12,7 +12,7 @@ import { wholeRecording } from '../run/fill/whole-recording';
 import type { WorkParts } from '../work/model/parts';
 import { fileName, saveText } from '../work/save-file';
 import { nameToSave } from '../work/work-name';
-import { lookBackWords as words } from './look-back-words';
+import words from './words';
 
 type Recorded = Pick<Tape, 'setup' | 'untilUs' | 'untilProgramEnds'>;
 

@@ -1,6 +1,6 @@
 import type { PageParts } from '../page/parts';
 import { say } from '../page/i18n/say';
-import { lookBackWords as words } from './look-back-words';
+import words from './words';
 
 /** Tells whoever wants to build while looking back why nothing changes, and the way out. */
 export function tellPast(notices: PageParts['notices']): void {

@@ -2,12 +2,12 @@ import type { Pose, Vec } from '#core/geometry';
 import type { Scene, SceneObject } from '#scene/scene';
 import { lengthOf, type Outline } from '#scene/outline';
 
-import { kindNames } from '../course-editor/words/kind-names';
+import kindNames from '../course-editor/words/kinds';
 import { namesOf } from '../course-editor/words/object-words';
 import { valueText } from '../course-editor/words/value-text';
 import { say } from '../page/i18n/say';
 import { metAlong } from './met-along';
-import { narrationWords } from './narration-words';
+import narrationWords from './words';
 import { poseText } from './sentences';
 import { fromRobot, isOn, nearestOfLine, partsNow, vecOf } from './solids';
 

@@ -2,10 +2,10 @@ import type { Pose } from '#core/geometry';
 import type { Scene } from '#scene/scene';
 import type { Outline } from '#scene/outline';
 
-import { kindNames } from '../course-editor/words/kind-names';
+import kindNames from '../course-editor/words/kinds';
 import { say } from '../page/i18n/say';
 import type { Moment } from './moment';
-import { narrationWords as words } from './narration-words';
+import words from './words';
 import type { News } from './news';
 import { isNear } from './watch-ahead';
 import { fromRobot, nearestSolid, touchedSolid, type Solid } from './solids';

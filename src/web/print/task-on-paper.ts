@@ -4,7 +4,7 @@ import { say } from '../page/i18n/say';
 import type { CheckInWords } from '../task/checks-in-words';
 import { goalsInWords, rulesInWords } from '../task/goals';
 import type { ShownText } from '../work/catalogue/task-text';
-import { taskWords as words } from '../task/task-words';
+import words from '../task/words';
 import { sizedForPdf } from './picture-parts';
 import type { PaperTask } from './task/task-blocks';
 

@@ -14,8 +14,8 @@ import { say } from '../page/i18n/say';
 import { coursePng, piecesOf, pictureAddress } from './picture-parts';
 import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
-import { printWords as words } from './print-words';
-import { runWords } from './run/run-words';
+import words from './words';
+import runWords from './run/words';
 import type { PaperTask } from './task/task-blocks';
 import { taskOnPaper } from './task-on-paper';
 

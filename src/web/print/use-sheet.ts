@@ -14,7 +14,7 @@ import type { PaperTask } from './task/task-blocks';
 import type { Print } from './use-print';
 import { PAPER_QR_CHARACTERS, paperQr } from './sheet/paper-qr';
 import { layOutSheet, SIDE_MM, type SheetContent, type Space } from './sheet/sheet-layout';
-import { sheetWords as words } from './sheet/sheet-words';
+import words from './sheet/words';
 import { sheetSvgs } from './sheet/svg-sheet';
 import { svgAddress } from './svg-address';
 

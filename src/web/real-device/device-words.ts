@@ -1,7 +1,7 @@
 import { say } from '../page/i18n/say';
 import type { PutProblem } from './problem';
 import type { PutProgress, PutResult } from './put-files';
-import { realDeviceWords as words } from './real-device-words';
+import words from './words';
 
 const problems = words.problems;
 const states = words.states;

@@ -2,14 +2,10 @@ import { placementProblems } from '#scene/placement';
 import { runRefusal } from '#scene/run-refusal';
 import type { Scene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
-import { wordsOf } from '#core/words';
 
 import { say } from '../page/i18n/say';
 import type { Notice } from '../page/notices';
-import type de from './words/de.json';
-
-/** Why a course cannot be run, in the pupil's language; loaded with the first failure. */
-const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
+import words from './words';
 
 /**
  * What the page says about a run that could not begin: what is wrong with the course in the pupil's language, anything

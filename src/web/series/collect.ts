@@ -8,7 +8,7 @@ import { treeFile, type AddedFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import { unreadableReason } from '../share/unreadable-words';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
-import { seriesWords } from './series-words';
+import seriesWords from './words';
 
 const words = seriesWords.make;
 

@@ -7,11 +7,11 @@ import { seriesDocument } from '#intake/text';
 
 import { say } from '../page/i18n/say';
 import { shownAndKept, type FoundSeries } from '../share/open-series';
-import { shareWords } from '../share/share-words';
+import shareWords from '../share/words';
 import { keptSeries, seriesFrom } from '../task/series/kept-series';
 import { urlOf } from '../visit/address';
 import { readyScene } from '../work/catalogue/ready-courses';
-import { seriesWords as words } from './series-words';
+import words from './words';
 
 /**
  * Finds the series of a page's address: in a link that holds it, on the web server that the page comes from, or kept in this

@@ -7,7 +7,7 @@ import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import AddDeviceForm from './AddDeviceForm.vue';
 import DeviceNameForm from './DeviceNameForm.vue';
-import { severalWords as words } from './several-words';
+import words from './words';
 
 /** Whether the project takes one more. */
 export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devices.value.length < MOST_DEVICES;

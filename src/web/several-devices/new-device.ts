@@ -9,7 +9,7 @@ import { say } from '../page/i18n/say';
 import { hardwareNow } from '../work/hardware/use-hardware';
 import type { WorkParts } from '../work/model/parts';
 import { AUTO_DEVICE } from '../work/settings/devices';
-import { severalWords as words } from './several-words';
+import words from './words';
 
 /** What the first device is called once it is not alone: a robot as the course says. */
 export const firstName = (parts: WorkParts): string =>

@@ -14,7 +14,7 @@ import { isSameWork } from '../work/storage/history';
 import { openRun } from './open-run';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
-import { shareWords as words } from './share-words';
+import words from './words';
 
 /**
  * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a

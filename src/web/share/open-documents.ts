@@ -12,7 +12,7 @@ import { workName } from '../work/work-name';
 import { say } from '../page/i18n/say';
 import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
-import { shareWords as words } from './share-words';
+import words from './words';
 
 /** Where projects, courses and pictures are taken in. */
 export type TakesDocuments = Workplace &

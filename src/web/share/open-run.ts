@@ -24,7 +24,7 @@ import { readyCourses } from '../work/catalogue/ready-courses';
 import { isOurs } from '../work/use-courses';
 import { useOpenings } from '../work/use-openings';
 import { reasonOf } from './problem-words';
-import { shareWords } from './share-words';
+import shareWords from './words';
 
 const words = shareWords.run;
 

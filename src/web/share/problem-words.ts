@@ -4,7 +4,7 @@ import type { LinkProblem } from '#project/link/link';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 
 import { say } from '../page/i18n/say';
-import { shareWords } from './share-words';
+import shareWords from './words';
 
 const words = shareWords.problems;
 

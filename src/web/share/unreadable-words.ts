@@ -5,7 +5,7 @@ import type { Unreadable } from '#intake/document';
 import { shownLanguage } from '../page/i18n';
 import { say } from '../page/i18n/say';
 import { linkReason, reasonOf } from './problem-words';
-import { shareWords } from './share-words';
+import shareWords from './words';
 
 /** Why a file or a link cannot be read, in words. */
 export function unreadableReason({ seriesLink, link, problems, problem }: Unreadable): string {

@@ -1,9 +1,9 @@
 import type { Texts } from '#core/languages';
 
-import { panelWords } from '../board/panels/panel-words';
+import panelWords from '../board/panels/words';
 import { t } from '../page/i18n';
 import { say } from '../page/i18n/say';
-import { makerWords } from './maker-words';
+import makerWords from './words';
 import type { InputKind } from './world-inputs';
 
 const words = makerWords.more;

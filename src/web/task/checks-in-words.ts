@@ -6,7 +6,7 @@ import type { Project } from '#project/project';
 
 import { shownLanguage } from '../page/i18n';
 import { say } from '../page/i18n/say';
-import { taskWords } from './task-words';
+import taskWords from './words';
 
 /** What a project is checked for besides the goals of its course, in the language of the page, with what it gives. */
 export interface CheckInWords {

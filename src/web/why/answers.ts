@@ -2,7 +2,7 @@ import type { Texts } from '#core/languages';
 import { isSame } from '#core/same';
 import type { Cause } from '#simulation/causes/causes';
 import type { CodeLine, Output } from '#simulation/causes/output';
-import { whyWords as words } from './why-words';
+import words from './words';
 
 /** One thing, or two that are as they are by the same line, and since when. */
 export interface Answer {

@@ -21,7 +21,7 @@ import {
   withProgram as withOwn,
   type OwnProgram,
 } from './programs/own-programs';
-import { programWords } from './programs/program-words';
+import programWords from './programs/words';
 import { useOpenings } from './use-openings';
 
 /** Opening courses with one of their programs, or with the pupil's own. */

@@ -9,7 +9,7 @@ import type { ToolPointers } from './tool-pointers';
 import type { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { toMm } from '../view/view-transform';
-import { arenaWords } from './arena-words';
+import arenaWords from '../words';
 import { readingWords } from './reading-text';
 
 /** The keys of the arena while a tool is chosen. */

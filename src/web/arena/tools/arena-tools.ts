@@ -36,7 +36,7 @@ import { hintPlace, readingPlace } from './draw-guides';
 import type { Told } from './gesture';
 import { measureText, readingText, readingWords, typedFieldText } from './reading-text';
 import { toPx } from '../view/view-transform';
-import { arenaWords } from './arena-words';
+import arenaWords from '../words';
 
 /** What the tools work on. */
 export interface ToolSources {

@@ -4,7 +4,7 @@ import type { Reading } from '#editor/snap/reading';
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { say } from '../../page/i18n/say';
-import { arenaWords } from './arena-words';
+import arenaWords from '../words';
 
 /** A length in cm, to the mm, with a minus of its own width. */
 export const cmText = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');

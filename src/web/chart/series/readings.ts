@@ -4,7 +4,7 @@ import type { Key, Leaf } from '#tape/rows/leaves';
 
 import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
-import { chartWords as words } from './chart-words';
+import words from './words';
 import type { Series } from './series';
 
 /** A curve of something that a snapshot shows. */

@@ -1,7 +1,7 @@
 import { parametersOf } from '#reference/arguments';
 import type { Item } from '#reference/item';
 import { resultOf } from '#reference/meaning';
-import { captionOf, missingText, wordsOn, type Words } from './words';
+import { captionOf, missingText, wordsOn, type Words } from './words-on';
 
 /** An element with a class and what is in it. */
 export function element(tag: string, className: string, ...inside: (Node | string)[]): HTMLElement {

@@ -15,8 +15,8 @@ import type { ReferenceContext } from '#reference/context';
 import { describe, type Description } from '#reference/describe';
 import { say } from '../../page/i18n/say';
 import { card, element, spoken } from './card';
-import { helpWords } from './help-words';
-import type { Words } from './words';
+import helpWords from './words';
+import type { Words } from './words-on';
 
 /** Shows a description, or none. */
 const show = StateEffect.define<Description | null>();

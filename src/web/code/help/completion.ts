@@ -20,8 +20,8 @@ import type { Item } from '#reference/item';
 import { say } from '../../page/i18n/say';
 import { card, element } from './card';
 import { insertCall } from './given-brackets';
-import { helpWords } from './help-words';
-import type { Words } from './words';
+import helpWords from './words';
+import type { Words } from './words-on';
 
 /** One sign for each kind of name, before its label. */
 const SIGNS: Readonly<Record<Item['kind'], string>> = {

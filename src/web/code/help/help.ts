@@ -10,7 +10,7 @@ import { cards } from './cards';
 import { completion, suggestLate } from './completion';
 import { givenBrackets } from './given-brackets';
 import { helpLook } from './help-look';
-import { loadWords } from './words';
+import { loadWords } from './words-on';
 import { contextOf } from '../../work/hardware/written-for';
 
 /** Loads the words of a language and gives what makes the help of an editor. */

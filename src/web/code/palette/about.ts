@@ -1,7 +1,7 @@
 import type { ReferenceContext } from '#reference/context';
 import { describe } from '#reference/describe';
 
-import { wordsOn, type Words } from '../help/words';
+import { wordsOn, type Words } from '../help/words-on';
 import { codeShown, type PaletteCommand } from './commands';
 
 /** Where the name that explains a command stands in a program of nothing but the command, below its imports. */

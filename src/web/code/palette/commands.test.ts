@@ -10,12 +10,12 @@ import type { Hardware } from '#simulation/hardware';
 import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { loadWords } from '../help/words';
+import { loadWords } from '../help/words-on';
 import { contextOf, type Written } from '../../work/hardware/written-for';
 import { aboutIn } from './about';
 import { bringNames } from './bring-names';
 import { codeShown, commandsFor, type PaletteCommand } from './commands';
-import { paletteWords } from './palette-words';
+import paletteWords from './words';
 
 let firmware: WebAssembly.Module;
 beforeAll(() => {

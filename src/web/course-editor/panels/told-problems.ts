@@ -5,7 +5,7 @@ import type { RuleProblem } from '#scene/rules';
 import type { Scene } from '#scene/scene';
 
 import { say } from '../../page/i18n/say';
-import { editingWords } from '../words/editing-words';
+import editingWords from '../words/editing';
 import { problemWords } from '../words/problem-words';
 
 export { problemsOf } from '../words/problem-words';

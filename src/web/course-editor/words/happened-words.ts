@@ -7,8 +7,8 @@ import type { Happened } from '../state/course-editor-model';
 import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import { cm, countText, namesOf, placeText, whereText } from './object-words';
-import { editingWords } from './editing-words';
-import { kindNames } from './kind-names';
+import editingWords from './editing';
+import kindNames from './kinds';
 
 const texts = editingWords.happened;
 

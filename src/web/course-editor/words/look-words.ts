@@ -4,7 +4,7 @@ import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { say } from '../../page/i18n/say';
 import { cm } from './object-words';
-import { editingWords } from './editing-words';
+import editingWords from './editing';
 
 const words = editingWords.options;
 

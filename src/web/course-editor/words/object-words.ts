@@ -6,9 +6,9 @@ import type { Label, Mover, Point, Scene, SceneObject, Start, Stroke, Wall, Zone
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { say } from '../../page/i18n/say';
-import { editorWords as words } from './editor-words';
-import { kindNames } from './kind-names';
-import { moverWords } from './mover-words';
+import words from '../words';
+import kindNames from './kinds';
+import moverWords from './movers';
 
 const texts = words.where;
 

@@ -5,8 +5,8 @@ import type { Scene, SceneObject } from '#scene/scene';
 import { shownLanguage } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import { namesOf } from './object-words';
-import { editingWords } from './editing-words';
-import { kindNames } from './kind-names';
+import editingWords from './editing';
+import kindNames from './kinds';
 
 const texts = editingWords.problems;
 

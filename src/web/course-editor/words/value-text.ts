@@ -4,8 +4,8 @@ import type { RobotColor, SceneObject, StrokeColor } from '#scene/scene';
 import type { ShapeName } from '#scene/shape/shape';
 
 import { say } from '../../page/i18n/say';
-import { editingWords as words } from './editing-words';
-import { moverWords } from './mover-words';
+import words from './editing';
+import moverWords from './movers';
 
 /** A colour, a kind a shape or what a mover does, in words. */
 export function valueText(

@@ -2,8 +2,8 @@ import type { Scene, SceneObject } from '#scene/scene';
 import { pendingChanges } from '#simulation/at-once';
 
 import { say } from '../../page/i18n/say';
-import { editorWords as words } from './editor-words';
-import { kindNames } from './kind-names';
+import words from '../words';
+import kindNames from './kinds';
 
 const texts = words.waiting;
 

@@ -4,7 +4,7 @@ import { freeReference } from '#libraries/reference';
 import type { ReferenceContext } from '#reference/context';
 import { robotReferences } from '#robots/references';
 
-import { loadWords, type Words } from '../../code/help/words';
+import { loadWords, type Words } from '../../code/help/words-on';
 import type { Language } from '../../page/i18n';
 import type { GuideContent } from './content/content';
 

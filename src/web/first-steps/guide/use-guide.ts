@@ -1,7 +1,7 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import { microbitV2 } from '#board/boards/microbit-v2';
-import type { Words } from '../../code/help/words';
+import type { Words } from '../../code/help/words-on';
 import { useHardware } from '../../work/hardware/use-hardware';
 import type { WorkParts } from '../../work/model/parts';
 import { shownLanguage } from '../../page/i18n';

@@ -8,7 +8,7 @@ import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
 import { loadTexts, showLanguage } from '../../page/i18n';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { firstWords } from '../first-words';
+import firstWords from '../words';
 import FirstSteps from './FirstSteps.vue';
 import TourBubble from './TourBubble.vue';
 

@@ -4,7 +4,7 @@ import type { RunParts } from '../../run/parts';
 import type { CourseEditorParts } from '../../course-editor/state/parts';
 import type { Pane } from '../../layout/layout-model';
 import type { FirstStepsParts } from '../parts';
-import { firstWords as words } from '../first-words';
+import words from '../words';
 
 /** The steps of the tour by name; where it was left is kept by it. */
 export type TourStepId = keyof typeof words.steps;

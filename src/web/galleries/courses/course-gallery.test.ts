@@ -18,7 +18,7 @@ import {
   type RandomWish,
 } from '../../work/catalogue/random-wish';
 import { robotName } from './use-course-opening';
-import { courseGalleryWords } from './course-gallery-words';
+import courseGalleryWords from '../words/courses';
 
 const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 

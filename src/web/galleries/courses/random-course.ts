@@ -6,7 +6,7 @@ import type { Scene } from '#scene/scene';
 import { LANGUAGES, type Language } from '../../page/i18n/texts';
 import type { Course, CourseLevel, CourseTexts } from '#catalogue/course';
 import { type RandomKind, type RandomSize, type RandomWish, randomId } from '../../work/catalogue/random-wish';
-import { courseGalleryWords } from './course-gallery-words';
+import courseGalleryWords from '../words/courses';
 
 /** Whose programs a random course is opened and solved with: ids of ready courses. */
 const models: Readonly<Record<RandomKind, string>> = { maze: 'large-maze', track: 's-bends' };
@@ -34,7 +34,7 @@ export function randomCourse(wish: RandomWish, language: Language, courses: read
   const { kind, size } = wish;
   const model = courses.find(({ id }) => id === models[kind]);
   if (model === undefined) throw new Error(`There is no course ${models[kind]}.`);
-  const texts = Object.fromEntries(LANGUAGES.map((one) => [one, textsOf(wish, one)])) as Course['texts'];
+  const texts = textsIn(wish);
   const { program, solution } = model;
   const scene = sceneOf(wish, texts[language]);
   const level = levels[kind][size];
@@ -52,6 +52,13 @@ export function randomCourse(wish: RandomWish, language: Language, courses: read
     isRandom: true,
   };
 }
+
+/** Its texts by language, each made when it is asked for: the words of others than the shown one need not be there. */
+const textsIn = (wish: RandomWish): Course['texts'] =>
+  Object.defineProperties(
+    {},
+    Object.fromEntries(LANGUAGES.map((one) => [one, { get: () => textsOf(wish, one), enumerable: true }])),
+  ) as Course['texts'];
 
 function sceneOf({ kind, size, seed }: RandomWish, { name, text, task }: CourseTexts): Scene {
   const words = { name, description: `${task} ${text}` };

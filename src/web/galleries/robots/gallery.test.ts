@@ -11,8 +11,9 @@ import { galleryPage } from '../../layout/gallery-model';
 import { addressesText, addressText, sizeCm } from './facts';
 import { libraryTables } from './library-rows';
 import { robotPicture } from '../../device/robot-picture';
-import { deviceWords, REALITIES } from '../../device/device-words';
-import { galleryWords } from './gallery-words';
+import deviceWords from '../../device/words';
+import { REALITIES } from '../../device/realities';
+import galleryWords from '../words/robots';
 
 const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 

@@ -1,5 +1,5 @@
 /** What the bar says. It comes with the first message: `import('…/messages')`. */
-import { barWords as words } from './bar-words';
+import words from '../words/bar';
 import { closePageBar, showPageBar } from './page-bar';
 
 /** A new version of the app is ready, and waits for a yes. */

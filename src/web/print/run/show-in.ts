@@ -1,5 +1,5 @@
 import { say } from '../../page/i18n/say';
-import { runWords as words } from './run-words';
+import words from './words';
 
 /** Shows a picture of a run as the only thing in its place, named for screen readers. */
 export function showIn(host: HTMLElement | null, picture: HTMLCanvasElement): void {

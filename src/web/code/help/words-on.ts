@@ -3,7 +3,7 @@ import { loadReferenceTexts, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
 import type { Language } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
-import { helpWords } from './help-words';
+import helpWords from './words';
 
 /** The short words on names of the API, in one language. */
 export type Words = ReferenceTexts;
