@@ -3,8 +3,7 @@ import { computed, onScopeDispose, shallowRef, watch } from 'vue';
 import { robotTypes } from '#robots/index';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 
-import { shownLanguage } from '../page/i18n';
-import { say } from '../page/i18n/say';
+import { shownLanguage, t } from '../page/i18n';
 import { fillInSilently, useFilled } from '../run/fill/fill-in';
 import type { RunParts } from '../run/parts';
 import type { WorkParts } from '../work/model/parts';
@@ -96,10 +95,10 @@ function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'
   const type = robotTypes.find(({ id }) => id === shown?.robot?.type);
   const readings = shown === null ? [] : readingsOf(shown, type);
   const recording = run.recording.value;
-  const unnamed = (place: number): string => (place === 0 ? say(words.output) : say(words.outputOf, { place }));
+  const unnamed = (place: number): string => (place === 0 ? t(words.output) : t(words.outputOf, { place }));
   const taped = () => ({ pieces: recording.pieces, present: run.present.value });
-  const printed = new PrintedSource(() => say(words.printed), () => recording, device, unnamed); // prettier-ignore
-  return { printed, all: [printed, new TapeSource(() => say(words.robot), readings, device, taped)], usual: usualReadings(readings) }; // prettier-ignore
+  const printed = new PrintedSource(() => t(words.printed), () => recording, device, unnamed); // prettier-ignore
+  return { printed, all: [printed, new TapeSource(() => t(words.robot), readings, device, taped)], usual: usualReadings(readings) }; // prettier-ignore
 }
 
 const deviceAt = (snapshot: Snapshot | null, device: number): DeviceSnapshot | null =>

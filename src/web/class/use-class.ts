@@ -3,7 +3,7 @@ import { isSame } from '#core/same';
 import { taskOf } from '#check/task/read-task';
 import type { Project } from '#project/project';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
@@ -53,7 +53,7 @@ export function chooseTask(model: ClassModel, project: Project, { name, from }: 
     model.leaveTask();
     const [first] = read.problems;
     const hasNoGoals = first !== undefined && first.path === 'task.checks';
-    return hasNoGoals ? say(words.noGoals) : say(words.badTask, { name, reason: read.problem });
+    return hasNoGoals ? t(words.noGoals) : t(words.badTask, { name, reason: read.problem });
   }
   const before = model.task.value;
   if (before?.from === from && isSame(before.task, read.task)) return null;

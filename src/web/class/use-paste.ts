@@ -3,7 +3,7 @@ import { onBeforeUnmount, onMounted, shallowRef, type Ref } from 'vue';
 import { listSources } from '#intake/sources';
 
 import { chosenFiles } from '../page/files/added-files';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 import words from './words';
@@ -39,14 +39,14 @@ export function usePaste(model: ClassModel): Readonly<Ref<string>> {
     const files = chosenFiles(clipboardData.files);
     if (files.length > 0) {
       const count = await takeFiles(model, files);
-      if (count > 0) tell(say(words.pasted, { count }));
+      if (count > 0) tell(t(words.pasted, { count }));
       return;
     }
     const hasSeries = bringLink(model, text ?? '') || bringLink(model, page ?? '');
     const inText = listSources(text ?? '', readyScene);
     const links = inText.length > 0 ? inText : listSources(page ?? '', readyScene, 'pasted.html');
-    if (links.length > 0) tell(say(words.pasted, { count: links.length }));
-    else if (!hasSeries) tell(say(words.noLinks));
+    if (links.length > 0) tell(t(words.pasted, { count: links.length }));
+    else if (!hasSeries) tell(t(words.noLinks));
     if (links.length > 0) await model.add(links);
   }
   const listener = (event: ClipboardEvent): void => void take(event);

@@ -3,7 +3,7 @@ import { RangeSet, StateField, type EditorState, type Extension } from '@codemir
 import { EditorView, GutterMarker, keymap, showPanel, type Command, type Panel } from '@codemirror/view';
 import { mdiAlertOutline, mdiInformationOutline } from '@mdi/js';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { deviceGutter } from './device-gutter';
 import words from './words';
 
@@ -148,7 +148,7 @@ function panelOf(view: EditorView, board: () => string): Panel {
     change = here.flatMap(({ actions }) => actions ?? [])[0];
     mend.hidden = change === undefined;
     if (change !== undefined && mend.textContent !== change.name) mend.textContent = change.name;
-    const label = say(here.length === 0 ? words.show : words.next);
+    const label = t(here.length === 0 ? words.show : words.next);
     if (next.textContent !== label) next.textContent = label;
     next.hidden = here.length > 0 && here.length === errors + hints;
   };
@@ -157,8 +157,8 @@ function panelOf(view: EditorView, board: () => string): Panel {
 }
 
 function summary(errors: number, hints: number, board: string): string {
-  if (errors === 0) return say(hints === 1 ? words.oneHint : words.hints, { count: hints, board });
-  return say(errors === 1 ? words.one : words.many, { count: errors, board });
+  if (errors === 0) return t(hints === 1 ? words.oneHint : words.hints, { count: hints, board });
+  return t(errors === 1 ? words.one : words.many, { count: errors, board });
 }
 
 function iconOf(): { readonly dom: SVGElement; readonly show: (isHint: boolean) => void } {

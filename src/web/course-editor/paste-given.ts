@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import editingWords from './words/editing';
@@ -20,5 +20,5 @@ export function pasteGiven({ editor, notices }: PasteParts, acts: SelectionActs,
   const { clipboard } = editor;
   if (acts.pasteText(text, at)) return;
   if (!clipboard.isEmpty && (!clipboard.isWithSystem || text === '')) acts.paste(at);
-  else notices.show({ kind: 'info', key: 'notice.text', values: { text: say(editingWords.menu.foreign) } });
+  else notices.show({ kind: 'info', key: 'notice.text', values: { text: t(editingWords.menu.foreign) } });
 }

@@ -1,7 +1,7 @@
 import type { Texts } from '#core/languages';
 import type { LogProblem, Remark } from '#device-log/device-log';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import words from './words';
 
 const problemTexts: Readonly<Record<LogProblem['code'], Texts>> = {
@@ -25,10 +25,10 @@ const remarkTexts: Readonly<Record<Remark['code'], Texts>> = {
 
 /** Why a file shows nothing, in words. */
 export const problemText = (file: string, problem: LogProblem): string =>
-  say(problemTexts[problem.code], { file, ...shortened(problem) });
+  t(problemTexts[problem.code], { file, ...shortened(problem) });
 
 /** What to know of a file that is shown, in words. */
-export const remarkText = (remark: Remark): string => say(remarkTexts[remark.code], shortened(remark));
+export const remarkText = (remark: Remark): string => t(remarkTexts[remark.code], shortened(remark));
 
 /** Cells and lists of names may be as long as the file. */
 const LONGEST = 60;

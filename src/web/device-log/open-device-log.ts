@@ -4,7 +4,7 @@ import { openLog } from '#intake/file';
 import { inMB, limits } from '#intake/formats';
 
 import { treeFile } from '../page/files/added-files';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { OpenedLog } from '../run/data-log-model';
 import words from './words';
 import { problemText } from './log-texts';
@@ -31,7 +31,7 @@ export function openDeviceLogs(app: TakesLogs, files: readonly GivenLog[]): void
     app.dataLog.isCompared.value = true;
     app.settings.change({ panel: 'log' });
   }
-  const several = opened.length > 1 && last !== undefined ? say(words.severalFiles, { file: last.file }) : '';
+  const several = opened.length > 1 && last !== undefined ? t(words.severalFiles, { file: last.file }) : '';
   const text = [...refusals, several].join(' ').trim();
   const kind = refusals.length > 0 ? 'error' : 'info';
   if (text !== '') app.notices.show({ kind, key: 'notice.text', values: { text } });
@@ -48,7 +48,7 @@ function logIn({ file: { name: file, size: bytes }, document }: GivenLog): Opene
   if (document.kind !== 'log') {
     const isLarge = document.kind === 'unreadable' && document.problem.code === 'large';
     const values = { file, size: inMB(bytes), max: inMB(limits.log) };
-    return say(words.problems[isLarge ? 'tooLarge' : 'unreadable'], values);
+    return t(words.problems[isLarge ? 'tooLarge' : 'unreadable'], values);
   }
   const read = readDeviceLog(document.bytes);
   return read.kind === 'log' ? { file, log: read.log } : problemText(file, read.problem);

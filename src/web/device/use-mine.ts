@@ -1,6 +1,6 @@
 import { computed } from 'vue';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { useHardware } from '../work/hardware/use-hardware';
 import type { Workplace } from '../work/model/parts';
 import words from './words';
@@ -12,6 +12,6 @@ export function useMine(app: Workplace) {
     const kept = app.settings.current.value.myRobot;
     return kept !== null && kept.robot === hardware.value?.robot?.id ? kept : null;
   });
-  const name = computed(() => (mine.value === null || mine.value.name === '' ? say(words.myRobot) : mine.value.name));
+  const name = computed(() => (mine.value === null || mine.value.name === '' ? t(words.myRobot) : mine.value.name));
   return { mine, name };
 }

@@ -5,7 +5,7 @@ import { isSame } from '#core/same';
 import type { Stop } from '#core/stop';
 import type { Carried } from '#project/project';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import type { WorkModel } from '../work/model/work-model';
@@ -52,7 +52,7 @@ export function followLocks({ work, notices }: Pick<PageParts, 'notices'> & Pick
 
   function tell(): void {
     const [line = ''] = lost.value;
-    const text = say(words.lost, { line: line.trim() });
+    const text = t(words.lost, { line: line.trim() });
     notices.show({ kind: 'info', key: 'notice.text', values: { text }, holds: () => lost.value.includes(line) });
   }
 }

@@ -14,7 +14,7 @@ import type { InputAction } from '#simulation/input';
 
 import type { CourseEditorParts } from '../course-editor/state/parts';
 import type { PageParts } from '../page/parts';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { RunParts } from '../run/parts';
 import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
@@ -100,7 +100,7 @@ class TaskKeeper implements Keeper {
 
   refuses(what: LockName): boolean {
     const isLocked = Boolean(this.locks[what]);
-    if (isLocked) this.tell(say(words[what]));
+    if (isLocked) this.tell(t(words[what]));
     return isLocked;
   }
 
@@ -123,7 +123,7 @@ class TaskKeeper implements Keeper {
 
   refusesTool(tool: string): boolean {
     if (this.hasTool(tool)) return false;
-    this.tell(say(this.locks.course ? words.course : words.tools));
+    this.tell(t(this.locks.course ? words.course : words.tools));
     return true;
   }
 
@@ -131,7 +131,7 @@ class TaskKeeper implements Keeper {
     if (this.refuses('course')) return true;
     if (this.locks.tools === null || type !== 'edit') return false;
     const isRefused = !isMadeWith((tool) => this.hasTool(tool), this.app.work.scene.value, edit);
-    if (isRefused) this.tell(say(words.tools));
+    if (isRefused) this.tell(t(words.tools));
     return isRefused;
   }
 
@@ -153,7 +153,7 @@ class TaskKeeper implements Keeper {
   changed(before: Project, wished: Project, isTyped: boolean): Project | null {
     // Whoever begins anew has no task any more.
     if (wished.task !== before.task) {
-      if (wished.task !== undefined) this.tell(say(words.given));
+      if (wished.task !== undefined) this.tell(t(words.given));
       return wished.task === undefined ? wished : null;
     }
     const after = !isTyped && bringsText(before, wished) ? fromOutside(wished) : wished;
@@ -169,8 +169,8 @@ class TaskKeeper implements Keeper {
     });
     const isStart = file === MAIN && work.place.value === 0;
     if (!isStart || this.locks.lines.length === 0) return pasted;
-    const refuse = (): void => this.tell(say(words.lines));
-    return [pasted, lockedLines(() => this.locks.lines, say(words.line), refuse)];
+    const refuse = (): void => this.tell(t(words.lines));
+    return [pasted, lockedLines(() => this.locks.lines, t(words.line), refuse)];
   }
 
   /** Where the locked lines are now goes with the work, so that it is known after a reload, too. */
@@ -179,7 +179,7 @@ class TaskKeeper implements Keeper {
     const { lines } = this.locks;
     if (task === undefined || lines.length === 0 || mainText(before) === mainText(after)) return after;
     const kept = keptLines(mainText(before), mainText(after), lines);
-    if (kept === null) this.tell(say(words.lines));
+    if (kept === null) this.tell(t(words.lines));
     if (kept === null || isSame(kept, lines)) return kept && after;
     return { ...after, task: { ...task, locks: { ...(task['locks'] as object), lines: kept } } };
   }

@@ -1,6 +1,6 @@
 import { watch } from 'vue';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PageParts } from '../page/parts';
 import type { Keeper } from '../work/model/keeper';
 import words from './words';
@@ -18,7 +18,7 @@ export function plainHints({ notices }: Pick<PageParts, 'notices'>, keeper: Pick
         const { action: _, ...plain } = notice;
         notices.show(plain);
       } else if (notice?.key === 'notice.handBlock' && !keeper.hasTool('select'))
-        notices.show({ ...notice, key: 'notice.text', values: { text: say(words.backAtStart) } });
+        notices.show({ ...notice, key: 'notice.text', values: { text: t(words.backAtStart) } });
     },
     { flush: 'sync' },
   );

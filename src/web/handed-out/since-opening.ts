@@ -3,7 +3,7 @@ import { locksOf } from '#check/task/read-task';
 import { isSame } from '#core/same';
 import { MAIN, type Project } from '#project/project';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import words from './words';
@@ -24,12 +24,12 @@ export function takeBack(
   const tell = (text: string): void => notices.show({ kind: 'info', key: 'notice.text', values: { text } });
   let isTaken = false;
   while (course && work.scene.value !== opened.scene && work.undo()) isTaken = true;
-  if (isTaken) tell(say(words.course));
+  if (isTaken) tell(t(words.course));
   const [before, now] = [mainText(opened), mainText(work.work.value.project)];
   const kept = keptLines(before, now, lines);
   if (kept === null) {
     work.setText(MAIN, before, true);
-    tell(say(words.lines));
+    tell(t(words.lines));
   } else if (before !== now && !isSame(kept, lines))
     work.setTask({ ...task, locks: { ...(task['locks'] as object), lines: kept } });
 }

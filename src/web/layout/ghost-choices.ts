@@ -1,8 +1,7 @@
 import { computed, type ComputedRef } from 'vue';
 
 import { numberText } from '../page/i18n/number-text';
-import { shownLanguage } from '../page/i18n';
-import { say } from '../page/i18n/say';
+import { shownLanguage, t } from '../page/i18n';
 import type { EarlierRun, GhostWish } from '../run/earlier-runs';
 import type { RunParts } from '../run/parts';
 import { hardwareNow } from '../work/hardware/use-hardware';
@@ -24,5 +23,5 @@ export function ghostChoices(
 /** Which run it was and how long it took, in simulated time. */
 export function ghostLabel({ isOpened, number, tookUs }: EarlierRun): string {
   const seconds = numberText(tookUs / 1_000_000, shownLanguage(), 1);
-  return say(isOpened ? words.openedRun : words.run, { number, seconds });
+  return t(isOpened ? words.openedRun : words.run, { number, seconds });
 }

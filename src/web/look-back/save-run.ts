@@ -4,7 +4,7 @@ import { RUN_LINK_CHARACTERS, runLinkOf } from '#tape/link';
 import type { Tape } from '#tape/tape';
 import { version } from '../../../package.json';
 import type { PageParts } from '../page/parts';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { RunParts } from '../run/parts';
 import { repeatShown } from '../run/repeat-shown';
 import type { RunModel } from '../run/run-model';
@@ -34,7 +34,7 @@ export async function linkToRun(app: App): Promise<string | null> {
   if (text === null) return null;
   const link = runLinkOf(text, atUs);
   if (link.length <= RUN_LINK_CHARACTERS) return `${location.origin}${location.pathname}#${link}`;
-  const said = say(words.linkTooLong, { count: link.length, max: RUN_LINK_CHARACTERS });
+  const said = t(words.linkTooLong, { count: link.length, max: RUN_LINK_CHARACTERS });
   app.notices.show({ kind: 'warn', key: 'notice.text', values: { text: said } });
   return null;
 }
@@ -51,13 +51,13 @@ async function textOfRun(app: App): Promise<string | null> {
   try {
     const setup = setupAsKept(recorded.setup);
     const wish = { setup, untilUs, untilProgramEnds };
-    const repeated = await repeatShown(app, wish, (percent) => say(words.saving, { percent }));
+    const repeated = await repeatShown(app, wish, (percent) => t(words.saving, { percent }));
     return (
       repeated &&
       tapeToText({ madeBy: version, physics: PHYSICS, setup, untilUs, untilProgramEnds, result: repeated.result })
     );
   } catch {
-    app.notices.show({ kind: 'error', key: 'notice.text', values: { text: say(words.saveFailed) } });
+    app.notices.show({ kind: 'error', key: 'notice.text', values: { text: t(words.saveFailed) } });
     return null;
   }
 }

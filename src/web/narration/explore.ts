@@ -5,7 +5,7 @@ import { lengthOf, type Outline } from '#scene/outline';
 import kindNames from '../course-editor/words/kinds';
 import { namesOf } from '../course-editor/words/object-words';
 import { valueText } from '../course-editor/words/value-text';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { metAlong } from './met-along';
 import narrationWords from './words';
 import { poseText } from './sentences';
@@ -68,25 +68,25 @@ export function inOrder({ objects }: Scene): readonly SceneObject[] {
 /** Where one is, and how much there is in the course. */
 function tellAll(asked: Asked): Told {
   const count = asked.scene.objects.length;
-  const things = count === 1 ? say(words.one) : say(words.many, { count });
-  return { words: `${placeText(asked)} ${count === 0 ? say(words.none) : things}`, atMm: originOf(asked) };
+  const things = count === 1 ? t(words.one) : t(words.many, { count });
+  return { words: `${placeText(asked)} ${count === 0 ? t(words.none) : things}`, atMm: originOf(asked) };
 }
 
 /** A thing: its name, its size, and where it is. */
 function tellThing(object: SceneObject, asked: Asked): Told {
   const origin = originOf(asked);
-  const name = namesOf(asked.scene).get(object.id) ?? say(kindNames[object.type].one);
+  const name = namesOf(asked.scene).get(object.id) ?? t(kindNames[object.type].one);
   if (object.type === 'wall' || object.type === 'stroke') {
     const points = object.type === 'wall' ? [object.from, object.to] : object.points;
     const line = points.map(([x, y]) => ({ x, y }));
     const atMm = nearestOfLine(line, origin);
     const look = object.type === 'stroke' ? `${valueText(object.color)}, ` : '';
-    const size = say(words.long, { cm: cm(lengthOfLine(line)) });
-    return { words: `${name}, ${look}${size}; ${say(words.nearest, { where: whereText(atMm, asked) })}.`, atMm };
+    const size = t(words.long, { cm: cm(lengthOfLine(line)) });
+    return { words: `${name}, ${look}${size}; ${t(words.nearest, { where: whereText(atMm, asked) })}.`, atMm };
   }
   const pose = asked.moved[object.id];
   const atMm = pose === undefined ? { x: object.at[0], y: object.at[1] } : vecOf(pose);
-  const size = !('size' in object) ? '' : `, ${say(words.size, { x: cm(object.size[0]), y: cm(object.size[1]) })}`;
+  const size = !('size' in object) ? '' : `, ${t(words.size, { x: cm(object.size[0]), y: cm(object.size[1]) })}`;
   return { words: `${name}${size}: ${whereText(atMm, asked)}.`, atMm };
 }
 
@@ -96,15 +96,15 @@ export function tellAround(asked: Asked): Told {
   const at = originOf(asked);
   const names = namesOf(scene);
   const under = inOrder(scene).filter((object) => partsNow(object, moved).length === 0 && isOn(object, at));
-  const onText = under.length === 0 ? [] : [say(words.on, { names: under.map(({ id }) => names.get(id) ?? '').join(', ') })]; // prettier-ignore
+  const onText = under.length === 0 ? [] : [t(words.on, { names: under.map(({ id }) => names.get(id) ?? '').join(', ') })]; // prettier-ignore
   const isRobot = crosshair === null && robot !== null;
   const sides = isRobot ? (['front', 'left', 'back', 'right'] as const) : (['east', 'north', 'west', 'south'] as const);
   const met = sides.map((side, quarter) => {
     const headingRad = (isRobot ? robot.headingRad : 0) + (quarter * Math.PI) / 2;
     const pose = { xMm: at.x, yMm: at.y, headingRad };
     const { id, mm } = metAlong({ pose, scene, moved, body: isRobot ? body : [], quarter });
-    const thing = id === null ? say(narrationWords.edge) : (names.get(id) ?? '');
-    return say(words.met[side], { thing, cm: cm(mm) });
+    const thing = id === null ? t(narrationWords.edge) : (names.get(id) ?? '');
+    return t(words.met[side], { thing, cm: cm(mm) });
   });
   return { words: [placeText(asked), ...onText, ...met].join(' '), atMm: at };
 }
@@ -116,7 +116,7 @@ const originOf = ({ crosshair, robot, scene }: Asked): Vec =>
 function placeText(asked: Asked): string {
   if (asked.crosshair === null && asked.robot !== null) return poseText('here', asked.robot);
   const { x, y } = originOf(asked);
-  return say(asked.crosshair === null ? words.middle : words.crosshair, { x: cm(x), y: cm(y) });
+  return t(asked.crosshair === null ? words.middle : words.crosshair, { x: cm(x), y: cm(y) });
 }
 
 /** Where a place is: as the robot has it, or without a robot as the picture has it. */
@@ -128,12 +128,12 @@ function whereText(at: Vec, asked: Asked): string {
   const along = isRobot ? ([words.front, words.back] as const) : ([words.east, words.west] as const);
   const across = isRobot ? ([words.left, words.right] as const) : ([words.north, words.south] as const);
   const parts = [part(x, along), part(y, across)].filter((it) => it !== null);
-  return parts.length === 0 ? say(words.here) : parts.join(', ');
+  return parts.length === 0 ? t(words.here) : parts.join(', ');
 }
 
 /** Nearer than half a cm is no distance. */
 function part(mm: number, [ahead, behind]: readonly [typeof words.front, typeof words.front]): string | null {
-  return cm(Math.abs(mm)) === 0 ? null : say(mm > 0 ? ahead : behind, { cm: cm(Math.abs(mm)) });
+  return cm(Math.abs(mm)) === 0 ? null : t(mm > 0 ? ahead : behind, { cm: cm(Math.abs(mm)) });
 }
 
 const lengthOfLine = (line: readonly Vec[]): number =>

@@ -3,7 +3,7 @@ import type { Scene } from '#scene/scene';
 import type { Outline } from '#scene/outline';
 
 import kindNames from '../course-editor/words/kinds';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { Moment } from './moment';
 import words from './words';
 import type { News } from './news';
@@ -36,14 +36,14 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
     case 'touch':
       return touchText(news.seen, { scene, body });
     case 'checkpoint':
-      return say(words.checkpoint, { number: news.number });
+      return t(words.checkpoint, { number: news.number });
     case 'target':
     case 'block':
-      return say(news.of === 1 ? words[news.topic] : words[`${news.topic}s`], { done: news.done, of: news.of });
+      return t(news.of === 1 ? words[news.topic] : words[`${news.topic}s`], { done: news.done, of: news.of });
     case 'line':
       return lineText(news.names, now, scene);
     case 'ahead':
-      if (news.isClear) return isNear(now) ? null : say(words.clear);
+      if (news.isClear) return isNear(now) ? null : t(words.clear);
       return isNear(now) ? aheadText(now, scene) : null;
     case 'turn':
       return turnText(news);
@@ -56,7 +56,7 @@ const together = (...parts: readonly (string | null)[]): string => parts.filter(
 
 /** Where the robot stands and where it looks. */
 export const poseText = (which: 'start' | 'here' | 'rest', pose: Pose): string =>
-  say(words[which], {
+  t(words[which], {
     x: Math.round(pose.xMm / 10),
     y: Math.round(pose.yMm / 10),
     heading: wholeDegrees(pose.headingRad),
@@ -72,10 +72,10 @@ function wholeDegrees(rad: number): number {
 function aheadText({ ahead, moved }: Moment, scene: Scene): string | null {
   if (ahead === undefined || ahead === null) return null;
   const met = ahead.hitMm === null ? 'wall' : nearestSolid(ahead.hitMm, scene, moved).what;
-  return say(words.ahead, { thing: nameOf(met), cm: Math.round(ahead.mm / 10) });
+  return t(words.ahead, { thing: nameOf(met), cm: Math.round(ahead.mm / 10) });
 }
 
-const nameOf = (what: Solid): string => say(what === 'edge' ? words.edge : kindNames[what].one);
+const nameOf = (what: Solid): string => t(what === 'edge' ? words.edge : kindNames[what].one);
 
 /** By eighths of a turn, counter-clockwise. */
 const SIDES = ['front', 'front-left', 'left', 'back-left', 'back', 'back-right', 'right', 'front-right'] as const;
@@ -84,7 +84,7 @@ function touchText({ pose, moved }: Moment, { scene, body }: Surroundings): stri
   const { what, atMm } = touchedSolid(body, pose, scene, moved);
   const { x, y } = fromRobot(pose, atMm);
   const eighth = ((Math.round(Math.atan2(y, x) / (Math.PI / 4)) % 8) + 8) % 8;
-  return say(words.touch[SIDES[eighth] ?? 'front'], { thing: say(words.touched[what]) });
+  return t(words.touch[SIDES[eighth] ?? 'front'], { thing: t(words.touched[what]) });
 }
 
 /** Where something else than lines is dark, nobody can say that a sensor is on a line. */
@@ -94,11 +94,11 @@ const hasLines = ({ objects, background }: Scene): boolean =>
 /** The sensors on the line, of all that the robot has. */
 function lineText(names: readonly string[], { lineSensors }: Moment, scene: Scene): string {
   const texts = hasLines(scene) ? words.line : words.dark;
-  if (names.length === 0) return say(texts.none);
+  if (names.length === 0) return t(texts.none);
   const isPair = lineSensors.length === 2;
-  if (names.length === lineSensors.length) return say(isPair ? texts.both : texts.all);
-  if (isPair) return say(names[0] === lineSensors[0]?.name ? texts.left : texts.right);
-  return say(texts.some, { names: names.join(', ') });
+  if (names.length === lineSensors.length) return t(isPair ? texts.both : texts.all);
+  if (isPair) return t(names[0] === lineSensors[0]?.name ? texts.left : texts.right);
+  return t(texts.some, { names: names.join(', ') });
 }
 
 function onLineAtStart(now: Moment, scene: Scene): string | null {
@@ -107,6 +107,6 @@ function onLineAtStart(now: Moment, scene: Scene): string | null {
 }
 
 function turnText({ isLeft, degrees }: Extract<News, { topic: 'turn' }>): string {
-  if (degrees === null) return say(isLeft ? words.turn.left : words.turn.right);
-  return say(isLeft ? words.turn.leftBy : words.turn.rightBy, { degrees });
+  if (degrees === null) return t(isLeft ? words.turn.left : words.turn.right);
+  return t(isLeft ? words.turn.leftBy : words.turn.rightBy, { degrees });
 }

@@ -1,6 +1,6 @@
 import type { Scene } from '#scene/scene';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { CheckInWords } from '../task/checks-in-words';
 import { goalsInWords, rulesInWords } from '../task/goals';
 import type { ShownText } from '../work/catalogue/task-text';
@@ -26,15 +26,14 @@ export async function taskOnPaper(
     title: text.title,
     text: text.text,
     picture: text.picture === '' ? null : await sizedForPdf(text.picture),
-    goalsTitle: say(words.goalsTitle),
-    goals: goalsInWords(scene, null).map((goal) => say(words.goals[goal.words], goal.values)),
-    rules: rulesInWords(scene, null).map((rule) => say(words.rules[rule.words], rule.values)),
-    checksTitle: say(words.checks.title),
+    goalsTitle: t(words.goalsTitle),
+    goals: goalsInWords(scene, null).map((goal) => t(words.goals[goal.words], goal.values)),
+    rules: rulesInWords(scene, null).map((rule) => t(words.rules[rule.words], rule.values)),
+    checksTitle: t(words.checks.title),
     checks: checks.map((check) => `${check.text} (${check.gives})`),
-    stars:
-      stars === undefined ? [] : [say(words.stars.one), ...times.map((seconds) => say(words.stars.two, { seconds }))],
+    stars: stars === undefined ? [] : [t(words.stars.one), ...times.map((seconds) => t(words.stars.two, { seconds }))],
     hints: withHints
-      ? text.hints.map((hint, index) => ({ title: say(words.hint, { number: index + 1 }), text: hint }))
+      ? text.hints.map((hint, index) => ({ title: t(words.hint, { number: index + 1 }), text: hint }))
       : [],
   };
 }

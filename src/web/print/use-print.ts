@@ -10,7 +10,7 @@ import { checksInWords } from '../task/checks-in-words';
 import { useTask } from '../task/parts';
 import { useWork } from '../work/model/parts';
 import { courseName } from '../work/catalogue/first-course';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { coursePng, piecesOf, pictureAddress } from './picture-parts';
 import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
@@ -91,15 +91,15 @@ function useSaving(name: () => string) {
   async function save(ending: string, make: () => Promise<Blob>, signal?: AbortSignal): Promise<void> {
     if (isBusy.value) return;
     isBusy.value = true;
-    said.value = { text: say(words.working), isError: false };
+    said.value = { text: t(words.working), isError: false };
     await new Promise((resolve) => setTimeout(resolve, 30)); // the message must be on screen before the work begins
     try {
       const file = fileName(name(), ending);
       saveBlob(file, await make());
-      said.value = { text: say(words.saved, { file }), isError: false };
+      said.value = { text: t(words.saved, { file }), isError: false };
     } catch {
       const isGivenUp = signal?.aborted === true;
-      said.value = { text: say(isGivenUp ? runWords.givenUp : words.failed), isError: !isGivenUp };
+      said.value = { text: t(isGivenUp ? runWords.givenUp : words.failed), isError: !isGivenUp };
     }
     isBusy.value = false;
   }

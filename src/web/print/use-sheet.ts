@@ -4,7 +4,7 @@ import { isSame } from '#core/same';
 import { draftOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { presentProject } from '../share/save-work';
 import { useShareLink } from '../share/use-share-link';
 import { useWork } from '../work/model/parts';
@@ -85,13 +85,13 @@ const contentOf = (
   qr,
   space: wish.value.space,
   words: {
-    name: say(words.name),
-    class: say(words.class),
-    date: say(words.date),
-    open: say(words.open),
-    questions: [say(words.plan), say(words.seen)],
+    name: t(words.name),
+    class: t(words.class),
+    date: t(words.date),
+    open: t(words.open),
+    questions: [t(words.plan), t(words.seen)],
     scale: (scale) =>
-      say(words.scale, { width: cm(scene.value.size[0]), height: cm(scene.value.size[1]), scale: String(scale) }),
+      t(words.scale, { width: cm(scene.value.size[0]), height: cm(scene.value.size[1]), scale: String(scale) }),
   },
 });
 
@@ -125,10 +125,10 @@ function useCode(isWanted: () => boolean) {
 const isAddress = (link: string): boolean => /^https?:/.test(link);
 
 function whyNone(link: string | null, isLeftOut: boolean, isReadable: boolean): string {
-  if (link === null) return say(words.tooLarge);
-  if (!isAddress(link)) return say(words.noAddress);
-  if (isLeftOut) return say(words.leftOut);
-  return isReadable ? '' : say(words.tooLong, { count: link.length, max: PAPER_QR_CHARACTERS });
+  if (link === null) return t(words.tooLarge);
+  if (!isAddress(link)) return t(words.noAddress);
+  if (isLeftOut) return t(words.leftOut);
+  return isReadable ? '' : t(words.tooLong, { count: link.length, max: PAPER_QR_CHARACTERS });
 }
 
 const bytesOf = async (blob: Blob): Promise<Uint8Array> => new Uint8Array(await blob.arrayBuffer());

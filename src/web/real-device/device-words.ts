@@ -1,4 +1,4 @@
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PutProblem } from './problem';
 import type { PutProgress, PutResult } from './put-files';
 import words from './words';
@@ -8,14 +8,14 @@ const states = words.states;
 
 /** The current step, in one sentence. */
 export function progressSentence({ stage, file }: PutProgress): string {
-  return say(states[stage], { file: file ?? '' });
+  return t(states[stage], { file: file ?? '' });
 }
 
 /** The outcome, in one or two sentences. */
 export function doneSentence({ machine, isStarted, said, same }: Extract<PutResult, { kind: 'done' }>): string {
   const text = !isStarted ? states.notStarted : isTraceback(said) ? states.failedAtOnce : states.done;
-  const sentence = say(text, { machine });
-  return same.length === 0 ? sentence : `${sentence} ${say(states.same, { files: same.join(', ') })}`;
+  const sentence = t(text, { machine });
+  return same.length === 0 ? sentence : `${sentence} ${t(states.same, { files: same.join(', ') })}`;
 }
 
 /** Whether the program failed as soon as it started. */
@@ -25,18 +25,16 @@ export const isTraceback = (said: string): boolean => /^Traceback|^\s*File ".*",
 export function problemSentence(problem: PutProblem): string {
   switch (problem.kind) {
     case 'frame':
-      return say(words.noFrame);
+      return t(words.noFrame);
     case 'full':
-      return `${say(problems.full, { file: problem.file, bytes: problem.overBytes })} ${
-        problem.others.length > 0
-          ? say(problems.fullOthers, { files: problem.others.join(', ') })
-          : say(problems.fullAlone)
+      return `${t(problems.full, { file: problem.file, bytes: problem.overBytes })} ${
+        problem.others.length > 0 ? t(problems.fullOthers, { files: problem.others.join(', ') }) : t(problems.fullAlone)
       }`;
     case 'wrong-board':
-      return say(problems['wrong-board'], { module: problem.module, machine: problem.machine });
+      return t(problems['wrong-board'], { module: problem.module, machine: problem.machine });
     case 'different':
-      return say(problems.different, { file: problem.file });
+      return t(problems.different, { file: problem.file });
     default:
-      return say(problems[problem.kind]);
+      return t(problems[problem.kind]);
   }
 }

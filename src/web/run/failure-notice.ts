@@ -3,7 +3,7 @@ import { runRefusal } from '#scene/run-refusal';
 import type { Scene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { Notice } from '../page/notices';
 import words from './words';
 
@@ -28,5 +28,5 @@ export function failureNotice(message: string, hardware: Pick<Hardware, 'robot'>
 
 function inWords(message: string, scene: Scene): string {
   const refusal = runRefusal(scene);
-  return refusal?.message === message ? say(words[refusal.code], refusal.params) : message;
+  return refusal?.message === message ? t(words[refusal.code], refusal.params) : message;
 }

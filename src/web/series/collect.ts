@@ -5,7 +5,7 @@ import { taskLinksIn } from '#intake/links';
 import { tasksAmong, type TasksAmong } from '#intake/series-among';
 
 import { treeFile, type AddedFile } from '../page/files/added-files';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { unreadableReason } from '../share/unreadable-words';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import seriesWords from './words';
@@ -22,8 +22,8 @@ export async function collectFiles(added: readonly AddedFile[]): Promise<Collect
   const opened = await Promise.all(added.map((one) => openGiven(treeFile(one))));
   const { tasks, series, unreadable } = await tasksAmong(opened, readyScene);
   const reasonOf = (document: Unreadable): string =>
-    document.problem.code === 'kind' ? say(words.kinds) : unreadableReason(document);
-  const refusals = unreadable.map(({ file, document }) => say(words.refused, { file, reason: reasonOf(document) }));
+    document.problem.code === 'kind' ? t(words.kinds) : unreadableReason(document);
+  const refusals = unreadable.map(({ file, document }) => t(words.refused, { file, reason: reasonOf(document) }));
   return { tasks, series, refusals };
 }
 
@@ -32,11 +32,11 @@ export function collectLinks(text: string): Collected {
   const found = taskLinksIn(text).map((given): Collected => {
     if ('link' in given) return linked(given.link);
     const { course } = given;
-    if (readyCourse(course) === null) return refused(say(seriesWords.noCourse, { course }));
+    if (readyCourse(course) === null) return refused(t(seriesWords.noCourse, { course }));
     return { ...refused(), tasks: [{ title: '', from: { kind: 'course', course } }] };
   });
   const [tasks, series] = [found.flatMap((one) => one.tasks), found.flatMap((one) => one.series)];
-  return { tasks, series, refusals: found.length === 0 ? [say(words.noLinks)] : found.flatMap((one) => one.refusals) };
+  return { tasks, series, refusals: found.length === 0 ? [t(words.noLinks)] : found.flatMap((one) => one.refusals) };
 }
 
 function linked(link: string): Collected {
@@ -46,7 +46,7 @@ function linked(link: string): Collected {
   if (document.kind === 'unreadable') return refused(unreadableReason(document));
   return document.kind === 'project'
     ? { ...refused(), tasks: [{ title: '', from: { kind: 'project', project: document.project } }] }
-    : refused(say(words.noLinks));
+    : refused(t(words.noLinks));
 }
 
 const refused = (...refusals: readonly string[]): Collected => ({ tasks: [], series: [], refusals });

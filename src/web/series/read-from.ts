@@ -5,7 +5,7 @@ import { documentOfSeriesLink } from '#intake/address';
 import { readTasks } from '#intake/read-files';
 import { seriesDocument } from '#intake/text';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { shownAndKept, type FoundSeries } from '../share/open-series';
 import shareWords from '../share/words';
 import { keptSeries, seriesFrom } from '../task/series/kept-series';
@@ -23,15 +23,15 @@ export async function findSeries(from: string): Promise<FoundSeries> {
   if (isSeriesLink(from)) return shownAndKept(documentOfSeriesLink(from, readyScene));
   if (from.startsWith('series=')) return fetchSeries(decoded(from.slice('series='.length)));
   const series = await keptSeries(from.slice('series/'.length));
-  return series === null ? { problem: say(words.notKept) } : { series };
+  return series === null ? { problem: t(words.notKept) } : { series };
 }
 
 /** From the page's own web server alone: its content policy lets it reach no other. */
 async function fetchSeries(given: string): Promise<FoundSeries> {
   const url = urlOf(given, location.href.replace(/#.*/, ''));
-  if (url === null) return { problem: say(words.badAddress, { address: given }) };
-  if (!/^https?:$/.test(location.protocol)) return { problem: say(words.noServer) };
-  if (url.origin !== location.origin) return { problem: say(words.foreign, { host: url.host || given }) };
+  if (url === null) return { problem: t(words.badAddress, { address: given }) };
+  if (!/^https?:$/.test(location.protocol)) return { problem: t(words.noServer) };
+  if (url.origin !== location.origin) return { problem: t(words.foreign, { host: url.host || given }) };
   const loaded = await textAt(url);
   if ('problem' in loaded) {
     const series = await seriesFrom(url.href);
@@ -42,7 +42,7 @@ async function fetchSeries(given: string): Promise<FoundSeries> {
   const series = await readTasks(document.series, async (file) => {
     const place = urlOf(file, url.href);
     if (place === null || place.origin !== url.origin)
-      return { problem: say(words.foreign, { host: place?.host ?? file }) };
+      return { problem: t(words.foreign, { host: place?.host ?? file }) };
     return textAt(place);
   });
   return shownAndKept({ ...document, series }, url.href);
@@ -52,11 +52,11 @@ async function textAt(url: URL): Promise<{ readonly text: string } | { readonly 
   const address = url.pathname;
   try {
     const response = await fetch(url, { cache: 'no-cache' });
-    if (!response.ok) return { problem: say(words.notThere, { address, status: response.status }) };
+    if (!response.ok) return { problem: t(words.notThere, { address, status: response.status }) };
     const text = await response.text();
-    return text.length > seriesLimits.characters ? { problem: say(shareWords.series.faults['too-large']) } : { text };
+    return text.length > seriesLimits.characters ? { problem: t(shareWords.series.faults['too-large']) } : { text };
   } catch {
-    return { problem: say(words.notReached, { address }) };
+    return { problem: t(words.notReached, { address }) };
   }
 }
 

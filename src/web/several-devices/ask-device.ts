@@ -2,7 +2,7 @@ import type { Component } from 'vue';
 
 import { MOST_DEVICES } from '#project/devices';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import AddDeviceForm from './AddDeviceForm.vue';
@@ -15,12 +15,12 @@ export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devi
 /** Asks what the new device shall be, and adds it. */
 export function askForDevice(app: Pick<PageParts, 'dialogs'> & WorkParts): void {
   if (hasRoom(app) && !app.work.staysAsItIs())
-    app.dialogs.ask({ kind: 'form', title: () => say(words.addTitle), form: AddDeviceForm as Component });
+    app.dialogs.ask({ kind: 'form', title: () => t(words.addTitle), form: AddDeviceForm as Component });
 }
 
 /** Asks for another name for the device that is shown. */
 export function askForName({ dialogs, work }: Pick<PageParts, 'dialogs'> & WorkParts): void {
   if (work.staysAsItIs()) return;
   const name = work.devices.value[work.place.value] ?? '';
-  dialogs.ask({ kind: 'form', title: () => say(words.renameTitle, { name }), form: DeviceNameForm as Component });
+  dialogs.ask({ kind: 'form', title: () => t(words.renameTitle, { name }), form: DeviceNameForm as Component });
 }

@@ -5,7 +5,7 @@ import type { Start } from '#scene/scene';
 import { NO_ROBOT } from '#simulation/hardware';
 import { startsIn } from '#simulation/several/starts';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { hardwareNow } from '../work/hardware/use-hardware';
 import type { WorkParts } from '../work/model/parts';
 import { AUTO_DEVICE } from '../work/settings/devices';
@@ -13,7 +13,7 @@ import words from './words';
 
 /** What the first device is called once it is not alone: a robot as the course says. */
 export const firstName = (parts: WorkParts): string =>
-  hardwareNow(parts, 0)?.robot === null ? say(words.board) : (parts.work.scene.value.robot.name ?? say(words.robot));
+  hardwareNow(parts, 0)?.robot === null ? t(words.board) : (parts.work.scene.value.robot.name ?? t(words.robot));
 
 /** The names that are taken once there is another device. */
 function namesWith(parts: WorkParts): readonly string[] {
@@ -25,7 +25,7 @@ export function newRobot(parts: WorkParts): FurtherDevice {
   const start = nextStart(parts);
   const robot = findRobot(start?.robot ?? '') ?? hardwareNow(parts, 0)?.robot ?? robotTypes[0];
   const files = [{ name: MAIN, text: `from ${robot?.modules[0] ?? 'microbit'} import *\n\n` }];
-  const name = freeDeviceName(start?.name || say(words.robot), namesWith(parts));
+  const name = freeDeviceName(start?.name || t(words.robot), namesWith(parts));
   return { ...anyHardware, name, robot: robot?.id ?? NO_ROBOT, files, sameAs: '' };
 }
 
@@ -42,7 +42,7 @@ export function newBoard(parts: WorkParts): FurtherDevice {
   const text = `from ${board?.modules[0] ?? 'microbit'} import *\nimport radio\n\nradio.on()\n`;
   return {
     ...anyHardware,
-    name: freeDeviceName(say(words.remote), namesWith(parts)),
+    name: freeDeviceName(t(words.remote), namesWith(parts)),
     device: chosen === AUTO_DEVICE ? (board?.id ?? AUTO_DEVICE) : chosen,
     robot: NO_ROBOT,
     files: [{ name: MAIN, text }],

@@ -7,7 +7,7 @@ import { isOurs, useCourses } from '../work/use-courses';
 import { useDevice } from '../work/hardware/use-device';
 import { useOpenings } from '../work/use-openings';
 import { urlOf } from '../visit/address';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
@@ -31,7 +31,7 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
     case 'project':
       return openLinked(app, document);
     case 'recording':
-      return openRun(app, { ...document, file: say(words.openField) });
+      return openRun(app, { ...document, file: t(words.openField) });
     case 'program':
       return openProgram(app, document, wish);
     case 'ready':
@@ -44,7 +44,7 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
       location.hash = `series=${placeSeenFrom(address.trim(), document.place)}`;
       return null;
     case 'unreadable':
-      return document.link === undefined ? say(words.problems.notALink) : linkReason(document.link);
+      return document.link === undefined ? t(words.problems.notALink) : linkReason(document.link);
   }
 }
 
@@ -56,7 +56,7 @@ function placeSeenFrom(address: string, place: string): string {
 
 function openReady(app: Workplace, { course: id, isWhole }: ReadyDocument): string | null {
   const course = readyCourse(id);
-  if (course === null) return say(words.problems.unknownCourse, { course: id });
+  if (course === null) return t(words.problems.unknownCourse, { course: id });
   const { openScene, openWhole } = useCourses(app);
   if (isWhole) openWhole(course);
   else openScene(course);
@@ -65,11 +65,11 @@ function openReady(app: Workplace, { course: id, isWhole }: ReadyDocument): stri
 
 function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocument): string | null {
   const { scene, course } = project;
-  const name = scene.name === '' && course === null ? say(words.shared) : courseName(scene, course);
+  const name = scene.name === '' && course === null ? t(words.shared) : courseName(scene, course);
   openProject(app, project, name);
   if (isCourseChanged) {
     const { current } = app.notices;
-    const text = say(words.courseChanged, { name });
+    const text = t(words.courseChanged, { name });
     app.notices.show({ ...current.value, kind: 'info', key: 'notice.text', values: { text } });
   }
   return null;
@@ -79,7 +79,7 @@ function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocumen
 function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | 'brought'): string | null {
   const { files, device, course: id } = document;
   const course = id === null ? null : readyCourse(id);
-  if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id });
+  if (id !== null && course === null) return t(words.problems.unknownCourse, { course: id });
   const open = app.work.work.value.project;
   const project: Project =
     course === null
@@ -87,7 +87,7 @@ function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | '
       : { files, scene: course.scene, course: course.id };
   const settings = { ...defaultProjectSettings, device: device ?? defaultProjectSettings.device };
   const brings = device !== null && wish === 'brought';
-  openProject(app, brings ? { ...project, settings } : project, say(words.sharedProgram));
+  openProject(app, brings ? { ...project, settings } : project, t(words.sharedProgram));
   if (course !== null) {
     const { allowRobot, setUpForCourse } = useDevice(app);
     allowRobot();

@@ -9,7 +9,7 @@ import { useOpenings } from '../work/use-openings';
 import { isReadyArena } from '../work/catalogue/examples';
 import { courseName } from '../work/catalogue/first-course';
 import { workName } from '../work/work-name';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
 import words from './words';
@@ -37,7 +37,7 @@ export interface Taken {
 export async function openDocuments(app: TakesDocuments, taken: readonly Taken[]): Promise<void> {
   if (taken.length > KEPT_ANYWAY) {
     // More would push earlier ones, and the pupil's own work, out of what is kept.
-    refuse(app, say(words.tooManyFiles, { count: taken.length, max: KEPT_ANYWAY }));
+    refuse(app, t(words.tooManyFiles, { count: taken.length, max: KEPT_ANYWAY }));
     return;
   }
   const refusals: string[] = [];
@@ -47,7 +47,7 @@ export async function openDocuments(app: TakesDocuments, taken: readonly Taken[]
   }
   if (refusals.length > 0) refuse(app, refusals.join(' '));
   else if (taken.length > 1) {
-    const text = say(words.openedSeveral, { name: workName(app), count: taken.length - 1 });
+    const text = t(words.openedSeveral, { name: workName(app), count: taken.length - 1 });
     app.notices.show({ kind: 'ok', key: 'notice.text', values: { text } });
   }
 }
@@ -59,7 +59,7 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
   const isFromFile = openFile !== undefined;
   switch (document.kind) {
     case 'picture':
-      return app.panels.offer(loaded) ? null : say(words.problems.picture, { file });
+      return app.panels.offer(loaded) ? null : t(words.problems.picture, { file });
     case 'recording': {
       const { openRun } = await import('./open-run');
       return openRun(app, { ...document, file, stem: plainStem(file) });
@@ -79,16 +79,16 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
     case 'unreadable':
       return refusalOf(loaded, document);
     default:
-      return say(words.problems.otherKind, { file });
+      return t(words.problems.otherKind, { file });
   }
 }
 
 function refusalOf({ name: file, size: bytes }: File, { problem, problems }: Unreadable): string {
-  if (problems.length > 0) return say(words.problems.file, { file, reason: reasonOf(problems) });
+  if (problems.length > 0) return t(words.problems.file, { file, reason: reasonOf(problems) });
   if (problem.code === 'large')
-    return say(words.problems.tooLargeFile, { file, size: inMB(bytes), max: inMB(mostBytes(file)) });
+    return t(words.problems.tooLargeFile, { file, size: inMB(bytes), max: inMB(mostBytes(file)) });
   const isReadAsText = problem.code === 'not-text' || problem.code === 'gone';
-  return say(words.problems[isReadAsText ? 'unreadable' : 'otherKind'], { file });
+  return t(words.problems[isReadAsText ? 'unreadable' : 'otherKind'], { file });
 }
 
 /** A file's name without its ending and without the number that browsers add to a second download. */

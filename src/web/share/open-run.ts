@@ -12,7 +12,7 @@ import { PHYSICS } from '#simulation/physics-version';
 import type { RunSetup } from '#simulation/run-setup';
 import { version } from '../../../package.json';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import { repeatShown } from '../run/repeat-shown';
 import { showAgain, type RunAgain } from '../run/run-again';
 import { clockText } from '../run/use-run-text';
@@ -52,25 +52,25 @@ export function openRun(app: Workplace, given: Given): string | null {
   const { file, stem } = given;
   const read = parseTape(given.text);
   if ('problem' in read) {
-    const fault = say(words[read.fault === 'newer' ? 'newer' : 'damaged'], { file });
+    const fault = t(words[read.fault === 'newer' ? 'newer' : 'damaged'], { file });
     if (read.setup === null || openProject(app, read.setup, stem) !== null) return fault;
-    tell(app, 'warn', `${fault} ${say(words.projectIsOpen)}`);
+    tell(app, 'warn', `${fault} ${t(words.projectIsOpen)}`);
     return null;
   }
   const { tape, changes, changedPrograms } = read;
   const refusal = openProject(app, tape.setup, stem);
-  if (refusal !== null) return say(shareWords.problems.file, { file, reason: refusal });
+  if (refusal !== null) return t(shareWords.problems.file, { file, reason: refusal });
   const [device] = changedPrograms;
   const isAlone = tape.setup.devices.length === 1;
-  if (device !== undefined) tell(app, 'warn', say(isAlone ? words.program : words.programOf, { file, device }));
-  else if (changes.length > 0) tell(app, 'warn', say(words.setup, { file }));
+  if (device !== undefined) tell(app, 'warn', t(isAlone ? words.program : words.programOf, { file, device }));
+  else if (changes.length > 0) tell(app, 'warn', t(words.setup, { file }));
   else void check(app, given, tape);
   return null;
 }
 
 /** @returns why it was not opened */
 function openProject(app: Workplace, setup: RunSetup, stem?: string): string | null {
-  const read = projectOfRun(setup, stem ?? say(shareWords.shared));
+  const read = projectOfRun(setup, stem ?? t(shareWords.shared));
   if ('problems' in read) return reasonOf(read.problems);
   const { project: before, file: openFile } = app.work.work.value;
   const project = inTask(app, { ...read.project, course: courseOf(read.project.scene) });
@@ -107,24 +107,24 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
   const isLate = watchLate(app, () => giveUp.abort());
   try {
     const wish = { setup, untilUs, untilProgramEnds, momentsSinceUs: -1 };
-    const repeated = await repeatShown(app, wish, (percent) => say(words.checking, { file, percent }), giveUp);
+    const repeated = await repeatShown(app, wish, (percent) => t(words.checking, { file, percent }), giveUp);
     if (isLate()) return;
-    if (repeated === null) tell(app, 'info', say(words.givenUp, { file }), action);
+    if (repeated === null) tell(app, 'info', t(words.givenUp, { file }), action);
     else if (differences(result, repeated.result).length === 0) {
       const { simulatedUs: untilUs } = result;
       await show(app, repeated, { kept: setup, untilUs, ends, atUs });
       const at = clockText(Math.min(atUs, untilUs), true);
-      tell(app, 'ok', say(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
+      tell(app, 'ok', t(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
     } else if (physics !== PHYSICS) {
       const untilUs = Math.min(result.simulatedUs, repeated.result.simulatedUs);
       await show(app, repeated, { kept: setup, untilUs, ends, atUs });
-      tell(app, 'warn', say(physics < PHYSICS ? words.olderPhysics : words.newerPhysics, { file }), action);
+      tell(app, 'warn', t(physics < PHYSICS ? words.olderPhysics : words.newerPhysics, { file }), action);
     } else {
       const text = madeBy === version ? words.differs : words.differsSince;
-      tell(app, 'warn', say(text, { file, madeBy, version }), action);
+      tell(app, 'warn', t(text, { file, madeBy, version }), action);
     }
   } catch {
-    if (!isLate()) tell(app, 'warn', say(words.failed, { file }), action);
+    if (!isLate()) tell(app, 'warn', t(words.failed, { file }), action);
   } finally {
     isLate.end();
   }

@@ -3,7 +3,7 @@ import type { FileProblem } from '#intake/document';
 import type { LinkProblem } from '#project/link/link';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import shareWords from './words';
 
 const words = shareWords.problems;
@@ -52,8 +52,8 @@ export function reasonOf(problems: readonly FileProblem[]): string {
   const [first] = problems;
   if (first === undefined) return '';
   const { code, path, value, params } = first;
-  const reason = say(byCode[code], { ...params, path: path === '' ? 'JSON' : path, value });
-  return problems.length === 1 ? reason : say(words.more, { reason, count: problems.length - 1 });
+  const reason = t(byCode[code], { ...params, path: path === '' ? 'JSON' : path, value });
+  return problems.length === 1 ? reason : t(words.more, { reason, count: problems.length - 1 });
 }
 
 /** Why a link opens nothing, in words. */
@@ -61,18 +61,18 @@ export function linkReason(problem: LinkProblem | ProgramLinkProblem): string {
   const { code } = problem;
   switch (code) {
     case 'damaged':
-      return say(words.damagedLink);
+      return t(words.damagedLink);
     case 'newer-version':
-      return say(words.newerLink);
+      return t(words.newerLink);
     case 'too-large':
     case 'too-long':
-      return say(words.hugeLink);
+      return t(words.hugeLink);
     case 'unknown-form':
-      return say(words.unknownForm);
+      return t(words.unknownForm);
     case 'unknown-course':
-      return say(words.unknownCourse, problem.params);
+      return t(words.unknownCourse, problem.params);
     case 'invalid':
-      return say(words.invalidLink, { reason: reasonOf(problem.problems) });
+      return t(words.invalidLink, { reason: reasonOf(problem.problems) });
     default:
       return code satisfies never;
   }

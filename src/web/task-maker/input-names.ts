@@ -2,7 +2,6 @@ import type { Texts } from '#core/languages';
 
 import panelWords from '../board/panels/words';
 import { t } from '../page/i18n';
-import { say } from '../page/i18n/say';
 import makerWords from './words';
 import type { InputKind } from './world-inputs';
 
@@ -37,18 +36,18 @@ export function inputName(kind: InputKind, gesture?: string): string {
   const [type, name = ''] = kind.split(' ');
   switch (type) {
     case 'button':
-      return say(words.button, { name: name.toUpperCase() });
+      return t(words.button, { name: name.toUpperCase() });
     case 'touch':
       return name === 'pinLogo' ? t('board.logo') : `P${name.slice(-1)}`;
     case 'gesture': {
-      if (gesture === undefined) return say(words.gesture);
+      if (gesture === undefined) return t(words.gesture);
       const told = gestures[gesture];
-      return told === undefined ? gesture : say(told);
+      return told === undefined ? gesture : t(told);
     }
     case 'radio':
-      return say(words.radio);
+      return t(words.radio);
     case 'serial':
-      return say(words.serial);
+      return t(words.serial);
     default:
       return sensorName(name);
   }

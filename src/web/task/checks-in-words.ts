@@ -4,8 +4,7 @@ import { draftOf } from '#check/task/read-task';
 import type { Check } from '#check/task/task';
 import type { Project } from '#project/project';
 
-import { shownLanguage } from '../page/i18n';
-import { say } from '../page/i18n/say';
+import { shownLanguage, t } from '../page/i18n';
 import taskWords from './words';
 
 /** What a project is checked for besides the goals of its course, in the language of the page, with what it gives. */
@@ -29,8 +28,8 @@ export function checksInWords(project: Project): readonly CheckInWords[] {
 export function inWords(all: readonly Check[]): readonly CheckInWords[] {
   return all.flatMap((check) => {
     if (check.type === 'goals') return [];
-    const points = check.points === 1 ? say(words.point) : say(words.points, { points: check.points });
-    const gives = check.needed ? points : `${points}, ${say(words.optional)}`;
+    const points = check.points === 1 ? t(words.point) : t(words.points, { points: check.points });
+    const gives = check.needed ? points : `${points}, ${t(words.optional)}`;
     const leds = check.type === 'display' ? ledDrawing(check.image) : null;
     return [{ id: check.id, text: checkText(check, shownLanguage()), leds, gives }];
   });

@@ -12,7 +12,7 @@ import { withoutGiven } from './model/keeper';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { dateText } from '../page/i18n/number-text';
-import { say } from '../page/i18n/say';
+import { t } from '../page/i18n';
 import {
   isAsOpened,
   leaveProgram,
@@ -62,10 +62,10 @@ function useWholeCourses(app: Workplace) {
       when: dateText(own.atMs, language()),
     };
     const action = {
-      ...({ key: 'notice.text', values: { text: say(programWords.start) } } as const),
+      ...({ key: 'notice.text', values: { text: t(programWords.start) } } as const),
       run: () => openWhole(course),
     };
-    app.notices.show({ kind: 'ok', key: 'notice.text', values: { text: say(programWords.isBack, values) }, action });
+    app.notices.show({ kind: 'ok', key: 'notice.text', values: { text: t(programWords.isBack, values) }, action });
   }
 
   /** Opens a course as the pupil has left it, or with its program where they have written nothing in it yet. */

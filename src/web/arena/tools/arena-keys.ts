@@ -3,7 +3,7 @@ import type { Texts } from '#core/languages';
 import { nothingSelected } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import { arrowOf, STEP_MM, type SelectionKeys } from './tool-keys';
 import type { ToolPointers } from './tool-pointers';
 import type { ToolSurface } from './tool-surface';
@@ -82,7 +82,7 @@ export function arenaKeys(
       keys.keyUp(event.key);
       if (event.key === ' ' && pointers.letGoSpace()) press(event.shiftKey);
     },
-    focus: () => sources.say(say(arenaWords.tools[helpFor(editor)])),
+    focus: () => sources.say(t(arenaWords.tools[helpFor(editor)])),
     blur() {
       pointers.letGoSpace();
       keys.keyUp('ArrowLeft'); // any arrow: what they have moved is done
@@ -93,7 +93,7 @@ export function arenaKeys(
 
 /** Leaves what is under way, else the points of a line, else what is selected. Returns whether there was anything. */
 function escape({ editor, say: tell }: KeySources, surface: ToolSurface): boolean {
-  if (surface.cancel()) tell(say(arenaWords.tools.dropped));
+  if (surface.cancel()) tell(t(arenaWords.tools.dropped));
   else if (editor.tool.value === 'points') editor.choose('select');
   else if (isSelected(editor)) editor.select(nothingSelected);
   else return false;
@@ -119,7 +119,7 @@ function sayer(sources: KeySources, surface: ToolSurface): (at: Vec) => void {
   };
 }
 
-const sayPlace = (text: Texts, at: Vec): string => say(text, { x: cm(at.x), y: cm(at.y) });
+const sayPlace = (text: Texts, at: Vec): string => t(text, { x: cm(at.x), y: cm(at.y) });
 
 /** Where the middle of what is in sight lies, world mm. */
 function middleOfSight({ view, canvas }: ArenaView): Vec {

@@ -14,7 +14,7 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { ArenaTool, CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { createSelectionActs } from '../../course-editor/state/selection-acts';
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
 import { arenaSight } from './arena-sight';
 import { arenaOpenings, type ArenaOpenings } from './arena-openings';
@@ -289,7 +289,7 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
     },
     hint:
       now.crosshair?.isDown === true
-        ? { text: say(arenaWords.tools.underWay), at: hintPlace(toPx(picture.view.value, now.crosshair.at)) }
+        ? { text: t(arenaWords.tools.underWay), at: hintPlace(toPx(picture.view.value, now.crosshair.at)) }
         : null,
     // Figures take the place of the tool's sign.
     finger: tool !== null && now.finger !== null && told === null ? { at: now.finger, tool } : null,

@@ -1,9 +1,8 @@
 import { degOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { Reading } from '#editor/snap/reading';
-import { shownLanguage } from '../../page/i18n';
+import { shownLanguage, t } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
-import { say } from '../../page/i18n/say';
 import arenaWords from '../words';
 
 /** A length in cm, to the mm, with a minus of its own width. */
@@ -41,18 +40,18 @@ export function readingWords(reading: Reading): string {
   switch (reading.type) {
     case 'length':
       return reading.deg === null
-        ? say(figures.long, { cm: cmText(reading.mm) })
-        : say(figures.length, { cm: cmText(reading.mm), deg: degText(reading.deg) });
+        ? t(figures.long, { cm: cmText(reading.mm) })
+        : t(figures.length, { cm: cmText(reading.mm), deg: degText(reading.deg) });
     case 'size':
-      return say(figures.size, { width: cmText(reading.width), height: cmText(reading.height) });
+      return t(figures.size, { width: cmText(reading.width), height: cmText(reading.height) });
     case 'moved':
-      return say(figures.moved, { x: cmText(reading.by.x), y: cmText(reading.by.y) });
+      return t(figures.moved, { x: cmText(reading.by.x), y: cmText(reading.by.y) });
     case 'turned':
-      return say(figures.turned, { deg: degText(reading.byDeg) });
+      return t(figures.turned, { deg: degText(reading.byDeg) });
     case 'heading':
-      return say(figures.heading, { deg: degText(reading.deg) });
+      return t(figures.heading, { deg: degText(reading.deg) });
     case 'place':
-      return say(figures.place, { x: cmText(reading.at.x), y: cmText(reading.at.y) });
+      return t(figures.place, { x: cmText(reading.at.x), y: cmText(reading.at.y) });
     default:
       return reading satisfies never;
   }

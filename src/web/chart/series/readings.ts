@@ -3,7 +3,6 @@ import type { RobotType } from '#robots/robot';
 import type { Key, Leaf } from '#tape/rows/leaves';
 
 import { t } from '../../page/i18n';
-import { say } from '../../page/i18n/say';
 import words from './words';
 import type { Series } from './series';
 
@@ -52,14 +51,14 @@ export function readingsOf(device: DeviceSnapshot, type: RobotType | undefined):
 /** Sensors with a side are called by it, others as on the robot: `L1`. */
 function sideName(name: string): string {
   if (name === 'left' || name === 'right') return t(`arena.${name}`);
-  return name === 'middle' ? say(words.middle) : name;
+  return name === 'middle' ? t(words.middle) : name;
 }
 
 function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Reading[] {
   if (robot === null) return [];
   const { state, scale } = robot;
   const wheel = (side: 0 | 1): Reading =>
-    of(say(side === 0 ? words.wheelLeft : words.wheelRight), ['robot', 'wheelTurnRad', side], {
+    of(t(side === 0 ? words.wheelLeft : words.wheelRight), ['robot', 'wheelTurnRad', side], {
       unit: 'cm/s',
       times: (type.body.wheels[side].radiusMm * scale) / 10,
       isRate: true,
@@ -70,29 +69,29 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
       ? []
       : [of(t('arena.distance'), at('ultrasonic', 'distanceMm'), { unit: 'cm', times: 0.1 })]),
     ...state.lineSensors.flatMap(({ name, reading }, place) => [
-      onOff(say(words.line, { name: sideName(name) }), at('lineSensors', place, 'bright')),
+      onOff(t(words.line, { name: sideName(name) }), at('lineSensors', place, 'bright')),
       ...(reading === undefined
         ? []
-        : [of(say(words.lineAnalog, { name: sideName(name) }), at('lineSensors', place, 'reading'))]),
+        : [of(t(words.lineAnalog, { name: sideName(name) }), at('lineSensors', place, 'reading'))]),
     ]),
-    of(say(words.speed), ['robot', 'pathMm'], { unit: 'cm/s', times: 0.1, isRate: true }),
+    of(t(words.speed), ['robot', 'pathMm'], { unit: 'cm/s', times: 0.1, isRate: true }),
     wheel(0),
     wheel(1),
-    of(say(words.motorLeft), at('duty', 'left'), { unit: '%', times: 100 }),
-    of(say(words.motorRight), at('duty', 'right'), { unit: '%', times: 100 }),
-    of(say(words.heading), ['robot', 'pose', 'headingRad'], { unit: '°', times: DEGREES_PER_RAD }),
-    of(say(words.turned), ['robot', 'turnedRad'], { unit: '°', times: DEGREES_PER_RAD }),
+    of(t(words.motorLeft), at('duty', 'left'), { unit: '%', times: 100 }),
+    of(t(words.motorRight), at('duty', 'right'), { unit: '%', times: 100 }),
+    of(t(words.heading), ['robot', 'pose', 'headingRad'], { unit: '°', times: DEGREES_PER_RAD }),
+    of(t(words.turned), ['robot', 'turnedRad'], { unit: '°', times: DEGREES_PER_RAD }),
     of('x', ['robot', 'pose', 'x'], { unit: 'cm', times: 0.1 }),
     of('y', ['robot', 'pose', 'y'], { unit: 'cm', times: 0.1 }),
-    of(say(words.way), ['robot', 'pathMm'], { unit: 'cm', times: 0.1 }),
-    of(say(words.touches), ['robot', 'collisions']),
-    onOff(say(words.lightLeft), at('leds', 'left')),
-    onOff(say(words.lightRight), at('leds', 'right')),
-    ...state.rgb.map((_, place) => colourLight(say(words.colourLight, { number: place + 1 }), at('rgb', place))),
+    of(t(words.way), ['robot', 'pathMm'], { unit: 'cm', times: 0.1 }),
+    of(t(words.touches), ['robot', 'collisions']),
+    onOff(t(words.lightLeft), at('leds', 'left')),
+    onOff(t(words.lightRight), at('leds', 'right')),
+    ...state.rgb.map((_, place) => colourLight(t(words.colourLight, { number: place + 1 }), at('rgb', place))),
     ...Object.keys(state.servos).map((port) => of(`Servo ${port}`, at('servos', port), { unit: '°' })),
     ...(state.bumper === null
       ? []
-      : [onOff(say(words.bumperLeft), at('bumper', 'left')), onOff(say(words.bumperRight), at('bumper', 'right'))]),
+      : [onOff(t(words.bumperLeft), at('bumper', 'left')), onOff(t(words.bumperRight), at('bumper', 'right'))]),
   ];
 }
 
@@ -130,14 +129,14 @@ function boardReadings(board: BoardSnapshot): readonly Reading[] {
     ...Object.entries(sensorNames).flatMap(([id, name]) =>
       id in board.sensors ? [of(name(), ['sensors', id], { unit: sensorUnits[id] ?? '' })] : [],
     ),
-    onOff(say(words.button, { name: 'A' }), ['buttons', 'a']),
-    onOff(say(words.button, { name: 'B' }), ['buttons', 'b']),
-    ...Object.keys(board.touch).map((pad) => onOff(say(words.touch, { name: pad }), ['touch', pad])),
+    onOff(t(words.button, { name: 'A' }), ['buttons', 'a']),
+    onOff(t(words.button, { name: 'B' }), ['buttons', 'b']),
+    ...Object.keys(board.touch).map((pad) => onOff(t(words.touch, { name: pad }), ['touch', pad])),
     ...board.motors.map((_, place) =>
-      of(say(words.motor, { number: place + 1 }), ['motors', place], { unit: '%', times: 100 }),
+      of(t(words.motor, { number: place + 1 }), ['motors', place], { unit: '%', times: 100 }),
     ),
-    ...board.rgb.map((_, place) => colourLight(say(words.boardLight, { number: place + 1 }), ['rgb', place])),
-    of(say(words.tone), ['sound', 'hz'], { unit: 'Hz' }),
+    ...board.rgb.map((_, place) => colourLight(t(words.boardLight, { number: place + 1 }), ['rgb', place])),
+    of(t(words.tone), ['sound', 'hz'], { unit: 'Hz' }),
   ];
 }
 

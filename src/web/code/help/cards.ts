@@ -13,7 +13,7 @@ import {
 import { callAt } from '#reference/arguments';
 import type { ReferenceContext } from '#reference/context';
 import { describe, type Description } from '#reference/describe';
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import { card, element, spoken } from './card';
 import helpWords from './words';
 import type { Words } from './words-on';
@@ -100,7 +100,7 @@ function tooltipOf({ from, to, item, argument }: Description, words: Words): Too
 function barOf(view: EditorView, { item, argument }: Description, words: Words): Panel {
   const button = element('button', 'cm-helpClose', '×') as HTMLButtonElement;
   button.type = 'button';
-  button.setAttribute('aria-label', say(helpWords.close));
+  button.setAttribute('aria-label', t(helpWords.close));
   button.addEventListener('click', () => view.dispatch({ effects: show.of(null) }));
   const dom = element('div', 'cm-helpBar', card(item, words, argument), button);
   dom.setAttribute('role', 'status');

@@ -17,7 +17,7 @@ import { parametersOf } from '#reference/arguments';
 import { complete, type Offer } from '#reference/complete';
 import type { ReferenceContext } from '#reference/context';
 import type { Item } from '#reference/item';
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import { card, element } from './card';
 import { insertCall } from './given-brackets';
 import helpWords from './words';
@@ -59,7 +59,7 @@ export function completion(context: () => ReferenceContext, words: Words): Exten
       // The order of the tables: what lessons use first stands first.
       compareCompletions: (a, b) => ((a.sortText ?? '') < (b.sortText ?? '') ? -1 : 1),
     }),
-    EditorState.phrases.of({ Completions: say(helpWords.suggestions) }),
+    EditorState.phrases.of({ Completions: t(helpWords.suggestions) }),
     Prec.highest(
       keymap.of([{ key: 'Ctrl-Space', run: ask }, { mac: 'Alt-`', run: ask }, { mac: 'Alt-i', run: ask }, ...keys]),
     ),

@@ -2,7 +2,7 @@ import type { Item } from '#reference/item';
 import { loadReferenceTexts, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
 import type { Language } from '../../page/i18n';
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import helpWords from './words';
 
 /** The short words on names of the API, in one language. */
@@ -24,12 +24,12 @@ export function wordsOn(item: Item, words: Words): string {
 
 /** Where an item belongs and what kind of thing it is: “microbit.display · function”. */
 export function captionOf(item: Item): string {
-  const kind = say(helpWords[item.kind]);
+  const kind = t(helpWords[item.kind]);
   return item.home === null ? kind : `${item.home} · ${kind}`;
 }
 
 /** What the firmware has to say against an item; empty when it has it. */
 export function missingText(item: Item): string {
   if (item.missing === null) return '';
-  return say(item.missing === 'absent' ? helpWords.absent : helpWords.newer);
+  return t(item.missing === 'absent' ? helpWords.absent : helpWords.newer);
 }

@@ -4,7 +4,7 @@ import type { Outline } from '#scene/outline';
 import type { RuleProblem } from '#scene/rules';
 import type { Scene } from '#scene/scene';
 
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import editingWords from '../words/editing';
 import { problemWords } from '../words/problem-words';
 
@@ -23,7 +23,7 @@ export function told(problem: RuleProblem, scene: Scene, footprint: readonly Out
   const mend = mendOf(scene, problem, footprint);
   return {
     text: problemWords(problem, scene),
-    mend: mend && { text: say(words[mend.kind]), edit: mend.edit },
+    mend: mend && { text: t(words[mend.kind]), edit: mend.edit },
   };
 }
 
@@ -34,5 +34,5 @@ export function toldMendOfAll(
   footprint: readonly Outline[],
 ): ToldProblem['mend'] {
   const edit = mendAll(scene, problems, footprint);
-  return edit?.type === 'all' ? { text: say(words.all), edit } : null;
+  return edit?.type === 'all' ? { text: t(words.all), edit } : null;
 }

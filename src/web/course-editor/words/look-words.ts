@@ -1,8 +1,7 @@
 import type { SceneObject } from '#scene/scene';
 
-import { shownLanguage } from '../../page/i18n';
+import { shownLanguage, t } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
-import { say } from '../../page/i18n/say';
 import { cm } from './object-words';
 import editingWords from './editing';
 
@@ -11,21 +10,21 @@ const words = editingWords.options;
 /** What an object looks like and wants, in words, beside its place; empty where its name says all. */
 export function lookText(object: SceneObject): string {
   const angle = 'angle' in object ? object.angle : 0;
-  const turned = angle === 0 ? [] : [`${say(editingWords.fields.turn)} ${numberText(angle, shownLanguage())}°`];
+  const turned = angle === 0 ? [] : [`${t(editingWords.fields.turn)} ${numberText(angle, shownLanguage())}°`];
   return [...looksOf(object), ...turned].join(', ');
 }
 
 function looksOf(object: SceneObject): readonly string[] {
   switch (object.type) {
     case 'stroke':
-      return [say(words[object.color]), say(words.widthMm, { mm: object.width })];
+      return [t(words[object.color]), t(words.widthMm, { mm: object.width })];
     case 'wall':
-      return [say(words.thicknessMm, { mm: object.thickness })];
+      return [t(words.thicknessMm, { mm: object.thickness })];
     case 'target':
-      return object.blocks === 0 ? [] : [say(words.blocksSome, { count: object.blocks })];
+      return object.blocks === 0 ? [] : [t(words.blocksSome, { count: object.blocks })];
     case 'mover': {
-      const speed = say(words.speedCmS, { cm: numberText(cm(object.speed), shownLanguage()) });
-      return object.spiked ? [speed, say(words.spiked)] : [speed];
+      const speed = t(words.speedCmS, { cm: numberText(cm(object.speed), shownLanguage()) });
+      return object.spiked ? [speed, t(words.spiked)] : [speed];
     }
     default:
       return [];

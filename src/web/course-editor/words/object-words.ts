@@ -3,9 +3,8 @@ import type { AnyObject } from '#scene/kinds/kind';
 import { stopsOf, wayOf } from '#scene/kinds/mover-way';
 import type { Label, Mover, Point, Scene, SceneObject, Start, Stroke, Wall, Zone } from '#scene/scene';
 
-import { shownLanguage } from '../../page/i18n';
+import { shownLanguage, t } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
-import { say } from '../../page/i18n/say';
 import words from '../words';
 import kindNames from './kinds';
 import moverWords from './movers';
@@ -23,7 +22,7 @@ export function placeText([x, y]: Point): string {
 
 /** A single object by the name of its kind, several with their number: `Wand`, `3 Wände`. */
 export const countText = (kind: Kind, count: number): string =>
-  count === 1 ? say(kindNames[kind].one) : `${String(count)} ${say(kindNames[kind].many)}`;
+  count === 1 ? t(kindNames[kind].one) : `${String(count)} ${t(kindNames[kind].many)}`;
 
 /** What each object is called: `Wand 3`. A checkpoint goes by its own number, a label by its text. */
 export function namesOf(scene: Scene): ReadonlyMap<string, string> {
@@ -38,7 +37,7 @@ export function namesOf(scene: Scene): ReadonlyMap<string, string> {
 }
 
 function nameOf(object: SceneObject, count: number): string {
-  const kind = say(kindNames[object.type].one);
+  const kind = t(kindNames[object.type].one);
   return kindWords[object.type].name?.(object, kind) ?? `${kind} ${String(count)}`;
 }
 
@@ -51,7 +50,7 @@ interface KindWords<O extends AnyObject = SceneObject> {
 }
 
 const box: KindWords<Extract<SceneObject, { readonly size: unknown }>> = {
-  where: ({ at, size }) => say(texts.sizeAt, { x: cm(size[0]), y: cm(size[1]), at: placeText(at) }),
+  where: ({ at, size }) => t(texts.sizeAt, { x: cm(size[0]), y: cm(size[1]), at: placeText(at) }),
 };
 
 /** How each kind of object is named and located. */
@@ -61,17 +60,17 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
     where({ points }: Stroke) {
       const [first = [0, 0], second] = points;
       if (points.length === 2 && second !== undefined) return fromTo(first, second);
-      return say(texts.points, { at: placeText(first), count: points.length });
+      return t(texts.points, { at: placeText(first), count: points.length });
     },
   },
   mover: { where: whereMoves },
   label: {
-    name: ({ text }: Label, kind) => say(texts.label, { kind, text }),
-    where: ({ at }: Label) => say(texts.at, { at: placeText(at) }),
+    name: ({ text }: Label, kind) => t(texts.label, { kind, text }),
+    where: ({ at }: Label) => t(texts.at, { at: placeText(at) }),
   },
   start: {
-    name: ({ name }: Start, kind) => (name === '' ? null : say(texts.label, { kind, text: name })),
-    where: ({ at }: Start) => say(texts.at, { at: placeText(at) }),
+    name: ({ name }: Start, kind) => (name === '' ? null : t(texts.label, { kind, text: name })),
+    where: ({ at }: Start) => t(texts.at, { at: placeText(at) }),
   },
   block: box,
   'fixed-block': box,
@@ -86,12 +85,12 @@ function whereMoves(mover: Mover): string {
   const stops = stopsOf(mover);
   const [first = mover, last = first] = [stops[0], stops.at(-1)];
   const [from, to] = [placeText(first.at), placeText(last.at)];
-  if (way === 'to-and-fro' && stops.length === 2) return say(texts.goes, { from, to });
-  if (way === 'to-and-fro') return say(moverWords.where.stops, { from, to, count: stops.length });
-  return say(moverWords.where[way], { at: from, count: stops.length });
+  if (way === 'to-and-fro' && stops.length === 2) return t(texts.goes, { from, to });
+  if (way === 'to-and-fro') return t(moverWords.where.stops, { from, to, count: stops.length });
+  return t(moverWords.where[way], { at: from, count: stops.length });
 }
 
-const fromTo = (from: Point, to: Point): string => say(texts.fromTo, { from: placeText(from), to: placeText(to) });
+const fromTo = (from: Point, to: Point): string => t(texts.fromTo, { from: placeText(from), to: placeText(to) });
 
 /** Where an object is, in words. */
 export const whereText = (object: SceneObject): string => kindWords[object.type].where(object);

@@ -2,8 +2,7 @@ import type { Outline } from '#scene/outline';
 import { findProblems, type RuleProblem } from '#scene/rules';
 import type { Scene, SceneObject } from '#scene/scene';
 
-import { shownLanguage } from '../../page/i18n';
-import { say } from '../../page/i18n/say';
+import { shownLanguage, t } from '../../page/i18n';
 import { namesOf } from './object-words';
 import editingWords from './editing';
 import kindNames from './kinds';
@@ -22,12 +21,12 @@ export function problemWords({ code, params, ids }: RuleProblem, scene: Scene): 
   const names = namesOf(scene);
   const nameOf = (id: unknown): string => (typeof id === 'string' ? (names.get(id) ?? '') : '');
   const kind = kindOf(params['kind']);
-  return say(texts[code], {
+  return t(texts[code], {
     ...params,
-    ...(params['count'] === 2 && code === 'covered' ? { count: say(editingWords.two) } : {}),
+    ...(params['count'] === 2 && code === 'covered' ? { count: t(editingWords.two) } : {}),
     what: nameOf(params['id'] ?? ids[0]),
     other: nameOf(params['other']),
-    kinds: kind === null ? '' : inSentence(say(kindNames[kind].many)),
+    kinds: kind === null ? '' : inSentence(t(kindNames[kind].many)),
   });
 }
 

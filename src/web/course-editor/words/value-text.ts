@@ -3,7 +3,7 @@ import type { RobotColor, SceneObject, StrokeColor } from '#scene/scene';
 
 import type { ShapeName } from '#scene/shape/shape';
 
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import words from './editing';
 import moverWords from './movers';
 
@@ -11,8 +11,8 @@ import moverWords from './movers';
 export function valueText(
   value: StrokeColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay | ShapeName,
 ): string {
-  if (isWay(value)) return say(moverWords.ways[value]);
-  return value in words.options ? say(words.options[value as keyof typeof words.options]) : value;
+  if (isWay(value)) return t(moverWords.ways[value]);
+  return value in words.options ? t(words.options[value as keyof typeof words.options]) : value;
 }
 
 const isWay = (value: string): value is MoverWay => moverWays.some((way) => way === value);

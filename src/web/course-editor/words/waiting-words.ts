@@ -1,7 +1,7 @@
 import type { Scene, SceneObject } from '#scene/scene';
 import { pendingChanges } from '#simulation/at-once';
 
-import { say } from '../../page/i18n/say';
+import { t } from '../../page/i18n';
 import words from '../words';
 import kindNames from './kinds';
 
@@ -19,9 +19,9 @@ export function waitingWords(start: Scene, now: Scene): string {
   const counts = new Map<SceneObject['type'], number>();
   for (const { type } of [...coming, ...going.filter(({ id }) => !ids.has(id))])
     counts.set(type, (counts.get(type) ?? 0) + 1); // a changed object counts as both removed and added: name it once
-  const names = [...counts].map(([type, count]) => say(kindNames[type][count === 1 ? 'one' : 'many']));
-  if (robot) names.push(say(texts.start));
-  if (arena) names.push(say(texts.size));
+  const names = [...counts].map(([type, count]) => t(kindNames[type][count === 1 ? 'one' : 'many']));
+  if (robot) names.push(t(texts.start));
+  if (arena) names.push(t(texts.size));
   const isShort = names.length > 0 && names.length <= MOST_NAMED;
-  return isShort ? say(texts.named, { what: names.join(', ') }) : say(texts.unnamed);
+  return isShort ? t(texts.named, { what: names.join(', ') }) : t(texts.unnamed);
 }

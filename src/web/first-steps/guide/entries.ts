@@ -74,7 +74,6 @@ import {
 
 import type { ArenaTool } from '../../course-editor/state/course-editor-model';
 import { t } from '../../page/i18n';
-import { say } from '../../page/i18n/say';
 import type { TextKey } from '../../page/i18n/texts';
 import { toolLetters } from '../../course-editor/palette/tool-list';
 import editingWords from '../../course-editor/words/editing';
@@ -153,14 +152,14 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'open-link': of(mdiLinkVariant, () => t('menu.openLink')),
   'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
-  gallery: of(mdiRobotHappyOutline, () => say(deviceWords.gallery), 'gallery'),
-  'task-maker': of(mdiClipboardEditOutline, () => say(makerWords.title), 'menu-task'),
-  'make-series': of(mdiFormatListNumbered, () => say(seriesWords.title), 'menu-make-series'),
-  series: of(mdiFormatListNumbered, () => say(seriesWayWords.back), 'menu-series'),
-  class: of(mdiClipboardCheckOutline, () => say(classWords.title), 'menu-class'),
+  gallery: of(mdiRobotHappyOutline, () => t(deviceWords.gallery), 'gallery'),
+  'task-maker': of(mdiClipboardEditOutline, () => t(makerWords.title), 'menu-task'),
+  'make-series': of(mdiFormatListNumbered, () => t(seriesWords.title), 'menu-make-series'),
+  series: of(mdiFormatListNumbered, () => t(seriesWayWords.back), 'menu-series'),
+  class: of(mdiClipboardCheckOutline, () => t(classWords.title), 'menu-class'),
   projector: of(
     mdiProjectorScreenOutline,
-    () => say(showWords.projector.title),
+    () => t(showWords.projector.title),
     'menu-projector',
     'show-projector',
     'projector-open',
@@ -173,10 +172,10 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
   explain: ofOwn(mdiHelpCircleOutline, 'explain'),
   'break-points': ofOwn(mdiCircle, 'break-points'),
-  'line-by-line': of(mdiDebugStepOver, () => say(debugWords.bar), 'step-*', 'words.goOn', 'ran-open', 'ran-close'),
+  'line-by-line': of(mdiDebugStepOver, () => t(debugWords.bar), 'step-*', 'words.goOn', 'ran-open', 'ran-close'),
   variables: of(
     mdiVariable,
-    () => say(debugWords.variables),
+    () => t(debugWords.variables),
     'board-tabs',
     'words.variables',
     'tab-board',
@@ -206,8 +205,8 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   ),
   'ask-why': ofOwn(mdiHelpRhombusOutline, 'ask-why', 'why-open', 'why-*', 'words.why'),
   show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
-  ghosts: of(mdiGhostOutline, () => say(showWords.ghost.title), 'ghost-away', 'ghost-*'),
-  tell: of(mdiAccountVoice, () => say(showWords.tell.title), 'tell-switch', 'show-tell', 'show-tones'),
+  ghosts: of(mdiGhostOutline, () => t(showWords.ghost.title), 'ghost-away', 'ghost-*'),
+  tell: of(mdiAccountVoice, () => t(showWords.tell.title), 'tell-switch', 'show-tell', 'show-tones'),
   readings: ofOwn(mdiCompassOutline, 'readings'),
   zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
   'zoom-to': ofKey(mdiMagnify, 'arena.zoomTo', 'zoom-to'),
@@ -231,12 +230,12 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   undo: of(mdiUndo, () => t('editing.undo'), 'undo'),
   redo: of(mdiRedo, () => t('editing.redo'), 'redo'),
   'course-more': of(mdiDotsVertical, () => t('editing.more'), 'course-more'),
-  parts: of(mdiToyBrickOutline, () => say(editingWords.panels.parts)),
-  'course-list': of(mdiFormatListBulleted, () => say(editingWords.panels.list), 'editor-*'),
-  'course-settings': of(mdiTextBoxEditOutline, () => say(editingWords.panels.course)),
-  background: of(mdiImageOutline, () => say(editingWords.panels.background)),
-  print: of(mdiPrinterOutline, () => say(editingWords.panels.print)),
-  'clear-course': of(mdiDeleteSweepOutline, () => say(editingWords.panels.clear), 'editor-clear'),
+  parts: of(mdiToyBrickOutline, () => t(editingWords.panels.parts)),
+  'course-list': of(mdiFormatListBulleted, () => t(editingWords.panels.list), 'editor-*'),
+  'course-settings': of(mdiTextBoxEditOutline, () => t(editingWords.panels.course)),
+  background: of(mdiImageOutline, () => t(editingWords.panels.background)),
+  print: of(mdiPrinterOutline, () => t(editingWords.panels.print)),
+  'clear-course': of(mdiDeleteSweepOutline, () => t(editingWords.panels.clear), 'editor-clear'),
   output: ofKey(mdiConsoleLine, 'console.log', 'console'),
   chart: ofKey(mdiChartLine, 'console.chart', 'tab-*', 'chart', 'chart-*'),
   together: ofKey(mdiFilterVariant, 'console.together', 'console-together'),

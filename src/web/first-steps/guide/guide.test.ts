@@ -43,7 +43,7 @@ function controlsIn(source: string): readonly (readonly string[])[] {
     const inner = isEmpty === '/' ? '' : (template.slice(index + tag.length).split('</')[0] ?? '');
     const said = [...Array.from(labels, ({ 1: label = '' }) => label), inner].join(' ');
     const keys = Array.from(said.matchAll(/'([a-zA-Z]+\.[a-zA-Z]+)'/g), ({ 1: key = '' }) => key);
-    const texts = Array.from(said.matchAll(/say\((\w+\.\w+)\)/g), ({ 1: text = '' }) => text);
+    const texts = Array.from(said.matchAll(/\bt\((\w+\.\w+)\)/g), ({ 1: text = '' }) => text);
     return [...ids, ...patterns, ...keys, ...texts];
   });
 }

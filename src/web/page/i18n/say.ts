@@ -1,3 +1,0 @@
-import { t } from '.';
-
-export { t as say };
