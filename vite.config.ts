@@ -323,6 +323,12 @@ const belowWorker = {
 const shortForStyles = ({ names }: { readonly names: readonly string[] }): string =>
   names[0]?.endsWith('.css') === true ? 'assets/s-[hash][extname]' : 'assets/[name]-[hash][extname]';
 
+/** Files of words are called after their group and language. */
+const namesOfWords = ({ facadeModuleId }: { readonly facadeModuleId?: string | null | undefined }): string => {
+  const [, group = '', language = ''] = /word-file:(\w+)\/(\w+)$/.exec(facadeModuleId ?? '') ?? [];
+  return `assets/${group === '' ? '[name]' : `words-${group}-${language}`}-[hash].js`;
+};
+
 /** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
 const treeshake = { propertyReadSideEffects: false } as const;
 
@@ -347,7 +353,7 @@ const folder: UserConfig = {
     rolldownOptions: {
       input: pages().map((page) => here(`src/web/${page}`)),
       treeshake,
-      output: { codeSplitting: { groups: chunkGroups }, assetFileNames: shortForStyles },
+      output: { codeSplitting: { groups: chunkGroups }, assetFileNames: shortForStyles, chunkFileNames: namesOfWords },
     },
     chunkSizeWarningLimit: 700,
   },

@@ -1,0 +1,65 @@
+import { describe, expect, it } from 'vitest';
+
+import { LANGUAGES } from '#core/languages';
+import { inEvery } from '#core/words';
+
+import { openWordFiles, type WordFiles } from './word-files';
+
+/** Files of two groups; what is fetched is noted, and can fail. */
+function stage() {
+  const fetched: string[] = [];
+  const broken = new Set<string>();
+  const group = (name: string, parts: readonly (readonly string[])[]): WordFiles[string] =>
+    inEvery((language) => () => {
+      fetched.push(`${name} ${language}`);
+      if (broken.has(`${name} ${language}`)) return Promise.reject(new Error('No connection.'));
+      return Promise.resolve({ wordTexts: parts.map((texts) => texts.map((text) => `${text} ${language}`)) });
+    });
+  const words = openWordFiles({ first: group('first', [['Run', 'Stop'], ['Wall']]), late: group('late', [['Share']]) });
+  return { ...words, fetched, broken };
+}
+
+describe('the words of the page', () => {
+  it('come in one language, and another when it is chosen', async () => {
+    const { wordsOfPart, wantWords, fetched } = stage();
+    const bar = wordsOfPart('first', 0, { run: 0, more: { stop: 0 } });
+    const arena = wordsOfPart('first', 1, { wall: 0 });
+    await wantWords('fr');
+    expect([bar, arena]).toEqual([
+      { run: { fr: 'Run fr' }, more: { stop: { fr: 'Stop fr' } } },
+      { wall: { fr: 'Wall fr' } },
+    ]);
+    await wantWords('it');
+    expect(arena).toEqual({ wall: { fr: 'Wall fr', it: 'Wall it' } });
+    await wantWords('fr');
+    expect(fetched).toEqual(['first fr', 'first it']);
+  });
+
+  it('of a late part are there when the part is, in the language that is wanted then', async () => {
+    const { wordsOfPart, wantWords, withWords, fetched } = stage();
+    wordsOfPart('first', 0, { run: 0 });
+    await wantWords('it');
+    const load = (): Promise<{ words: unknown }> => Promise.resolve({ words: wordsOfPart('late', 0, { share: 0 }) });
+    expect(await withWords(load())).toEqual({ words: { share: { it: 'Share it' } } });
+    expect(fetched).toEqual(['first it', 'late it']);
+    await wantWords('de');
+    expect((await withWords(load())).words).toEqual({ share: { de: 'Share de', it: 'Share it' } });
+    expect(fetched).toEqual(['first it', 'late it', 'first de', 'late de']);
+  });
+
+  it('that do not come keep the part away, and are fetched again by the next try', async () => {
+    const { wordsOfPart, wantWords, withWords, broken } = stage();
+    await wantWords('en');
+    broken.add('late en');
+    const load = (): Promise<{ words: unknown }> => Promise.resolve({ words: wordsOfPart('late', 0, { share: 0 }) });
+    await expect(withWords(load())).rejects.toThrow('No connection.');
+    broken.clear();
+    expect((await withWords(load())).words).toEqual({ share: { en: 'Share en' } });
+  });
+
+  it('are in the parts where there are no files: nothing is waited for', async () => {
+    const { loadWords, withWords } = openWordFiles({});
+    for (const language of LANGUAGES) await loadWords(language);
+    expect(await withWords(Promise.resolve({ part: 1 }))).toEqual({ part: 1 });
+  });
+});
