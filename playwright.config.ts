@@ -22,6 +22,7 @@ export default defineConfig({
   use: {
     baseURL: process.env['PARCOURS_APP'] ?? 'http://localhost:8080/',
     viewport: { width: 1280, height: 800 },
+    serviceWorkers: 'block', // it fetches all files of the app, which most tests have no use for
     trace: 'off', // it makes every step several times as long; `npm run e2e -- help --trace on` has one to look at
   },
   projects: [

@@ -1,12 +1,5 @@
-import {
-  test as base,
-  chromium,
-  expect as playwrightExpect,
-  firefox,
-  type Browser,
-  type BrowserContextOptions,
-  type Page,
-} from '@playwright/test';
+import { test as base, chromium, expect as playwrightExpect, firefox, type Browser, type Page } from '@playwright/test';
+import { Lent, type Profile, type Size, type Wish } from './lent';
 import { startScreen, type Screen } from './screen';
 import { WebKitSession, type PageCode } from './webkit';
 
@@ -150,8 +143,6 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
 }
 
 interface Fixtures {
-  /** Whether the page may have a service worker: it fetches all files of the app, which most tests have no use for. */
-  readonly serviceWorker: 'allow' | 'block';
   readonly app: App;
   /** Opens the app of another pupil: a browser profile that shares nothing with the first one. */
   readonly another: () => Promise<App>;
@@ -160,6 +151,8 @@ interface Fixtures {
 interface WorkerFixtures {
   readonly ownScreen: Screen | null;
   readonly browserOfEngine: Browser | null;
+  /** The profile that one test leaves to the next. A test that fails ends the worker, and its profile with it. */
+  readonly lent: Lent;
 }
 
 const STARTERS = { chromium, firefox };
@@ -186,59 +179,61 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     },
     { scope: 'worker' },
   ],
-  serviceWorker: ['block', { option: true }],
-  another: async ({ browserOfEngine, baseURL, viewport, serviceWorker }, use, info) => {
-    const opened: Opened[] = [];
+  lent: [
+    async ({ browserOfEngine }, use) => {
+      const lent = new Lent((wish) => openProfile(browserOfEngine, wish));
+      await use(lent);
+      await lent.close();
+    },
+    { scope: 'worker' },
+  ],
+  another: async ({ browserOfEngine, lent, baseURL, viewport, serviceWorkers }, use) => {
+    const opened: Profile[] = [];
     await use(async () => {
-      const one = await openProfile(browserOfEngine, info.project.name, serviceWorker, baseURL, viewport);
+      lent.spoil(); // its window took the focus from the first one's
+      const one = await openProfile(browserOfEngine, wishOf(baseURL, viewport, serviceWorkers));
       opened.push(one);
       return one.app;
     });
     for (const one of opened) await one.close();
   },
-  app: async ({ browserOfEngine, baseURL, viewport, serviceWorker }, use, info) => {
-    const opened = await openProfile(browserOfEngine, info.project.name, serviceWorker, baseURL, viewport);
-    await use(opened.app);
-    if (info.status !== info.expectedStatus) {
-      const body = await opened.app.screenshot().catch(() => null);
-      if (body) await info.attach('screen.png', { body, contentType: 'image/png' });
-    }
-    await opened.close();
+  app: async ({ lent, baseURL, viewport, serviceWorkers }, use, info) => {
+    const { app } = await lent.take(wishOf(baseURL, viewport, serviceWorkers));
+    await use(app);
+    if (info.status === info.expectedStatus) return lent.giveBack();
+    lent.spoil();
+    const body = await app.screenshot().catch(() => null);
+    if (body) await info.attach('screen.png', { body, contentType: 'image/png' });
+    return lent.giveBack();
   },
 });
 
-interface Opened {
-  readonly app: App;
-  close(): Promise<void>;
+const wishOf = (
+  baseURL: string | undefined,
+  viewport: Size | null,
+  serviceWorkers: 'allow' | 'block' | undefined,
+): Wish => ({
+  baseURL: baseURL ?? 'http://localhost:8080/',
+  viewport: viewport ?? { width: 1280, height: 800 },
+  serviceWorkers: serviceWorkers ?? 'block',
+});
+
+function openProfile(browser: Browser | null, wish: Wish): Promise<Profile> {
+  return browser ? openPlaywright(browser, wish) : openWebKit(wish);
 }
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
-function openProfile(
-  browser: Browser | null,
-  engine: string,
-  serviceWorkers: Fixtures['serviceWorker'],
-  origin = 'http://localhost:8080/',
-  size: Size | null = null,
-): Promise<Opened> {
-  const window = size ?? { width: 1280, height: 800 };
-  return browser
-    ? openPlaywright(browser, engine, { baseURL: origin, viewport: window, serviceWorkers })
-    : openWebKit(origin, window);
-}
-
-async function openPlaywright(browser: Browser, engine: string, options: BrowserContextOptions): Promise<Opened> {
-  const context = await browser.newContext(options);
+async function openPlaywright(browser: Browser, wish: Wish): Promise<Profile> {
+  const context = await browser.newContext(wish);
   const page = await context.newPage();
-  return { app: playwrightApp(engine, page), close: () => context.close() };
+  return {
+    app: playwrightApp(browser.browserType().name(), page),
+    restHand: () => page.mouse.move(0, 0),
+    close: () => context.close(),
+  };
 }
 
-/** A session for every test (0.5 s): nothing of one test's storage reaches the next. */
-async function openWebKit(baseURL: string, size: Size): Promise<Opened> {
+async function openWebKit({ baseURL, viewport }: Wish): Promise<Profile> {
   const session = await WebKitSession.start();
-  await session.resize(size.width, size.height);
-  return { app: webkitApp(session, baseURL), close: () => session.close() };
+  await session.resize(viewport.width, viewport.height);
+  return { app: webkitApp(session, baseURL), restHand: () => session.restHand(), close: () => session.close() };
 }

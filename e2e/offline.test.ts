@@ -11,7 +11,7 @@ import { savedFiles, watchSaving } from './transfer';
 /** The files of the app are fetched once the page has nothing more urgent to do. */
 const KEPT_WITHIN_MS = 60_000;
 
-test.use({ serviceWorker: 'allow' });
+test.use({ serviceWorkers: 'allow' });
 
 let host: Host;
 

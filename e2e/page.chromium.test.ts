@@ -3,6 +3,9 @@ import { on } from './page';
 
 const PROGRAM_MS = 1_000;
 
+// Playwright says on the console that it blocks them.
+test.use({ serviceWorkers: 'allow' });
+
 // What a test has rerouted may still be under way when it ends.
 test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
 

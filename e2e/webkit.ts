@@ -167,6 +167,12 @@ export class WebKitSession {
     await this.mouse([first, { type: 'pointerDown', button }, ...others, { type: 'pointerUp', button }]);
   }
 
+  /** Lets go of whatever is held, and moves the mouse into the corner. */
+  async restHand(): Promise<void> {
+    await this.command('DELETE', '/actions');
+    await this.mouse([{ type: 'pointerMove', origin: 'viewport', x: 0, y: 0, duration: 0 }]);
+  }
+
   async screenshot(): Promise<Buffer> {
     return Buffer.from((await this.command('GET', '/screenshot')) as string, 'base64');
   }

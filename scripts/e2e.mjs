@@ -22,7 +22,7 @@ export async function browserTests(args = []) {
   const usable = usableEngines();
   if (usable.length === 0) return [];
   await buildProbe();
-  const app = await serve({ folder: 'dist/app', port: 0 });
+  const app = await serve({ folder: 'dist/app', port: 0, lacks: isWorkerForWebKit });
   const probe = await serve({ folder: 'dist/e2e', port: 0 });
   try {
     const projects = usable.map(({ engine }) => `--project=${engine}`);
@@ -41,6 +41,15 @@ export async function browserTests(args = []) {
     await Promise.all([app.close(), probe.close()]);
   }
 }
+
+/**
+ * The service worker of the app, asked for by WebKitGTK: it fetches all files of the app in every session, and WebDriver,
+ * unlike Playwright, cannot block it. The tests of it bring a server of their own.
+ */
+const isWorkerForWebKit = ({ url = '', headers }) =>
+  new URL(url, 'http://localhost').pathname.endsWith('/sw.js') &&
+  /AppleWebKit/.test(headers['user-agent'] ?? '') &&
+  !/Chrome/.test(headers['user-agent'] ?? '');
 
 /** The page that runs the simulation bare in the engine's worker, for the golden trajectories, and listens to sounds. */
 async function buildProbe() {

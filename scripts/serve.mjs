@@ -54,14 +54,21 @@ const HAS_HASH = /^\/assets\/.*-[\w-]{8}\.\w+$/;
 /**
  * Serves a folder.
  *
- * @param {{ folder?: string, port?: number, host?: string }} [options] port: the first one to try; a busy port moves on to the next
+ * @param {{ folder?: string, port?: number, host?: string, lacks?: (request: import('node:http').IncomingMessage) => boolean }} [options]
+ * port: the first one to try; a busy port moves on to the next; lacks: what is answered as if it were not there
  * @returns {Promise<{ url: string, others: readonly string[], close: () => Promise<void> }>} others: further addresses, which other
  * computers can open
  */
-export async function serve({ folder = 'dist/app', port = wantedPort(), host = process.env.HOST ?? '127.0.0.1' } = {}) {
+export async function serve({
+  folder = 'dist/app',
+  port = wantedPort(),
+  host = process.env.HOST ?? '127.0.0.1',
+  lacks = () => false,
+} = {}) {
   const cache = new Map();
   const server = createServer((request, response) => {
-    answer(resolve(root, folder), cache, request, response).catch((error) => {
+    const done = lacks(request) ? notFound(response) : answer(resolve(root, folder), cache, request, response);
+    done.catch((error) => {
       if (!response.headersSent) response.writeHead(500, { 'Content-Type': 'text/plain' });
       response.end(String(error));
     });
@@ -118,6 +125,10 @@ function listen(server, port, host) {
   });
 }
 
+async function notFound(response) {
+  response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
+}
+
 async function answer(folder, cache, request, response) {
   if (request.method !== 'GET' && request.method !== 'HEAD') {
     response.writeHead(405, { Allow: 'GET, HEAD' }).end();
@@ -125,10 +136,7 @@ async function answer(folder, cache, request, response) {
   }
   const path = pathOf(request.url ?? '/');
   const file = path === null ? null : await load(folder, path, cache);
-  if (!file) {
-    response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
-    return;
-  }
+  if (!file) return notFound(response);
   const [encoding, body] = encoded(file, request.headers['accept-encoding'] ?? '');
   response.writeHead(200, {
     ...headersFor(path),
