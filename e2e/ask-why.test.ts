@@ -51,21 +51,25 @@ async function ofRobot(app: App, ahead: number, left: number) {
   return inWindow(app, SIZE, [[xMm + ahead * cos - left * sin, yMm + ahead * sin + left * cos]]);
 }
 
-test('a tap on the wheel of a robot that stands names the line that stopped it, and leads there', async ({ app }) => {
-  await lookBackAt(app);
-  await app.draw(await ofRobot(app, 0, 36));
-  await expect.poll(() => card(app)).toMatch(/(Stands since|Steht seit) 1\.\d s.*(Line|Zeile) 15.*stop\(\)/);
-  await app.click(by('why-go'));
-  await gone(app, by('why'));
-  await expect.poll(() => app.text(by('step-at'))).toMatch(/ 15$/);
-  expect(await at(app)).toBeGreaterThan(1500);
-  expect(await at(app)).toBeLessThan(2000);
-  // There it drives still: the line before has made it so.
-  await app.draw(await ofRobot(app, 0, 36));
-  await expect.poll(() => card(app)).toMatch(/(Forwards since|Vorwärts seit) 1\.\d s.*(Line|Zeile) 13.*forward\(\)/);
-});
+test(
+  'a tap on the wheel of a robot that stands names the line that stopped it, and leads there',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await lookBackAt(app);
+    await app.draw(await ofRobot(app, 0, 36));
+    await expect.poll(() => card(app)).toMatch(/(Stands since|Steht seit) 1\.\d s.*(Line|Zeile) 15.*stop\(\)/);
+    await app.click(by('why-go'));
+    await gone(app, by('why'));
+    await expect.poll(() => app.text(by('step-at'))).toMatch(/ 15$/);
+    expect(await at(app)).toBeGreaterThan(1500);
+    expect(await at(app)).toBeLessThan(2000);
+    // There it drives still: the line before has made it so.
+    await app.draw(await ofRobot(app, 0, 36));
+    await expect.poll(() => card(app)).toMatch(/(Forwards since|Vorwärts seit) 1\.\d s.*(Line|Zeile) 13.*forward\(\)/);
+  },
+);
 
-test('a right click asks while the program runs: then it is looked back', async ({ app }) => {
+test('a right click asks while the program runs: then it is looked back', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await pasteProgram(app, PROGRAM);
   await app.click(on('run'));

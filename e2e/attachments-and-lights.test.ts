@@ -30,51 +30,57 @@ async function paintAhead(app: App) {
   return painted.filter(({ x, y }) => x > 90 && x < 230 && Math.abs(y) < 90);
 }
 
-test('a claw that is chosen is seen at once, and closes and opens as the program says', async ({ app }) => {
-  await openApp(app, { language: 'en', robot: 'maqueen-plus-v2', speed: 'max', cone: false });
-  await until(app, by('arena'));
-  await expect.poll(async () => (await paintOf(app, 'moving', defaultScene().size)).length).toBeGreaterThan(0);
-  await expect.poll(() => paintAhead(app)).toEqual([]);
-  await app.click(by('device'));
-  await until(app, by('option-P1'));
-  await choose(app, 'P1', 'claw');
-  await app.press('Escape');
-  await gone(app, by('option-P1'));
-  await expect.poll(async () => (await paintAhead(app)).length).toBeGreaterThan(20);
+test(
+  'a claw that is chosen is seen at once, and closes and opens as the program says',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en', robot: 'maqueen-plus-v2', speed: 'max', cone: false });
+    await until(app, by('arena'));
+    await expect.poll(async () => (await paintOf(app, 'moving', defaultScene().size)).length).toBeGreaterThan(0);
+    await expect.poll(() => paintAhead(app)).toEqual([]);
+    await app.click(by('device'));
+    await until(app, by('option-P1'));
+    await choose(app, 'P1', 'claw');
+    await app.press('Escape');
+    await gone(app, by('option-P1'));
+    await expect.poll(async () => (await paintAhead(app)).length).toBeGreaterThan(20);
 
-  /** From the outer edge of one jaw to that of the other, in mm. */
-  const width = async (): Promise<number> => {
-    const across = (await paintAhead(app)).map(({ y }) => y);
-    return Math.max(...across) - Math.min(...across);
-  };
-  const turnTo = async (angle: number): Promise<void> => {
-    await pasteProgram(app, `from mbrobot_plusV2 import *\nsetServo("P1", ${String(angle)})\ndelay(1000)`);
-    await app.click(on('run'));
-    await expect.poll(() => consoleIn(app)).toContain('The program has ended.');
-    await app.click('.pane-console [aria-label="Clear console"]');
-  };
-  await turnTo(30);
-  await expect.poll(width, 'open').toBeGreaterThan(75);
-  await turnTo(90);
-  await expect.poll(width, 'closed').toBeLessThan(62);
-  await turnTo(30);
-  await expect.poll(width, 'open again').toBeGreaterThan(75);
-});
+    /** From the outer edge of one jaw to that of the other, in mm. */
+    const width = async (): Promise<number> => {
+      const across = (await paintAhead(app)).map(({ y }) => y);
+      return Math.max(...across) - Math.min(...across);
+    };
+    const turnTo = async (angle: number): Promise<void> => {
+      await pasteProgram(app, `from mbrobot_plusV2 import *\nsetServo("P1", ${String(angle)})\ndelay(1000)`);
+      await app.click(on('run'));
+      await expect.poll(() => consoleIn(app)).toContain('The program has ended.');
+      await app.click('.pane-console [aria-label="Clear console"]');
+    };
+    await turnTo(30);
+    await expect.poll(width, 'open').toBeGreaterThan(75);
+    await turnTo(90);
+    await expect.poll(width, 'closed').toBeLessThan(62);
+    await turnTo(30);
+    await expect.poll(width, 'open again').toBeGreaterThan(75);
+  },
+);
 
-test('carry the block: the course brings the claw along, the block lies in the field and the robot has let go', async ({
-  app,
-}) => {
-  await drive(app, 'carry', 'Maqueen Lite');
-  await ends(app, 'carry');
-  const { x, y } = middleOf(await paintOf(app, 'blocks', sceneOf('carry').size));
-  await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
-  expect([Math.abs(x - 1000) < 80, Math.abs(y - 650) < 70], `${String(x)}, ${String(y)}`).toEqual([true, true]);
-  await app.click(by('device'));
-  await until(app, by('option-S1'));
-  expect(
-    await app.evaluate((css) => document.querySelector<HTMLSelectElement>(css)?.value ?? null, by('option-S1')),
-  ).toBe('claw');
-});
+test(
+  'carry the block: the course brings the claw along, the block lies in the field and the robot has let go',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await drive(app, 'carry', 'Maqueen Lite');
+    await ends(app, 'carry');
+    const { x, y } = middleOf(await paintOf(app, 'blocks', sceneOf('carry').size));
+    await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
+    expect([Math.abs(x - 1000) < 80, Math.abs(y - 650) < 70], `${String(x)}, ${String(y)}`).toEqual([true, true]);
+    await app.click(by('device'));
+    await until(app, by('option-S1'));
+    expect(
+      await app.evaluate((css) => document.querySelector<HTMLSelectElement>(css)?.value ?? null, by('option-S1')),
+    ).toBe('claw');
+  },
+);
 
 const RING = [
   'from microbit import *',
@@ -399,8 +405,9 @@ tell("set down")
 ];
 import { soloRun } from '#simulation/run-setup';
 
-for (const { robot, what, options, program, finds } of PROBES) {
-  test(`${what}, like a used one (0.7, number 3), does the same bit for bit as in Node`, async ({ app }) => {
+for (const [place, { robot, what, options, program, finds }] of PROBES.entries()) {
+  const engines = place === 0 ? {} : IN_ONE_ENGINE;
+  test(`${what}, like a used one (0.7, number 3), does the same bit for bit as in Node`, engines, async ({ app }) => {
     if (!('scene' in ARENA)) throw new Error(ARENA.problem);
     const setup = soloRun({
       scene: ARENA.scene,

@@ -22,46 +22,52 @@ for (const { theme, language } of [
   { theme: 'light', language: 'de' },
   { theme: 'dark', language: 'fr' },
 ] as const) {
-  test(`axe finds nothing that shuts people out of the page and its menus, ${language}, ${theme}`, async ({ app }) => {
-    await openApp(app, { theme, language });
-    expect(await violationsOn(app), 'as it opens').toEqual([]);
+  test(
+    `axe finds nothing that shuts people out of the page and its menus, ${language}, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      await openApp(app, { theme, language });
+      expect(await violationsOn(app), 'as it opens').toEqual([]);
 
-    await pasteProgram(app, 'from microbit import *\n');
-    await app.type('display.');
-    await until(app, '.cm-completionInfo');
-    expect(await violationsOn(app), 'with the list of suggestions').toEqual([]);
-    await app.press('Escape');
+      await pasteProgram(app, 'from microbit import *\n');
+      await app.type('display.');
+      await until(app, '.cm-completionInfo');
+      expect(await violationsOn(app), 'with the list of suggestions').toEqual([]);
+      await app.press('Escape');
 
-    await app.click('[data-testid=device]');
-    await until(app, '[data-testid=board-calliope-mini-3]');
-    expect(await violationsOn(app), 'with the menu of devices').toEqual([]);
-  });
+      await app.click('[data-testid=device]');
+      await until(app, '[data-testid=board-calliope-mini-3]');
+      expect(await violationsOn(app), 'with the menu of devices').toEqual([]);
+    },
+  );
 }
 
 for (const { theme, language, module, drawing } of [
   { theme: 'light', language: 'it', module: 'microbit', drawing: 'svg.microbit' },
   { theme: 'dark', language: 'en', module: 'calliopemini', drawing: 'svg.calliope' },
 ] as const) {
-  test(`axe finds nothing that shuts people out after a run of ${module}, with every panel, ${language}, ${theme}`, async ({
-    app,
-  }) => {
-    await openApp(app, { theme, language });
-    await runOn(app, module);
-    await until(app, drawing);
-    expect(await violationsOn(app), 'with an error and the REPL').toEqual([]);
-    for (const { panel, sign } of [
-      { panel: 'sensors', sign: '.panel-open details' },
-      { panel: 'radio', sign: '.panel-open li' },
-      { panel: 'log', sign: '.panel-open tr.data' },
-    ]) {
-      await app.click(`[data-testid=panel-${panel}]`);
-      await until(app, sign);
-      await app.evaluate(() => {
-        document.querySelectorAll('details').forEach((fold) => fold.setAttribute('open', ''));
-      });
-      expect(await violationsOn(app), `with the panel ${panel}`).toEqual([]);
-    }
-  });
+  test(
+    `axe finds nothing that shuts people out after a run of ${module}, with every panel, ${language}, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      await openApp(app, { theme, language });
+      await runOn(app, module);
+      await until(app, drawing);
+      expect(await violationsOn(app), 'with an error and the REPL').toEqual([]);
+      for (const { panel, sign } of [
+        { panel: 'sensors', sign: '.panel-open details' },
+        { panel: 'radio', sign: '.panel-open li' },
+        { panel: 'log', sign: '.panel-open tr.data' },
+      ]) {
+        await app.click(`[data-testid=panel-${panel}]`);
+        await until(app, sign);
+        await app.evaluate(() => {
+          document.querySelectorAll('details').forEach((fold) => fold.setAttribute('open', ''));
+        });
+        expect(await violationsOn(app), `with the panel ${panel}`).toEqual([]);
+      }
+    },
+  );
 }
 
 let host: HostPage | null = null;

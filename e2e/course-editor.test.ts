@@ -22,15 +22,23 @@ test('with the mouse: a track is drawn, and the robot follows it', async ({ app 
   await drawTrackAndFollow(withMouse(app));
 });
 
-test('with the mouse: a maze of eight walls is built, and the robot meets one of them', async ({ app }) => {
-  await buildMazeAndMeetWall(withMouse(app));
-});
+test(
+  'with the mouse: a maze of eight walls is built, and the robot meets one of them',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await buildMazeAndMeetWall(withMouse(app));
+  },
+);
 
-test('with the mouse: the start is moved and turned, and the robot sets out from there', async ({ app }) => {
-  await moveStart(withMouse(app));
-});
+test(
+  'with the mouse: the start is moved and turned, and the robot sets out from there',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await moveStart(withMouse(app));
+  },
+);
 
-test('with the mouse: five steps are taken back one by one, and done again', async ({ app }) => {
+test('with the mouse: five steps are taken back one by one, and done again', IN_ONE_ENGINE, async ({ app }) => {
   await undoFiveSteps(
     withMouse(app),
     () => app.click(by('undo')),
@@ -42,7 +50,7 @@ test('with the mouse: a project is saved, is there after a reload, and is loaded
   await saveReloadLoad(withMouse(app));
 });
 
-test('with the mouse: a link brings the project to another profile', async ({ app, another }) => {
+test('with the mouse: a link brings the project to another profile', IN_ONE_ENGINE, async ({ app, another }) => {
   await shareWith(withMouse(app), async () => withMouse(await another()));
 });
 

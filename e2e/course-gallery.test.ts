@@ -24,37 +24,39 @@ async function openGallery(app: App): Promise<void> {
   await until(app, by('course-slalom'));
 }
 
-test('the gallery by keyboard: a filter, a course’s page, its beginning in the editor; the work before is kept', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en' });
-  await pasteProgram(app, 'print("mine")');
-  await openGallery(app);
-  await expect.poll(() => isAt(app, '.gallery h2')).toBe(true); // a screen reader begins with the heading
-  const all = await cards(app);
-  expect(all).toBeGreaterThanOrEqual(19);
-  await tabTo(app, by('filter-all'));
-  for (let press = 0; press < 4; press += 1) await app.press('ArrowRight');
-  await expect.poll(() => isAt(app, by('filter-obstacles'))).toBe(true);
-  expect(await cards(app)).toBeLessThan(all);
-  await tabTo(app, `${by('course-slalom')} a`);
-  await app.press('Enter');
-  await expect.poll(() => app.text('.gallery h2')).toBe('Slalom');
-  await expect.poll(() => app.text('.gallery .sheet')).toContain('without touching any of them');
-  await expect.poll(() => isAt(app, '.gallery h2')).toBe(true);
-  await tabTo(app, by('open-slalom'));
-  await app.press('Enter');
-  await until(app, '.page-overlay .ctl--run');
-  await app.click('.page-overlay .ctl--run'); // course and program
-  await expect.poll(() => programIn(app)).toContain('Task: drive around the posts');
-  await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
-  await expect.poll(() => courseOf(app)).toContain('Slalom');
+test(
+  'the gallery by keyboard: a filter, a course’s page, its beginning in the editor; the work before is kept',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en' });
+    await pasteProgram(app, 'print("mine")');
+    await openGallery(app);
+    await expect.poll(() => isAt(app, '.gallery h2')).toBe(true); // a screen reader begins with the heading
+    const all = await cards(app);
+    expect(all).toBeGreaterThanOrEqual(19);
+    await tabTo(app, by('filter-all'));
+    for (let press = 0; press < 4; press += 1) await app.press('ArrowRight');
+    await expect.poll(() => isAt(app, by('filter-obstacles'))).toBe(true);
+    expect(await cards(app)).toBeLessThan(all);
+    await tabTo(app, `${by('course-slalom')} a`);
+    await app.press('Enter');
+    await expect.poll(() => app.text('.gallery h2')).toBe('Slalom');
+    await expect.poll(() => app.text('.gallery .sheet')).toContain('without touching any of them');
+    await expect.poll(() => isAt(app, '.gallery h2')).toBe(true);
+    await tabTo(app, by('open-slalom'));
+    await app.press('Enter');
+    await until(app, '.page-overlay .ctl--run');
+    await app.click('.page-overlay .ctl--run'); // course and program
+    await expect.poll(() => programIn(app)).toContain('Task: drive around the posts');
+    await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
+    await expect.poll(() => courseOf(app)).toContain('Slalom');
 
-  await app.click('header .course');
-  await until(app, by('previous'));
-  await app.click(by('previous'));
-  await expect.poll(() => programIn(app)).toBe('print("mine")');
-});
+    await app.click('header .course');
+    await until(app, by('previous'));
+    await app.click(by('previous'));
+    await expect.poll(() => programIn(app)).toBe('print("mine")');
+  },
+);
 
 test('the solution shows on demand, and passes', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en', speed: 'max' });

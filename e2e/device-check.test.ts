@@ -12,23 +12,25 @@ const CARD = '.cm-helpCard';
 const textOf = (app: App, css: string): Promise<string> =>
   app.evaluate((selector) => document.querySelector(selector)?.textContent ?? '', css);
 
-test('what does not run on the device is marked, explained in its line, and no longer once it is mended', async ({
-  app,
-}) => {
-  await openApp(app);
-  const has = (css: string) => app.evaluate((selector) => document.querySelector(selector) !== null, css);
-  await typeProgram(app, 'x = 3\nprint(f"{x}")');
-  await expect.poll(() => has(MARK), { timeout: 10_000 }).toBe(true);
-  expect(await app.text(PANEL)).toContain('"{}".format(x)');
+test(
+  'what does not run on the device is marked, explained in its line, and no longer once it is mended',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app);
+    const has = (css: string) => app.evaluate((selector) => document.querySelector(selector) !== null, css);
+    await typeProgram(app, 'x = 3\nprint(f"{x}")');
+    await expect.poll(() => has(MARK), { timeout: 10_000 }).toBe(true);
+    expect(await app.text(PANEL)).toContain('"{}".format(x)');
 
-  await app.press('ArrowUp');
-  await expect.poll(() => app.text(PANEL)).not.toContain('format');
-  await app.press('F8');
-  await expect.poll(() => app.text(PANEL)).toContain('"{}".format(x)');
+    await app.press('ArrowUp');
+    await expect.poll(() => app.text(PANEL)).not.toContain('format');
+    await app.press('F8');
+    await expect.poll(() => app.text(PANEL)).toContain('"{}".format(x)');
 
-  await typeProgram(app, 'x = 3\nprint("{}".format(x))');
-  await expect.poll(() => has(PANEL)).toBe(false);
-});
+    await typeProgram(app, 'x = 3\nprint("{}".format(x))');
+    await expect.poll(() => has(PANEL)).toBe(false);
+  },
+);
 
 test(
   'the marks and the help speak the language of the page, also when another one is chosen',

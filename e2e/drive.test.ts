@@ -1,4 +1,5 @@
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, on, openApp, robotIn, typeProgram } from './page';
 
 test('a typed program drives the robot and prints in the console', async ({ app }) => {
@@ -15,7 +16,7 @@ test('a typed program drives the robot and prints in the console', async ({ app 
   expect(Math.abs(after.yMm - before.yMm)).toBeLessThan(2);
 });
 
-test('reset puts the robot back to where the course has it', async ({ app }) => {
+test('reset puts the robot back to where the course has it', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   const before = await robotIn(app);
   await typeProgram(app, 'from mbrobot import *\nforward()');
@@ -25,7 +26,7 @@ test('reset puts the robot back to where the course has it', async ({ app }) => 
   await expect.poll(() => robotIn(app)).toEqual(before);
 });
 
-test('an exception names the file and the line', async ({ app }) => {
+test('an exception names the file and the line', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await typeProgram(app, 'speed = 50\nprint(sped)');
   await app.click(on('run'));

@@ -34,7 +34,7 @@ async function choose(app: App, id: string): Promise<void> {
   await gone(app, by(id));
 }
 
-test('the last run is raced against when it is chosen, and hidden again', async ({ app }) => {
+test('the last run is raced against when it is chosen, and hidden again', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await run(app, drive(50));
   expect(await isThere(app, by('ghost'))).toBe(false);

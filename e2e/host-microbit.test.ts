@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { appAddress, type HostPage } from './hosts';
 import { microbitHost, printedInNode, type SimulatorOfHost } from './hosts/microbit/microbit-host';
 import { serialPrograms } from './hosts/microbit/programs';
@@ -118,7 +119,7 @@ test('a program that is flashed before anyone clicked runs, and a second one end
   await expect.poll(() => serial(app)).toMatch(/soft reboot[^]*second\r\n/);
 });
 
-test('prints exactly what the command line prints, whatever the program', async ({ app }) => {
+test('prints exactly what the command line prints, whatever the program', IN_ONE_ENGINE, async ({ app }) => {
   test.setTimeout(300_000);
   await open(app);
   for (const program of serialPrograms) {
@@ -139,79 +140,91 @@ test('prints exactly what the command line prints, whatever the program', async 
   }
 });
 
-test('sensors are what the editor sets, without an echo, and what a finger does is told', async ({ app }) => {
-  await open(app);
-  await send(app, { kind: 'set_value', id: 'temperature', value: '-3' });
-  await send(app, { kind: 'set_value', id: 'lightLevel', value: 300 });
-  await flash(
-    app,
-    'from microbit import *\nprint(temperature(), display.read_light_level())\nwhile True:\n    if button_b.was_pressed(): print("B")\n    if accelerometer.was_gesture("shake"): print("shake")\n    if pin_logo.is_touched(): print("logo")\n    sleep(20)\n',
-  );
-  await expect.poll(() => serial(app)).toBe('-3 127\r\n');
-  // In one breath, as a host's click does.
-  await send(app, { kind: 'set_value', id: 'buttonB', value: 1 });
-  await send(app, { kind: 'set_value', id: 'buttonB', value: 0 });
-  await expect.poll(() => serial(app)).toContain('B\r\n');
-  await send(app, { kind: 'set_value', id: 'gesture', value: 'shake' });
-  await expect.poll(() => serial(app)).toContain('shake\r\n');
-  expect((await kept(app)).kinds).not.toContain('state_change');
-  await app.inFrame('iframe', () => {
-    const key = (type: string): boolean =>
-      document.querySelector('#Logo')!.dispatchEvent(new KeyboardEvent(type, { key: 'Enter', bubbles: true }));
-    key('keydown');
-    setTimeout(() => key('keyup'), 200);
-  });
-  await expect.poll(() => serial(app)).toContain('logo\r\n');
-  await expect.poll(async () => (await kept(app)).state['pinLogo']?.['value']).toBe(0);
-  expect((await kept(app)).kinds.filter((kind) => kind === 'state_change')).toHaveLength(2);
-});
+test(
+  'sensors are what the editor sets, without an echo, and what a finger does is told',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await open(app);
+    await send(app, { kind: 'set_value', id: 'temperature', value: '-3' });
+    await send(app, { kind: 'set_value', id: 'lightLevel', value: 300 });
+    await flash(
+      app,
+      'from microbit import *\nprint(temperature(), display.read_light_level())\nwhile True:\n    if button_b.was_pressed(): print("B")\n    if accelerometer.was_gesture("shake"): print("shake")\n    if pin_logo.is_touched(): print("logo")\n    sleep(20)\n',
+    );
+    await expect.poll(() => serial(app)).toBe('-3 127\r\n');
+    // In one breath, as a host's click does.
+    await send(app, { kind: 'set_value', id: 'buttonB', value: 1 });
+    await send(app, { kind: 'set_value', id: 'buttonB', value: 0 });
+    await expect.poll(() => serial(app)).toContain('B\r\n');
+    await send(app, { kind: 'set_value', id: 'gesture', value: 'shake' });
+    await expect.poll(() => serial(app)).toContain('shake\r\n');
+    expect((await kept(app)).kinds).not.toContain('state_change');
+    await app.inFrame('iframe', () => {
+      const key = (type: string): boolean =>
+        document.querySelector('#Logo')!.dispatchEvent(new KeyboardEvent(type, { key: 'Enter', bubbles: true }));
+      key('keydown');
+      setTimeout(() => key('keyup'), 200);
+    });
+    await expect.poll(() => serial(app)).toContain('logo\r\n');
+    await expect.poll(async () => (await kept(app)).state['pinLogo']?.['value']).toBe(0);
+    expect((await kept(app)).kinds.filter((kind) => kind === 'state_change')).toHaveLength(2);
+  },
+);
 
-test('what the editor holds down and sets before a program runs is so for it and outlives it', async ({ app }) => {
-  await open(app);
-  for (const [id, value] of Object.entries({
-    buttonA: 1,
-    pin0: '1',
-    lightLevel: '33',
-    soundLevel: 200,
-    compassHeading: 90,
-    accelerometerX: -500,
-  }))
-    await send(app, { kind: 'set_value', id, value });
-  const reads = 'from microbit import *\nsleep(100)\nprint(button_a.is_pressed(), pin0.is_touched(), display.read_light_level(), microphone.sound_level(), compass.heading(), accelerometer.get_x())\nwhile True: sleep(20)\n'; // prettier-ignore
-  const expected = 'True True 33 200 90 -500\r\n';
-  await flash(app, reads);
-  await expect.poll(() => serial(app)).toBe(expected);
-  await send(app, { kind: 'stop' });
-  await expect.poll(async () => (await kept(app)).kinds.at(-1)).toBe('state_change');
-  const { state } = await kept(app);
-  expect(state['buttonA']).toMatchObject({ value: 1 });
-  expect(state['compassHeading']).toMatchObject({ value: 90, unit: 'deg' });
-  await flash(app, reads);
-  await expect.poll(() => serial(app)).toBe(expected);
-  // A gesture of the editor lasts half a second and is taken back.
-  await flash(app, 'from microbit import *\nprint("wait")\nwhile not accelerometer.is_gesture("freefall"): sleep(20)\nprint("falls")\nwhile accelerometer.is_gesture("freefall"): sleep(20)\nprint("lies")\n'); // prettier-ignore
-  await expect.poll(() => serial(app)).toContain('wait');
-  await send(app, { kind: 'set_value', id: 'gesture', value: 'freefall' });
-  await expect.poll(() => serial(app)).toContain('falls');
-  await send(app, { kind: 'set_value', id: 'gesture', value: 'none' });
-  await expect.poll(() => serial(app)).toContain('lies');
-});
+test(
+  'what the editor holds down and sets before a program runs is so for it and outlives it',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await open(app);
+    for (const [id, value] of Object.entries({
+      buttonA: 1,
+      pin0: '1',
+      lightLevel: '33',
+      soundLevel: 200,
+      compassHeading: 90,
+      accelerometerX: -500,
+    }))
+      await send(app, { kind: 'set_value', id, value });
+    const reads = 'from microbit import *\nsleep(100)\nprint(button_a.is_pressed(), pin0.is_touched(), display.read_light_level(), microphone.sound_level(), compass.heading(), accelerometer.get_x())\nwhile True: sleep(20)\n'; // prettier-ignore
+    const expected = 'True True 33 200 90 -500\r\n';
+    await flash(app, reads);
+    await expect.poll(() => serial(app)).toBe(expected);
+    await send(app, { kind: 'stop' });
+    await expect.poll(async () => (await kept(app)).kinds.at(-1)).toBe('state_change');
+    const { state } = await kept(app);
+    expect(state['buttonA']).toMatchObject({ value: 1 });
+    expect(state['compassHeading']).toMatchObject({ value: 90, unit: 'deg' });
+    await flash(app, reads);
+    await expect.poll(() => serial(app)).toBe(expected);
+    // A gesture of the editor lasts half a second and is taken back.
+    await flash(app, 'from microbit import *\nprint("wait")\nwhile not accelerometer.is_gesture("freefall"): sleep(20)\nprint("falls")\nwhile accelerometer.is_gesture("freefall"): sleep(20)\nprint("lies")\n'); // prettier-ignore
+    await expect.poll(() => serial(app)).toContain('wait');
+    await send(app, { kind: 'set_value', id: 'gesture', value: 'freefall' });
+    await expect.poll(() => serial(app)).toContain('falls');
+    await send(app, { kind: 'set_value', id: 'gesture', value: 'none' });
+    await expect.poll(() => serial(app)).toContain('lies');
+  },
+);
 
-test('the terminal of the editor interrupts, pastes, speaks the raw REPL and starts again', async ({ app }) => {
-  await open(app);
-  await flash(app, 'from microbit import *\nprint("go")\nwhile True: sleep(20)\n');
-  await expect.poll(() => serial(app)).toBe('go\r\n');
-  await type(
-    app,
-    '\x03',
-    /^Traceback \(most recent call last\):\r\n {2}File "main.py", line 3[^]*KeyboardInterrupt[^]*\r\n>>> $/,
-  );
-  await type(app, '\x05for i in range(3):\r\n    print("p", i)\r\n\x04', /=== \r\np 0\r\np 1\r\np 2\r\n>>> $/);
-  await type(app, '\x01print("raw")\x04', /raw REPL; CTRL-B to exit\r\n>OKraw\r\n\x04\x04>$/);
-  await type(app, '\x02', /MicroPython v[^]*>>> $/);
-  await type(app, `x = "${'ü'.repeat(2000)}"\rlen(x)\r`, /\r\n2000\r\n>>> $/);
-  await type(app, '\x04', /^\r\nMPY: soft reboot\r\ngo\r\n$/);
-});
+test(
+  'the terminal of the editor interrupts, pastes, speaks the raw REPL and starts again',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await open(app);
+    await flash(app, 'from microbit import *\nprint("go")\nwhile True: sleep(20)\n');
+    await expect.poll(() => serial(app)).toBe('go\r\n');
+    await type(
+      app,
+      '\x03',
+      /^Traceback \(most recent call last\):\r\n {2}File "main.py", line 3[^]*KeyboardInterrupt[^]*\r\n>>> $/,
+    );
+    await type(app, '\x05for i in range(3):\r\n    print("p", i)\r\n\x04', /=== \r\np 0\r\np 1\r\np 2\r\n>>> $/);
+    await type(app, '\x01print("raw")\x04', /raw REPL; CTRL-B to exit\r\n>OKraw\r\n\x04\x04>$/);
+    await type(app, '\x02', /MicroPython v[^]*>>> $/);
+    await type(app, `x = "${'ü'.repeat(2000)}"\rlen(x)\r`, /\r\n2000\r\n>>> $/);
+    await type(app, '\x04', /^\r\nMPY: soft reboot\r\ngo\r\n$/);
+  },
+);
 
 test('many programs in one breath end in one run of the last; flash and reset together in one run', async ({ app }) => {
   await open(app);
@@ -235,7 +248,7 @@ test('many programs in one breath end in one run of the last; flash and reset to
   await expect.poll(() => serial(app)).toMatch(/^once\r\nMicroPython/);
 });
 
-test('files that the page cannot hold are left out and told of; the program runs', async ({ app }) => {
+test('files that the page cannot hold are left out and told of; the program runs', IN_ONE_ENGINE, async ({ app }) => {
   await open(app);
   const others = Object.fromEntries(
     Array.from({ length: 40 }, (_, at) => [`mod${String(at)}.py`, `x = ${String(at)}\n`]),
@@ -270,7 +283,7 @@ test('two boards hear each other by radio, and what comes too early is lost with
   expect((await kept(app)).radio).toEqual(['hallo']);
 });
 
-test('the data log comes row by row, and is empty after a flash', async ({ app }) => {
+test('the data log comes row by row, and is empty after a flash', IN_ONE_ENGINE, async ({ app }) => {
   await open(app);
   const logs = 'import log\nfrom microbit import *\nlog.set_labels("x")\nfor i in range(3): log.add(x=i)\nlog.add(y=9)\n'; // prettier-ignore
   await flash(app, logs);
@@ -293,7 +306,7 @@ test('the data log comes row by row, and is empty after a flash', async ({ app }
   await expect.poll(async () => (await kept(app)).log).toEqual({ headings: [], rows: [] });
 });
 
-test('language, words and sound are the editor’s', async ({ app }) => {
+test('language, words and sound are the editor’s', IN_ONE_ENGINE, async ({ app }) => {
   await open(app);
   const say = (language: string, translations: object): Promise<void> =>
     app.evaluate((one) => (window as never as Host).simulators[0]!.configure(one.language, one.translations), {
@@ -324,16 +337,18 @@ test('language, words and sound are the editor’s', async ({ app }) => {
   expect((await kept(app)).errors).toEqual([]);
 });
 
-test('a program that imports a robot drives it in the arena; one for the Calliope mini has its board', async ({
-  app,
-}) => {
-  await open(app, ['', '?device=calliope-mini-3']);
-  expect((await kept(app, 1)).state['pin3']).toMatchObject({ type: 'range', value: 0 });
-  await flash(app, 'from mbrobot_plusV2 import *\nprint("drives")\nforward()\ndelay(300)\nstop()\n');
-  await expect.poll(() => serial(app)).toContain('drives');
-  await expect
-    .poll(() => app.inFrame('iframe', () => document.querySelector('.pane-arena canvas') !== null))
-    .toBe(true);
-  await flash(app, 'from calliopemini import *\nprint("mini")\n', 1);
-  await expect.poll(() => serial(app, 1)).toContain('mini');
-});
+test(
+  'a program that imports a robot drives it in the arena; one for the Calliope mini has its board',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await open(app, ['', '?device=calliope-mini-3']);
+    expect((await kept(app, 1)).state['pin3']).toMatchObject({ type: 'range', value: 0 });
+    await flash(app, 'from mbrobot_plusV2 import *\nprint("drives")\nforward()\ndelay(300)\nstop()\n');
+    await expect.poll(() => serial(app)).toContain('drives');
+    await expect
+      .poll(() => app.inFrame('iframe', () => document.querySelector('.pane-arena canvas') !== null))
+      .toBe(true);
+    await flash(app, 'from calliopemini import *\nprint("mini")\n', 1);
+    await expect.poll(() => serial(app, 1)).toContain('mini');
+  },
+);

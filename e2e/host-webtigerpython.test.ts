@@ -58,7 +58,7 @@ test('a worksheet for WebTigerPython runs its programs when only the address is 
   expect(error).toContain('ZeroDivisionError');
 });
 
-test('a worksheet that waits for nothing is served as well', async ({ app }) => {
+test('a worksheet that waits for nothing is served as well', IN_ONE_ENGINE, async ({ app }) => {
   await openWorksheet(app);
   await app.evaluate((source) => {
     // Again and again, from before the page is there until it is.
@@ -86,7 +86,7 @@ test('a worksheet that sends its program once, when the frame has loaded, finds 
   expect(await said(app, 'full_output')).toEqual(['with load\n']);
 });
 
-test('who presses Run or Stop in the frame is heard by the worksheet', async ({ app }) => {
+test('who presses Run or Stop in the frame is heard by the worksheet', IN_ONE_ENGINE, async ({ app }) => {
   await openWorksheet(app);
   await expect.poll(async () => (await said(app, 'pythonReady')).length).toBe(1);
   await app.evaluate(() => post('files', 'while True:\n    print("on")\n    import time\n    time.sleep(1)\n'));
@@ -99,7 +99,7 @@ test('who presses Run or Stop in the frame is heard by the worksheet', async ({ 
   expect(await said(app, 'error')).toEqual([]);
 });
 
-test('a worksheet sets language, colours, panes and microcomputer by message', async ({ app }) => {
+test('a worksheet sets language, colours, panes and microcomputer by message', IN_ONE_ENGINE, async ({ app }) => {
   await openWorksheet(app, '?lang=en');
   await expect.poll(async () => (await said(app, 'pythonReady')).length).toBe(1);
   await app.evaluate(() =>
@@ -121,27 +121,31 @@ const codeOf = (data: string): string =>
     .replaceAll('+', '-')
     .replaceAll('/', '_');
 
-test('links of WebTigerPython open stopped, with the source shown, in the query and behind #?', async ({ app }) => {
-  const code = codeOf('print("from a link")');
-  const fs = LZString.compressToBase64(JSON.stringify({ 'main.py': 'print("from a link")' })).replaceAll('+', '-').replaceAll('/', '_'); // prettier-ignore
-  for (const link of [`./?lang=en&code=${code}`, `./?lang=en#?code=${code}&run=true`, `./?lang=en#?fs=${fs}`]) {
-    await app.goto('about:blank'); // another fragment alone loads nothing
-    await app.goto(link);
-    await expect.poll(() => programIn(app)).toContain('from a link');
-    await expect.poll(() => app.evaluate(() => location.search + location.hash)).not.toMatch(/code=|fs=/);
-    expect(await app.evaluate(() => location.search)).toBe('?lang=en');
-    expect(await consoleIn(app)).not.toContain('from a link');
-    expect(await isThere(app, `${on('run')}:not([disabled])`)).toBe(true);
-  }
-  // Even one that would hide it; and a reload still shows it.
-  await app.goto('about:blank');
-  await app.goto(`./?show=arena&lang=en#?code=${codeOf('print("hidden")')}`);
-  await expect.poll(() => isThere(app, '.pane-code')).toBe(true);
-  await expect.poll(() => programIn(app)).toContain('hidden');
-  await expect.poll(() => app.evaluate(() => decodeURIComponent(location.search))).toContain('code');
-  await app.reload();
-  await expect.poll(() => programIn(app)).toContain('hidden');
-});
+test(
+  'links of WebTigerPython open stopped, with the source shown, in the query and behind #?',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const code = codeOf('print("from a link")');
+    const fs = LZString.compressToBase64(JSON.stringify({ 'main.py': 'print("from a link")' })).replaceAll('+', '-').replaceAll('/', '_'); // prettier-ignore
+    for (const link of [`./?lang=en&code=${code}`, `./?lang=en#?code=${code}&run=true`, `./?lang=en#?fs=${fs}`]) {
+      await app.goto('about:blank'); // another fragment alone loads nothing
+      await app.goto(link);
+      await expect.poll(() => programIn(app)).toContain('from a link');
+      await expect.poll(() => app.evaluate(() => location.search + location.hash)).not.toMatch(/code=|fs=/);
+      expect(await app.evaluate(() => location.search)).toBe('?lang=en');
+      expect(await consoleIn(app)).not.toContain('from a link');
+      expect(await isThere(app, `${on('run')}:not([disabled])`)).toBe(true);
+    }
+    // Even one that would hide it; and a reload still shows it.
+    await app.goto('about:blank');
+    await app.goto(`./?show=arena&lang=en#?code=${codeOf('print("hidden")')}`);
+    await expect.poll(() => isThere(app, '.pane-code')).toBe(true);
+    await expect.poll(() => programIn(app)).toContain('hidden');
+    await expect.poll(() => app.evaluate(() => decodeURIComponent(location.search))).toContain('code');
+    await app.reload();
+    await expect.poll(() => programIn(app)).toContain('hidden');
+  },
+);
 
 /** What each parameter makes of the page: true once it is so. */
 const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
@@ -174,7 +178,7 @@ test('each parameter of the address shows', IN_ONE_ENGINE, async ({ app }) => {
   }
 });
 
-test('the address chooses the used robot', async ({ app }) => {
+test('the address chooses the used robot', IN_ONE_ENGINE, async ({ app }) => {
   await app.goto('./?robot=callibot&reality=0.5&seed=42');
   await expect.poll(() => isThere(app, '[data-testid=device]')).toBe(true);
   await app.click('[data-testid=device]');

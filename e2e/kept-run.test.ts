@@ -3,6 +3,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
 import { attribute, consoleIn, on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, gone, until } from './parts';
@@ -57,34 +58,36 @@ async function saved(app: App): Promise<{ readonly name: string; readonly text: 
   return (await savedFiles(app))[0]!;
 }
 
-test('a run recorded on the command line is seen on the page from its beginning, and goes back the same', async ({
-  app,
-}) => {
-  const path = join(folder, 'recorded.json');
-  const inputs = file(
-    'inputs.json',
-    '[{ "at": "500ms", "button": "a", "down": true }, { "at": "900ms", "button": "a", "down": false }]',
-  );
-  expect(parcours('run', file('main.py', PROGRAM), '--input', inputs, '--record', path, '--quiet').code).toBe(0);
-  const text = readFileSync(path, 'utf8');
-  await openApp(app);
-  await dropFile(app, { name: 'recorded.json', text });
-  await until(app, by('time-rail'));
-  expect(await at(app)).toBe(0);
-  await expect.poll(() => programIn(app)).toBe(PROGRAM);
-  await expect.poll(() => noticeIn(app)).toContain('recorded.json');
-  const start = await robotIn(app);
-  await until(app, by('save-run'));
-  expect(await violationsOn(app)).toEqual([]);
-  await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
-  await app.press('End');
-  await expect.poll(async () => Math.abs((await robotIn(app)).headingDeg - start.headingDeg)).toBeGreaterThan(5);
-  expect(await consoleIn(app)).toContain('number 19');
-  const again = await saved(app);
-  expect(read(again.text).result.traceHash).toBe(read(text).result.traceHash);
-  const { code, said } = parcours('replay', file('again.json', again.text), '--quiet');
-  expect([code, said]).toEqual([0, expect.stringContaining(read(text).result.traceHash.slice(0, 16))]);
-});
+test(
+  'a run recorded on the command line is seen on the page from its beginning, and goes back the same',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const path = join(folder, 'recorded.json');
+    const inputs = file(
+      'inputs.json',
+      '[{ "at": "500ms", "button": "a", "down": true }, { "at": "900ms", "button": "a", "down": false }]',
+    );
+    expect(parcours('run', file('main.py', PROGRAM), '--input', inputs, '--record', path, '--quiet').code).toBe(0);
+    const text = readFileSync(path, 'utf8');
+    await openApp(app);
+    await dropFile(app, { name: 'recorded.json', text });
+    await until(app, by('time-rail'));
+    expect(await at(app)).toBe(0);
+    await expect.poll(() => programIn(app)).toBe(PROGRAM);
+    await expect.poll(() => noticeIn(app)).toContain('recorded.json');
+    const start = await robotIn(app);
+    await until(app, by('save-run'));
+    expect(await violationsOn(app)).toEqual([]);
+    await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
+    await app.press('End');
+    await expect.poll(async () => Math.abs((await robotIn(app)).headingDeg - start.headingDeg)).toBeGreaterThan(5);
+    expect(await consoleIn(app)).toContain('number 19');
+    const again = await saved(app);
+    expect(read(again.text).result.traceHash).toBe(read(text).result.traceHash);
+    const { code, said } = parcours('replay', file('again.json', again.text), '--quiet');
+    expect([code, said]).toEqual([0, expect.stringContaining(read(text).result.traceHash.slice(0, 16))]);
+  },
+);
 
 test('a run of the page is saved, is the same on the command line, and opens again', async ({ app }) => {
   await openApp(app);
@@ -109,7 +112,7 @@ test('a run of the page is saved, is the same on the command line, and opens aga
   await gone(app, by('time-rail'));
 });
 
-test('a run is passed on as a link, which leads to the same moment', async ({ app }) => {
+test('a run is passed on as a link, which leads to the same moment', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await pasteProgram(app, PROGRAM.trimEnd());
   await app.click(on('run'));

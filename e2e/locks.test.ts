@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
 import { openedCourse } from './opened-course';
 import { attribute, isThere, on, openApp, programIn, robotIn } from './page';
@@ -29,55 +30,57 @@ async function behindLine(app: App, line: number): Promise<void> {
   await app.press('End');
 }
 
-test('a locked task: course, hand, speed, robot and lines stay as they are, and what is written around them goes', async ({
-  app,
-}) => {
-  await openTask(app);
-  await test.step('tools', async () => {
-    await until(app, by('palette'));
-    expect(await app.evaluate(() => Array.from(document.querySelectorAll('[data-tool]'), (tool) => tool.getAttribute('data-tool')))).toEqual(['hand']); // prettier-ignore
-  });
-  await test.step('hand', async () => {
-    const before = await robotIn(app);
-    await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), on('arena'));
-    await app.press('ArrowUp');
-    await expect.poll(() => said(app)).toMatch(/hand|Hand/);
-    expect(await robotIn(app)).toEqual(before);
-    expect(await isThere(app, '.arena-head .whole')).toBe(false);
-  });
-  await test.step('speed and robot', async () => {
-    await app.click(by('speed'));
-    await expect.poll(() => app.evaluate(() => document.querySelectorAll('[role=menuitemradio][aria-disabled=true]').length)).toBe(6); // prettier-ignore
-    await app.press('Escape');
-    await app.click(by('device'));
-    await until(app, by('device-kept'));
-    expect(await app.evaluate(() => document.querySelector('.robots input')?.matches(':disabled'))).toBe(true);
-    await app.press('Escape');
-  });
-  await test.step('lines', async () => {
-    await behindLine(app, 4);
-    await app.type('x');
-    await app.press('Delete');
-    await expect.poll(() => said(app)).toMatch(/lines|Zeilen/);
-    expect(await programIn(app)).toBe(PROGRAM);
-    await app.press('Control', 'a');
-    await app.press('Delete');
-    expect(await programIn(app)).toBe(PROGRAM);
-    await behindLine(app, 7);
-    await app.type(' is here');
-    await app.press('Control', 'z');
-    await app.press('Control', 'z');
-    expect(await programIn(app)).toBe(PROGRAM);
-    await behindLine(app, 1);
-    await app.press('Enter');
-    expect(await programIn(app)).toBe(PROGRAM.replace('*\n', '*\n\n'));
-    expect(await attribute(app, '.cm-line:nth-of-type(6)', 'class')).toContain('cm-lockedLine');
-  });
-  expect(await violationsOn(app)).toEqual([]);
-  await app.goto('./logo.svg');
-  await app.goto('./?speed=8');
-  await until(app, '.cm-lockedLine');
-  expect(await app.evaluate(() => document.querySelector('[data-testid=speed] b')?.textContent)).toBe('4×');
-  expect(await attribute(app, '.cm-line:nth-of-type(3)', 'class')).not.toContain('cm-lockedLine');
-  expect(await isThere(app, '.cm-line:nth-of-type(6).cm-lockedLine')).toBe(true);
-});
+test(
+  'a locked task: course, hand, speed, robot and lines stay as they are, and what is written around them goes',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openTask(app);
+    await test.step('tools', async () => {
+      await until(app, by('palette'));
+      expect(await app.evaluate(() => Array.from(document.querySelectorAll('[data-tool]'), (tool) => tool.getAttribute('data-tool')))).toEqual(['hand']); // prettier-ignore
+    });
+    await test.step('hand', async () => {
+      const before = await robotIn(app);
+      await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), on('arena'));
+      await app.press('ArrowUp');
+      await expect.poll(() => said(app)).toMatch(/hand|Hand/);
+      expect(await robotIn(app)).toEqual(before);
+      expect(await isThere(app, '.arena-head .whole')).toBe(false);
+    });
+    await test.step('speed and robot', async () => {
+      await app.click(by('speed'));
+      await expect.poll(() => app.evaluate(() => document.querySelectorAll('[role=menuitemradio][aria-disabled=true]').length)).toBe(6); // prettier-ignore
+      await app.press('Escape');
+      await app.click(by('device'));
+      await until(app, by('device-kept'));
+      expect(await app.evaluate(() => document.querySelector('.robots input')?.matches(':disabled'))).toBe(true);
+      await app.press('Escape');
+    });
+    await test.step('lines', async () => {
+      await behindLine(app, 4);
+      await app.type('x');
+      await app.press('Delete');
+      await expect.poll(() => said(app)).toMatch(/lines|Zeilen/);
+      expect(await programIn(app)).toBe(PROGRAM);
+      await app.press('Control', 'a');
+      await app.press('Delete');
+      expect(await programIn(app)).toBe(PROGRAM);
+      await behindLine(app, 7);
+      await app.type(' is here');
+      await app.press('Control', 'z');
+      await app.press('Control', 'z');
+      expect(await programIn(app)).toBe(PROGRAM);
+      await behindLine(app, 1);
+      await app.press('Enter');
+      expect(await programIn(app)).toBe(PROGRAM.replace('*\n', '*\n\n'));
+      expect(await attribute(app, '.cm-line:nth-of-type(6)', 'class')).toContain('cm-lockedLine');
+    });
+    expect(await violationsOn(app)).toEqual([]);
+    await app.goto('./logo.svg');
+    await app.goto('./?speed=8');
+    await until(app, '.cm-lockedLine');
+    expect(await app.evaluate(() => document.querySelector('[data-testid=speed] b')?.textContent)).toBe('4×');
+    expect(await attribute(app, '.cm-line:nth-of-type(3)', 'class')).not.toContain('cm-lockedLine');
+    expect(await isThere(app, '.cm-line:nth-of-type(6).cm-lockedLine')).toBe(true);
+  },
+);

@@ -80,24 +80,26 @@ test('what was left drives along as a ghost as soon as something goes another wa
   await gone(app, by('ghost'));
 });
 
-test('nobody draws in the past: a tool that was chosen rests, the run stays, and the tool comes back', async ({
-  app,
-}) => {
-  const pupil = withMouse(app);
-  await openEditor(app);
-  await clearAll(app);
-  await pupil.chooseTool('block');
-  await pupil.draw([[350, 700]]);
-  const before = await listOf(app);
-  await app.click(on('run'));
-  await app.click(by('look-back-open'));
-  await until(app, by('time-rail'));
-  await pupil.draw([[700, 200]]);
-  await pupil.draw([[200, 200], [500, 200]]); // prettier-ignore
-  await app.press('Delete');
-  await until(app, by('time-rail'));
-  await app.click(by('look-back-close'));
-  await gone(app, by('time-rail'));
-  expect(await listOf(app)).toEqual(before);
-  await until(app, '[data-tool="block"][aria-pressed="true"]');
-});
+test(
+  'nobody draws in the past: a tool that was chosen rests, the run stays, and the tool comes back',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const pupil = withMouse(app);
+    await openEditor(app);
+    await clearAll(app);
+    await pupil.chooseTool('block');
+    await pupil.draw([[350, 700]]);
+    const before = await listOf(app);
+    await app.click(on('run'));
+    await app.click(by('look-back-open'));
+    await until(app, by('time-rail'));
+    await pupil.draw([[700, 200]]);
+    await pupil.draw([[200, 200], [500, 200]]); // prettier-ignore
+    await app.press('Delete');
+    await until(app, by('time-rail'));
+    await app.click(by('look-back-close'));
+    await gone(app, by('time-rail'));
+    expect(await listOf(app)).toEqual(before);
+    await until(app, '[data-tool="block"][aria-pressed="true"]');
+  },
+);

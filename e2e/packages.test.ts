@@ -5,6 +5,7 @@ import { promisify } from 'node:util';
 
 import type { ParcoursSimulatorElement } from '../src/embed/element/define';
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { appAddress } from './hosts';
 import { buildPlainHost, type BuiltHost } from './hosts/plain/sample-host';
 import { serveHost } from './hosts/webtigerpython/sample-host';
@@ -58,59 +59,68 @@ test('a worksheet with the element from its package: own buttons, console and ve
   expect(focused).toEqual(['simulator', 'The course and your program']);
 });
 
-test('attributes reach the page that is there, work stays when the element moves, and goes with it', async ({
-  app,
-}, info) => {
-  test.setTimeout(180_000);
-  await openHost(app, info.project.name, `${appAddress()}simulator.html`); // keeps nothing by itself
-  const before = await app.evaluate(async () => {
-    Object.assign(simulator, { theme: 'dark', show: 'board,console', speed: 4, seed: 42, robot: 'none', muted: true });
-    simulator.lang = 'it';
-    const [{ language, theme, parts, muted }, { speed, seed }] = [
-      await simulator.getSettings(),
-      await simulator.getState(),
-    ];
-    return { language, theme, parts, muted, speed, seed, page: (await simulator.whenReady()).welcome.page };
-  });
-  expect(before).toMatchObject({ language: 'it', theme: 'dark', muted: true, speed: 4, seed: 42 });
-  expect(before.parts).toEqual(['board', 'console']);
-  const after = await app.evaluate(async () => {
-    simulator.removeAttribute('muted');
-    simulator.removeAttribute('speed');
-    await simulator.setFiles([{ name: 'main.py', text: '# mine' }]);
-    const { muted } = await simulator.getSettings();
-    const { speed } = await simulator.getState();
-    const { page } = (await simulator.whenReady()).welcome;
-    await new Promise((done) => setTimeout(done, 1500)); // a pupil pauses
-    const corner = document.createElement('aside');
-    document.body.append(corner);
-    corner.append(simulator);
-    const [file] = await simulator.getFiles();
-    const settings = await simulator.getSettings();
-    return {
-      muted,
-      speed,
-      page,
-      text: file?.text,
-      theme: settings.theme,
-      moved: (await simulator.whenReady()).welcome.page,
-    };
-  });
-  expect(after).toMatchObject({ muted: false, speed: 1, page: before.page, text: '# mine', theme: 'dark' });
-  expect(after.moved).not.toBe(before.page);
-  const gone = await app.evaluate(async () => {
-    const element = simulator; // by its id it is known only while it is on the page
-    await element.run();
-    const late = element.getState().then(
-      () => 'answered',
-      (error: unknown) => (error as { readonly code: string }).code,
-    );
-    await Promise.resolve(); // on its way
-    element.remove();
-    return [await late, element.frame === null];
-  });
-  expect(gone).toEqual(['closed', true]);
-});
+test(
+  'attributes reach the page that is there, work stays when the element moves, and goes with it',
+  IN_ONE_ENGINE,
+  async ({ app }, info) => {
+    test.setTimeout(180_000);
+    await openHost(app, info.project.name, `${appAddress()}simulator.html`); // keeps nothing by itself
+    const before = await app.evaluate(async () => {
+      Object.assign(simulator, {
+        theme: 'dark',
+        show: 'board,console',
+        speed: 4,
+        seed: 42,
+        robot: 'none',
+        muted: true,
+      });
+      simulator.lang = 'it';
+      const [{ language, theme, parts, muted }, { speed, seed }] = [
+        await simulator.getSettings(),
+        await simulator.getState(),
+      ];
+      return { language, theme, parts, muted, speed, seed, page: (await simulator.whenReady()).welcome.page };
+    });
+    expect(before).toMatchObject({ language: 'it', theme: 'dark', muted: true, speed: 4, seed: 42 });
+    expect(before.parts).toEqual(['board', 'console']);
+    const after = await app.evaluate(async () => {
+      simulator.removeAttribute('muted');
+      simulator.removeAttribute('speed');
+      await simulator.setFiles([{ name: 'main.py', text: '# mine' }]);
+      const { muted } = await simulator.getSettings();
+      const { speed } = await simulator.getState();
+      const { page } = (await simulator.whenReady()).welcome;
+      await new Promise((done) => setTimeout(done, 1500)); // a pupil pauses
+      const corner = document.createElement('aside');
+      document.body.append(corner);
+      corner.append(simulator);
+      const [file] = await simulator.getFiles();
+      const settings = await simulator.getSettings();
+      return {
+        muted,
+        speed,
+        page,
+        text: file?.text,
+        theme: settings.theme,
+        moved: (await simulator.whenReady()).welcome.page,
+      };
+    });
+    expect(after).toMatchObject({ muted: false, speed: 1, page: before.page, text: '# mine', theme: 'dark' });
+    expect(after.moved).not.toBe(before.page);
+    const gone = await app.evaluate(async () => {
+      const element = simulator; // by its id it is known only while it is on the page
+      await element.run();
+      const late = element.getState().then(
+        () => 'answered',
+        (error: unknown) => (error as { readonly code: string }).code,
+      );
+      await Promise.resolve(); // on its way
+      element.remove();
+      return [await late, element.frame === null];
+    });
+    expect(gone).toEqual(['closed', true]);
+  },
+);
 
 test('two elements on a page, one of them in a sandbox, each with a program of its own', async ({ app }, info) => {
   test.setTimeout(180_000);
@@ -196,76 +206,85 @@ test('an element loads when it comes into view, with its project, and has the wo
   expect(seen.ratio).toBeCloseTo(1.6, 1);
 });
 
-test('an element says which of its attributes make no sense, at the start and later, and goes on without them', async ({
-  app,
-}, info) => {
-  test.setTimeout(180_000);
-  await openHost(app, info.project.name);
-  const told = await app.evaluate(async (src) => {
-    const element = document.createElement('parcours-simulator');
-    const heard: string[] = [];
-    element.addEventListener('parcours-error', ({ detail }) => {
-      const { code, path } = detail as { readonly code: string; readonly path: string };
-      heard.push(`${code} ${path}`);
-    });
-    const wrong = {
-      ...{ speed: '3', theme: 'pink', lang: 'xx', show: 'zzz', 'snapshot-hz': '9999', loading: 'soon', seed: '0' },
-      ...{ task: 'nope', world: 'nope', robot: 'cat', board: 'dog', reality: '2' },
-    };
-    const set = (): void => {
-      for (const [name, value] of Object.entries(wrong)) element.setAttribute(name, value);
-    };
-    set();
-    element.setAttribute('src', 'javascript:0');
-    document.body.append(element);
-    element.whenReady().catch(() => undefined);
-    const ofAddress = heard.splice(0);
-    element.src = src;
-    await element.whenReady();
-    const atStart = heard.splice(0).sort();
-    for (const name of Object.keys(wrong)) element.removeAttribute(name);
-    await element.whenReady();
-    const right = { speed: '4', theme: 'dark', lang: 'it', show: 'board', seed: '7', robot: 'none', task: 'push' };
-    for (const [name, value] of Object.entries(right)) element.setAttribute(name, value);
-    await element.whenReady();
-    await element.getState();
-    const ofRight = heard.splice(0);
-    element.setAttribute('speed', '3');
-    element.setAttribute('robot', 'cat');
-    const { speed } = await element.getState();
-    const { robot } = await element.getRobot();
-    element.remove();
-    return { ofAddress, atStart, ofRight, later: heard, speed, robot, wrong: Object.keys(wrong).sort() };
-  }, appAddress());
-  expect(told.ofAddress).toEqual(['wrong-attribute src']);
-  expect(told.atStart).toEqual(told.wrong.map((name) => `wrong-attribute ${name}`));
-  expect(told.ofRight).toEqual([]);
-  expect(told.later.sort()).toEqual(['wrong-attribute robot', 'wrong-attribute speed']);
-  expect(told).toMatchObject({ speed: 1, robot: 'auto' });
-});
+test(
+  'an element says which of its attributes make no sense, at the start and later, and goes on without them',
+  IN_ONE_ENGINE,
+  async ({ app }, info) => {
+    test.setTimeout(180_000);
+    await openHost(app, info.project.name);
+    const told = await app.evaluate(async (src) => {
+      const element = document.createElement('parcours-simulator');
+      const heard: string[] = [];
+      element.addEventListener('parcours-error', ({ detail }) => {
+        const { code, path } = detail as { readonly code: string; readonly path: string };
+        heard.push(`${code} ${path}`);
+      });
+      const wrong = {
+        ...{ speed: '3', theme: 'pink', lang: 'xx', show: 'zzz', 'snapshot-hz': '9999', loading: 'soon', seed: '0' },
+        ...{ task: 'nope', world: 'nope', robot: 'cat', board: 'dog', reality: '2' },
+      };
+      const set = (): void => {
+        for (const [name, value] of Object.entries(wrong)) element.setAttribute(name, value);
+      };
+      set();
+      element.setAttribute('src', 'javascript:0');
+      document.body.append(element);
+      element.whenReady().catch(() => undefined);
+      const ofAddress = heard.splice(0);
+      element.src = src;
+      await element.whenReady();
+      const atStart = heard.splice(0).sort();
+      for (const name of Object.keys(wrong)) element.removeAttribute(name);
+      await element.whenReady();
+      const right = { speed: '4', theme: 'dark', lang: 'it', show: 'board', seed: '7', robot: 'none', task: 'push' };
+      for (const [name, value] of Object.entries(right)) element.setAttribute(name, value);
+      await element.whenReady();
+      await element.getState();
+      const ofRight = heard.splice(0);
+      element.setAttribute('speed', '3');
+      element.setAttribute('robot', 'cat');
+      const { speed } = await element.getState();
+      const { robot } = await element.getRobot();
+      element.remove();
+      return { ofAddress, atStart, ofRight, later: heard, speed, robot, wrong: Object.keys(wrong).sort() };
+    }, appAddress());
+    expect(told.ofAddress).toEqual(['wrong-attribute src']);
+    expect(told.atStart).toEqual(told.wrong.map((name) => `wrong-attribute ${name}`));
+    expect(told.ofRight).toEqual([]);
+    expect(told.later.sort()).toEqual(['wrong-attribute robot', 'wrong-attribute speed']);
+    expect(told).toMatchObject({ speed: 1, robot: 'auto' });
+  },
+);
 
-test('the packages bring the app, its licences and types that hold without the repository', async ({ app }, info) => {
-  test.skip(app.engine !== 'chromium', 'nothing of it is the browser’s');
-  test.setTimeout(180_000);
-  const { folder, site } = await hostOf(info.project.name);
-  for (const file of ['index.html', 'simulator.html', 'parcours.single.html', 'sw.js', 'LICENSES.txt'])
-    expect((await readFile(join(site, 'parcours', file))).equals(await readFile(join('dist/app', file)))).toBe(true);
-  expect(await readFile(join(site, 'parcours/LICENSES.txt'), 'utf8')).toContain('Damien P. George');
-  expect(await readFile(join(site, 'parcours/parcours.single.html'), 'utf8')).toContain('Damien P. George');
-  await copyFile('e2e/hosts/plain/consumer.ts.txt', join(folder, 'consumer.ts'));
-  const wishes = {
-    target: 'ES2022',
-    module: 'ESNext',
-    moduleResolution: 'bundler',
-    lib: ['ES2023', 'DOM'],
-    strict: true,
-  };
-  const options = { ...wishes, exactOptionalPropertyTypes: true, skipLibCheck: false, noEmit: true, types: [] };
-  await writeFile(join(folder, 'tsconfig.json'), JSON.stringify({ compilerOptions: options, files: ['consumer.ts'] }));
-  const told = await promisify(execFile)(process.execPath, [
-    resolve('node_modules/typescript/bin/tsc'),
-    '-p',
-    folder,
-  ]).catch((error: unknown) => error as { readonly stdout: string });
-  expect(told.stdout).toBe('');
-});
+test(
+  'the packages bring the app, its licences and types that hold without the repository',
+  IN_ONE_ENGINE,
+  async ({ app }, info) => {
+    test.skip(app.engine !== 'chromium', 'nothing of it is the browser’s');
+    test.setTimeout(180_000);
+    const { folder, site } = await hostOf(info.project.name);
+    for (const file of ['index.html', 'simulator.html', 'parcours.single.html', 'sw.js', 'LICENSES.txt'])
+      expect((await readFile(join(site, 'parcours', file))).equals(await readFile(join('dist/app', file)))).toBe(true);
+    expect(await readFile(join(site, 'parcours/LICENSES.txt'), 'utf8')).toContain('Damien P. George');
+    expect(await readFile(join(site, 'parcours/parcours.single.html'), 'utf8')).toContain('Damien P. George');
+    await copyFile('e2e/hosts/plain/consumer.ts.txt', join(folder, 'consumer.ts'));
+    const wishes = {
+      target: 'ES2022',
+      module: 'ESNext',
+      moduleResolution: 'bundler',
+      lib: ['ES2023', 'DOM'],
+      strict: true,
+    };
+    const options = { ...wishes, exactOptionalPropertyTypes: true, skipLibCheck: false, noEmit: true, types: [] };
+    await writeFile(
+      join(folder, 'tsconfig.json'),
+      JSON.stringify({ compilerOptions: options, files: ['consumer.ts'] }),
+    );
+    const told = await promisify(execFile)(process.execPath, [
+      resolve('node_modules/typescript/bin/tsc'),
+      '-p',
+      folder,
+    ]).catch((error: unknown) => error as { readonly stdout: string });
+    expect(told.stdout).toBe('');
+  },
+);

@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 import type * as Testing from '../src/web/real-device/testing/simulated-board';
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
 import { openApp, pasteProgram } from './page';
 import { by, gone, until } from './parts';
@@ -96,7 +97,7 @@ async function openDialog(app: App): Promise<void> {
 
 const PROGRAM = 'from microbit import *\nimport mbled\nprint("on the board:", len(dir(mbled)) > 0)';
 
-test('a program goes onto the device with its library, is checked, and runs there', async ({ app }) => {
+test('a program goes onto the device with its library, is checked, and runs there', IN_ONE_ENGINE, async ({ app }) => {
   test.slow(); // a page and a board talk over a cable that a driver of browsers has to carry
   const board = await switchedOn({ 'main.py': 'while True: pass' });
   await openApp(app, { language: 'en' });
@@ -134,7 +135,7 @@ test('a program goes onto the device with its library, is checked, and runs ther
   expect(await said(app)).toContain('There already: mbled.py, main.py');
 });
 
-test('a cable that is pulled out is told, with what to do', async ({ app }) => {
+test('a cable that is pulled out is told, with what to do', IN_ONE_ENGINE, async ({ app }) => {
   const board = await switchedOn({});
   await openApp(app, { language: 'de' });
   await plugIn(app);

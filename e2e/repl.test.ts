@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isEnabled, on, openApp, pasteProgram } from './page';
 
 const FIELD = '[data-testid=console-input]';
@@ -32,7 +33,7 @@ test('after the program the REPL greets as the device does, calculates, and show
   await says(app, /File "<stdin>", line 1, in <module>\s+NameError: name 'totl' (is not|isn't) defined[^]*>>>/);
 });
 
-test('a function of several lines is written at the REPL and called', async ({ app }) => {
+test('a function of several lines is written at the REPL and called', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, 'print("end")');
   await expect.poll(() => app.text(on('run'))).toContain('Again');
   await app.click(FIELD);
@@ -58,7 +59,7 @@ test('Ctrl-C ends a loop without end, and its variable can be looked at', async 
   await says(app, /n > 0\s+True\s+>>>/);
 });
 
-test('Ctrl-D begins the program anew, and Ctrl-C ends it again', async ({ app }) => {
+test('Ctrl-D begins the program anew, and Ctrl-C ends it again', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, ENDLESS);
   await says(app, 'begin');
   await app.click(FIELD);

@@ -95,7 +95,7 @@ test('a run becomes a strip of pictures, as PNG and on a sheet of paper', async 
   expect([sheet.name.slice(-8), sheet.begins.slice(0, 5)]).toEqual(['.run.pdf', '%PDF-']);
 });
 
-test('a stretch of a run becomes a film in two sizes, and can be given up', async ({ app }) => {
+test('a stretch of a run becomes a film in two sizes, and can be given up', IN_ONE_ENGINE, async ({ app }) => {
   await openPictures(app, DRIVE);
   await app.click(by('print-film'));
   await until(app, `${by('film-preview')} canvas`);

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { defaultScene } from '../src/scene/scene';
 import type { InputAction, InputEvent } from '../src/simulation/input';
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { convoyOf } from '../src/simulation/testing/convoy';
 import { courseRun } from '../src/simulation/testing/course-run';
 import { runInNode } from './in-node';
@@ -98,11 +99,19 @@ test('a program with display, music, radio, gestures and chance says the same at
   expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
 });
 
-for (const count of [2, 4, 8])
-  test(`${count} devices that talk by radio and drive around each other do the same as in Node`, async ({ app }) => {
-    const run = { setup: convoyOf(count, { reality: count === 4 ? 0.5 : 0 }), untilMs: 6000 };
-    const inNode = await runInNode(run);
-    for (const part of count > 2 ? ['ahead', 'near'] : ['ahead']) expect(inNode.console).toContain(part);
-    await app.goto(PROBE);
-    expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
-  });
+for (const [count, engines] of [
+  [2, IN_ONE_ENGINE],
+  [4, {}],
+  [8, IN_ONE_ENGINE],
+] as const)
+  test(
+    `${count} devices that talk by radio and drive around each other do the same as in Node`,
+    engines,
+    async ({ app }) => {
+      const run = { setup: convoyOf(count, { reality: count === 4 ? 0.5 : 0 }), untilMs: 6000 };
+      const inNode = await runInNode(run);
+      for (const part of count > 2 ? ['ahead', 'near'] : ['ahead']) expect(inNode.console).toContain(part);
+      await app.goto(PROBE);
+      expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
+    },
+  );

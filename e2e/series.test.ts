@@ -95,36 +95,38 @@ async function openLink(app: App, link: string): Promise<void> {
 
 const work = (app: App): Promise<string> => app.evaluate(() => sessionStorage.getItem('parcours.work') ?? '');
 
-test('a series is made from two files and a ready course, solved from its link task by task, and keeps what is done', async ({
-  app,
-}) => {
-  test.setTimeout(120_000);
-  const link = await makeSeries(app);
-  await openLink(app, link);
-  expect((await cards(app)).slice(0, 2)).toEqual(['First', 'Second']);
-  expect(await attribute(app, by('series-task-1'), 'aria-current')).toBe('step');
+test(
+  'a series is made from two files and a ready course, solved from its link task by task, and keeps what is done',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(120_000);
+    const link = await makeSeries(app);
+    await openLink(app, link);
+    expect((await cards(app)).slice(0, 2)).toEqual(['First', 'Second']);
+    expect(await attribute(app, by('series-task-1'), 'aria-current')).toBe('step');
 
-  await app.click(by('series-open-next'));
-  await gone(app, '.gallery');
-  await until(app, by('series-way')); // the card of the task
-  await expect.poll(() => app.text(by('series-way'))).toContain('Task 1 of 3');
-  await expect.poll(() => work(app)).toContain('# First');
-  expect(await work(app)).toMatch(/"locks":\{"course":true\},"handedOut":true/);
-  expect(await work(app)).not.toMatch(/"solution"|"hidden"|secret/);
-  await app.click(on('run'));
-  await until(app, `.verdict--passed ${by('series-next')}`);
-  await app.click(`.verdict ${by('series-next')}`);
-  await expect.poll(() => work(app)).toContain('# Second');
-  await expect.poll(() => app.text(by('series-way'))).toContain('Task 2 of 3');
+    await app.click(by('series-open-next'));
+    await gone(app, '.gallery');
+    await until(app, by('series-way')); // the card of the task
+    await expect.poll(() => app.text(by('series-way'))).toContain('Task 1 of 3');
+    await expect.poll(() => work(app)).toContain('# First');
+    expect(await work(app)).toMatch(/"locks":\{"course":true\},"handedOut":true/);
+    expect(await work(app)).not.toMatch(/"solution"|"hidden"|secret/);
+    await app.click(on('run'));
+    await until(app, `.verdict--passed ${by('series-next')}`);
+    await app.click(`.verdict ${by('series-next')}`);
+    await expect.poll(() => work(app)).toContain('# Second');
+    await expect.poll(() => app.text(by('series-way'))).toContain('Task 2 of 3');
 
-  await app.click(`${by('series-way')} ${by('series-back')}`);
-  await until(app, by('series-done-1'));
-  expect(await attribute(app, by('series-task-2'), 'aria-current')).toBe('step');
-  await app.reload();
-  await until(app, by('series-done-1'));
-  await expect.poll(() => app.text(by('series-sum'))).toContain('1 of 3 done');
-  await until(app, by('series-anew-2')); // it is open
-});
+    await app.click(`${by('series-way')} ${by('series-back')}`);
+    await until(app, by('series-done-1'));
+    expect(await attribute(app, by('series-task-2'), 'aria-current')).toBe('step');
+    await app.reload();
+    await until(app, by('series-done-1'));
+    await expect.poll(() => app.text(by('series-sum'))).toContain('1 of 3 done');
+    await until(app, by('series-anew-2')); // it is open
+  },
+);
 
 test(
   'a link cut short, a foreign address, a page that is no series: each says why and the way out',
@@ -173,7 +175,7 @@ test(
   },
 );
 
-test('the file of a series opens by being dropped onto the page', async ({ app }) => {
+test('the file of a series opens by being dropped onto the page', IN_ONE_ENGINE, async ({ app }) => {
   const head = { format: 'parcours-series', version: 1, title: 'Dropped' };
   const tasks = [{ project: JSON.parse(taskFile('Inside').text) as object }, { project: { ...head, tasks: [] } }];
   await openWork(app, '', './');

@@ -21,15 +21,19 @@ test('by keyboard: a wall is made exactly 25 cm long by typing it', IN_ONE_ENGIN
   expect(await listOf(app)).toHaveLength(3); // with the robot's start
 });
 
-test('with the mouse: what is drawn says how long it is, and snaps to what is there', async ({ app }) => {
-  const pupil = withMouse(app);
-  await openEditor(app);
-  await clearAll(app);
-  await app.click(toolButton('wall'));
-  await toolsCame(app);
-  await pupil.draw([[303, 304], [420, 300], [498, 303]]); // prettier-ignore
-  await until(app, SAID);
-  await expect.poll(() => app.text(SAID)).toContain('Length 20.0 cm, direction 0°');
-  await app.draw(await inWindow(app, SIZE, [[700, 600], [600, 602], [504, 603]])); // prettier-ignore
-  await expect.poll(() => app.text(SAID)).toContain('Length 20.0 cm, direction 180°');
-});
+test(
+  'with the mouse: what is drawn says how long it is, and snaps to what is there',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const pupil = withMouse(app);
+    await openEditor(app);
+    await clearAll(app);
+    await app.click(toolButton('wall'));
+    await toolsCame(app);
+    await pupil.draw([[303, 304], [420, 300], [498, 303]]); // prettier-ignore
+    await until(app, SAID);
+    await expect.poll(() => app.text(SAID)).toContain('Length 20.0 cm, direction 0°');
+    await app.draw(await inWindow(app, SIZE, [[700, 600], [600, 602], [504, 603]])); // prettier-ignore
+    await expect.poll(() => app.text(SAID)).toContain('Length 20.0 cm, direction 180°');
+  },
+);

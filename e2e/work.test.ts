@@ -1,4 +1,5 @@
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { openApp, pasteProgram, programIn, typeProgram } from './page';
 import { by, gone, until } from './parts';
 
@@ -10,7 +11,7 @@ test('a reload keeps the program', async ({ app }) => {
   await expect.poll(() => programIn(app)).toBe(source);
 });
 
-test('each mission opens with what was written in it', async ({ app }) => {
+test('each mission opens with what was written in it', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   const mission = async (name: string): Promise<void> => {
     await app.evaluate(() => void (location.hash = 'missions'));
