@@ -10,6 +10,9 @@ import { words } from './build/words.ts';
 /** The page's tests share a document and a language, so each file has its own. */
 const PAGE = 'src/web/**/*.test.ts';
 
+/** These need what a document of its own within a thread lacks: the thread's MessageChannel, and one ArrayBuffer for all. */
+const WHOLE_THREAD = ['src/web/print/PrintDialog.test.ts', 'src/web/real-device/transfer.test.ts'];
+
 /**
  * Unit tests and headless runs; the browsers are driven by playwright.config.ts. A test that mounts components begins with
  * `// @vitest-environment happy-dom`.
@@ -33,8 +36,11 @@ export default defineConfig({
           isolate: false, // they leave nothing behind, and loading each module once saves a third of the time
         },
       },
-      { extends: true, test: { name: 'page', include: [PAGE] } },
+      // The packages stay loaded from file to file, which saves a third of the processor's time.
+      { extends: true, test: { name: 'page', include: [PAGE], exclude: WHOLE_THREAD, pool: 'vmThreads' } },
+      { extends: true, test: { name: 'page in threads', include: WHOLE_THREAD } },
     ],
+    vmMemoryLimit: '1GB', // a thread that has grown larger makes room for a new one
     environment: 'node',
     pool: 'threads',
     maxWorkers: availableParallelism(), // else one processor waits, which on two is half of the time

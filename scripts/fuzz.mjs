@@ -1,4 +1,4 @@
-// npm run fuzz: the tests with random cases (*.fuzz.test.ts, 2,000 cases each in npm test) with a million cases each, and how
+// npm run fuzz: the tests with random cases (*.fuzz.test.ts, 1,000 cases each in npm test) with a million cases each, and how
 // many they were in a second. `npm run fuzz -- 50000 src/scene` tries so many, in that folder alone. A case that fails names
 // its seed; with FUZZ_SEED=that and one run it is tried alone.
 import { readFile, rm } from 'node:fs/promises';
