@@ -208,6 +208,22 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
   },
 });
 
+/**
+ * The same, with a `page` that is borrowed as well (Chromium): for tests that neither reroute nor listen to it, and leave no
+ * scripts in it.
+ */
+export const warmTest = test.extend({
+  page: async ({ lent, baseURL, viewport, serviceWorkers, hasTouch, isMobile }, use, info) => {
+    const wish = { ...wishOf(baseURL, viewport, serviceWorkers), hasTouch, isMobile };
+    const { page } = await lent.take(wish);
+    if (page === null) throw new Error('WebKitGTK has no page of Playwright.');
+    await page.setViewportSize(wish.viewport); // the test before may have changed it
+    await use(page);
+    if (info.status !== info.expectedStatus) lent.spoil();
+    await lent.giveBack();
+  },
+});
+
 const wishOf = (
   baseURL: string | undefined,
   viewport: Size | null,
@@ -226,6 +242,7 @@ async function openPlaywright(browser: Browser, wish: Wish): Promise<Profile> {
   const context = await browser.newContext(wish);
   const page = await context.newPage();
   return {
+    page,
     app: playwrightApp(browser.browserType().name(), page),
     restHand: () => page.mouse.move(0, 0),
     close: () => context.close(),
@@ -235,5 +252,10 @@ async function openPlaywright(browser: Browser, wish: Wish): Promise<Profile> {
 async function openWebKit({ baseURL, viewport }: Wish): Promise<Profile> {
   const session = await WebKitSession.start();
   await session.resize(viewport.width, viewport.height);
-  return { app: webkitApp(session, baseURL), restHand: () => session.restHand(), close: () => session.close() };
+  return {
+    page: null,
+    app: webkitApp(session, baseURL),
+    restHand: () => session.restHand(),
+    close: () => session.close(),
+  };
 }

@@ -1,6 +1,7 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { LANGUAGES } from '../src/core/languages';
-import { closedLine, on } from './page';
+import { expect, playwrightApp, warmTest as test } from './app';
+import { on, openApp } from './page';
 import { by } from './parts';
 
 /** The least width of the first course, in CSS px, in windows of this size. */
@@ -24,13 +25,7 @@ const SIZES = [
 /** Opens the page in a window of this size, as somebody finds it who was there before. */
 async function openAt(page: Page, [width, height]: readonly [number, number], settings: object = {}): Promise<void> {
   await page.setViewportSize({ width, height });
-  const kept = { settings: JSON.stringify({ welcomed: true, ...settings }), work: closedLine() };
-  await page.addInitScript(({ settings, work }) => {
-    sessionStorage.setItem('parcours.settings', settings);
-    sessionStorage.setItem('parcours.work', work);
-  }, kept);
-  await page.goto('./');
-  await page.waitForSelector(on('editor'));
+  await openApp(playwrightApp('chromium', page), { welcomed: true, ...settings });
 }
 
 /** Width of the course on the page in px: that of its floor on the lowest canvas. */

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, playwrightApp, test, type App } from './app';
+import { expect, playwrightApp, warmTest as test, type App } from './app';
 import { violationsOn } from './axe';
 import { on, openApp, pasteProgram, programIn } from './page';
 import { withFingers } from './touch';

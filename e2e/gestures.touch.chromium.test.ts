@@ -1,6 +1,6 @@
 import type { Point, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
-import { expect, test } from './app';
+import { expect, warmTest as test } from './app';
 import { block, chooseOption, comesTo, foe, isOneEdit, objectsIn, opened, places, stops, type Drawer } from './drawer';
 import { by, until } from './parts';
 import { SIZE, toolButton } from './pupil';

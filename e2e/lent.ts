@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import type { App } from './app';
 
 /** The size of a window's inside, in CSS px. */
@@ -11,11 +12,15 @@ export interface Wish {
   readonly baseURL: string;
   readonly viewport: Size;
   readonly serviceWorkers: 'allow' | 'block';
+  readonly hasTouch?: boolean;
+  readonly isMobile?: boolean;
 }
 
 /** A browser profile with one window. */
 export interface Profile {
   readonly app: App;
+  /** Playwright's own, where Playwright drives the browser. */
+  readonly page: Page | null;
   /** Moves the mouse to where nothing of the next page answers it. */
   restHand(): Promise<void>;
   close(): Promise<void>;
@@ -35,14 +40,14 @@ export class Lent {
   constructor(private readonly open: (wish: Wish) => Promise<Profile>) {}
 
   /** The profile of before where it is such a one, else a new one. */
-  async take(wish: Wish): Promise<Pick<Profile, 'app'>> {
+  async take(wish: Wish): Promise<Pick<Profile, 'app' | 'page'>> {
     if (this.profile === null || JSON.stringify(this.wish) !== JSON.stringify(wish)) {
       await this.close();
       this.profile = await this.open(wish);
       this.wish = wish;
     }
     this.isSpoilt = wish.serviceWorkers === 'allow';
-    return { app: this.watched(this.profile.app, wish.baseURL) };
+    return { app: this.watched(this.profile.app, wish.baseURL), page: this.profile.page };
   }
 
   /** What was taken is not to be used again. */

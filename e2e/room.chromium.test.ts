@@ -1,4 +1,5 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import { expect, warmTest as test } from './app';
 import { on } from './page';
 import { by } from './parts';
 
@@ -6,7 +7,8 @@ import { by } from './parts';
 async function openAt(page: Page, width: number, height: number, settings: object = {}): Promise<void> {
   await page.setViewportSize({ width, height });
   const text = JSON.stringify({ language: 'it', welcomed: true, ...settings });
-  await page.addInitScript((kept) => sessionStorage.setItem('parcours.settings', kept), text);
+  await page.goto('./logo.svg'); // its storage is the app's, and it loads in no time
+  await page.evaluate((kept) => sessionStorage.setItem('parcours.settings', kept), text);
   await page.goto('./');
   await page.waitForSelector(on('editor'));
 }

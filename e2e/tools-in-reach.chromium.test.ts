@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, playwrightApp, test } from './app';
+import { expect, playwrightApp, warmTest as test } from './app';
 import { openApp } from './page';
 import { by } from './parts';
 import { toolButton, toolsCame } from './pupil';

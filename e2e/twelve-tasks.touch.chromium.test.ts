@@ -1,5 +1,5 @@
 import type { SceneObject } from '../src/scene/scene';
-import { expect, test } from './app';
+import { expect, warmTest as test } from './app';
 import { block, comesTo, ends, line, objectsIn, opened, places, wall, type Drawer } from './drawer';
 import { by, until } from './parts';
 import { toolButton } from './pupil';
