@@ -269,6 +269,7 @@ const LATE_WORDS: readonly (readonly [RegExp, string])[] = [
   [/\/src\/web\/course-editor\//, 'editor'],
   [/\/src\/(web\/(class|series|task-maker|print|several-devices|real-device|device-log|my-robot)|check)\//, 'teacher'],
   [/\/src\/advice\//, 'errors'],
+  [/\/words\/reference$|\/src\/libraries\//, 'reference'],
   [/./, 'late'],
 ];
 
@@ -304,7 +305,7 @@ const chunkGroups = [
   { name: 'picture-kinds', test: /\/arena\/picture\/(kinds\/|scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
     name: 'editor-bars',
-    test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon|words$)/,
+    test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon)/,
   },
   { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];

@@ -3,7 +3,9 @@ import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/pr
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { inEvery } from '../src/core/words';
 import { mistakesIn } from '../src/reference/testing/catalogues';
+import { textsOfRobot } from '../src/reference/texts';
 import { putOnFloor } from '../src/robots/testing/floor';
 import { makeRobot } from './new-robot.mjs';
 import { renewLists } from './robots.mjs';
@@ -74,7 +76,7 @@ describe('npm run new:robot', () => {
   it('gives it words in every language that say the same', async () => {
     await makeRobot('tank-2', place);
     const { tank2Reference } = await inPlace('tank-2/reference.ts');
-    expect(mistakesIn(tank2Reference.texts)).toEqual([]);
+    expect(mistakesIn(inEvery((language) => textsOfRobot(tank2Reference, language)))).toEqual([]);
   });
 
   it('adds it to the lists, after all others', async () => {

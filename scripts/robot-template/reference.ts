@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { fn, module } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import type de from './words/reference/de.json';
+import words from './words/reference';
 
 /** The names of this robot's library (library/new_robot.py) and short words on each. */
 const library = module('new_robot', {
@@ -18,5 +17,5 @@ const library = module('new_robot', {
 export const newRobotReference: RobotReference = {
   robot: 'new-robot',
   modules: [library],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/reference/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { fn, module, object, saidBy, type, value, values } from '#reference/table';
 import type { Names, RobotReference } from '#reference/types';
-import type de from './words/de.json';
+import words from './words';
 
 const moves = {
   forward: fn('(ms: float | None = None) -> None'),
@@ -87,5 +86,5 @@ const simrobot = module('simrobot', {
 /** What the editor knows about the libraries that belong to no robot. */
 export const freeReference: Omit<RobotReference, 'robot'> = {
   modules: [simrobot],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

@@ -1,5 +1,6 @@
 import type { Language } from '#core/languages';
 import { byLanguage } from '#core/words';
+import type { RobotReference } from './types';
 import type de from './words/de.json';
 
 /** Short words on names of the API, by the names' keys: `microbit.display.show`. */
@@ -9,3 +10,7 @@ const catalogues = byLanguage(import.meta.glob<typeof de>('./words/*.json', { im
 
 /** The words on every name of the boards' modules and of the language, fetched in one language. Rejects without a connection. */
 export const loadReferenceTexts = (language: Language): Promise<ReferenceTexts> => catalogues[language]();
+
+/** The words on the names of a robot's libraries, in one language. */
+export const textsOfRobot = ({ texts }: Pick<RobotReference, 'texts'>, language: Language): ReferenceTexts =>
+  Object.fromEntries(Object.entries(texts).map(([key, text]) => [key, text[language]]));

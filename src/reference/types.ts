@@ -1,5 +1,5 @@
 import type { BoardApi, Feature } from '#core/board-api';
-import type { Language } from '#core/languages';
+import type { Texts } from '#core/languages';
 
 /** What a name stands for. An `object` has its own names and no class that programs could call (`display`, `i2c`). */
 export type EntryKind = 'function' | 'type' | 'exception' | 'value' | 'object' | 'module' | 'keyword';
@@ -42,5 +42,6 @@ export interface RobotReference {
   /** Id of the robot. */
   readonly robot: string;
   readonly modules: readonly ReferenceModule[];
-  readonly texts: Readonly<Record<Language, Readonly<Record<string, string>>>>;
+  /** Short words on the modules' names, by the names' keys. */
+  readonly texts: Readonly<Record<string, Texts>>;
 }

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { inEvery } from '#core/words';
 import { namesOf } from '#python/scopes';
 import { readPython } from '#python/tree';
 import { mistakesIn } from '#reference/testing/catalogues';
 import { textKeysOf } from '#reference/text-keys';
+import { textsOfRobot } from '#reference/texts';
 import { robotBuilds } from './builds';
 import { robotReferences } from './references';
 
@@ -27,12 +29,12 @@ describe.each(robotBuilds)('the reference of $type.name', ({ type, libraries }) 
 
   it('has words for every name, each ending in a full stop, and no more words', () => {
     const keys = [...textKeysOf(reference!.modules)].sort();
-    expect(Object.keys(reference!.texts.de).sort()).toEqual(keys);
+    expect(Object.keys(reference!.texts).sort()).toEqual(keys);
     for (const texts of Object.values(reference!.texts))
       for (const text of Object.values(texts)) expect(text).toMatch(/\.$/);
   });
 
   it('says the same in German, French, Italian and English, with the same names and numbers', () => {
-    expect(mistakesIn(reference!.texts)).toEqual([]);
+    expect(mistakesIn(inEvery((language) => textsOfRobot(reference!, language)))).toEqual([]);
   });
 });

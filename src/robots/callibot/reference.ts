@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { fn, module, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import type de from './words/reference/de.json';
+import words from './words/reference';
 
 /** The names of this robot's libraries (library/*.py) with short descriptions. */
 const callibotModule = module('callibot', {
@@ -51,5 +50,5 @@ const cbalarm = module('cbalarm', { setAlarm: fn('(on: int) -> None'), beep: fn(
 export const callibotReference: RobotReference = {
   robot: 'callibot',
   modules: [callibotModule, callibotmot, cbalarm],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/reference/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

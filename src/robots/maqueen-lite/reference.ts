@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { absent, fn, module, object, saidBy, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import type de from './words/reference/de.json';
+import words from './words/reference';
 
 /** Calls that set up TigerJython's own simulation. */
 const told = saidBy('mbrobot.RobotContext', fn('(*arguments) -> None'));
@@ -78,5 +77,5 @@ const mbled = module('mbled', {
 export const maqueenLiteReference: RobotReference = {
   robot: 'maqueen-lite',
   modules: [mbrobot, mbrobotmot, mbalarm, mbled],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/reference/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

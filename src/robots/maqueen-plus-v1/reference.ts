@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { fn, module, object, saidBy, type, value, values } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import type de from './words/reference/de.json';
+import words from './words/reference';
 
 /** Calls that set up TigerJython's own simulation. */
 const told = saidBy('mbrobot_plus.RobotContext', fn('(*arguments) -> None'));
@@ -52,5 +51,5 @@ const mbrobotPlus = module('mbrobot_plus', {
 export const maqueenPlusV1Reference: RobotReference = {
   robot: 'maqueen-plus-v1',
   modules: [mbrobotPlus],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/reference/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

@@ -1,7 +1,6 @@
-import { byLanguage } from '#core/words';
 import { fn, module, object, saidBy, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import type de from './words/reference/de.json';
+import words from './words/reference';
 
 const NAME = 'mbrobot_plusV2';
 
@@ -76,5 +75,5 @@ const mbrobotPlusV2 = module(NAME, {
 export const maqueenPlusV2Reference: RobotReference = {
   robot: 'maqueen-plus-v2',
   modules: [mbrobotPlusV2],
-  texts: byLanguage(import.meta.glob<typeof de>('./words/reference/*.json', { eager: true, import: 'default' })),
+  texts: words,
 };

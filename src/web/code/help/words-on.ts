@@ -1,8 +1,8 @@
 import type { Item } from '#reference/item';
-import { loadReferenceTexts, type ReferenceTexts } from '#reference/texts';
+import { loadReferenceTexts, textsOfRobot, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
 import type { Language } from '../../page/i18n';
-import { t } from '../../page/i18n';
+import { loadTexts, t } from '../../page/i18n';
 import helpWords from './words';
 
 /** The short words on names of the API, in one language. */
@@ -13,8 +13,8 @@ export async function loadWords(
   language: Language,
   libraries: readonly Pick<RobotReference, 'texts'>[],
 ): Promise<Words> {
-  const words = await loadReferenceTexts(language);
-  return Object.assign({}, words, ...libraries.map(({ texts }) => texts[language])) as Words;
+  const [words] = await Promise.all([loadReferenceTexts(language), loadTexts(language)]);
+  return Object.assign({}, words, ...libraries.map((library) => textsOfRobot(library, language))) as Words;
 }
 
 /** What is said about an item; empty when nothing is known about it. */

@@ -84,10 +84,8 @@ describe('the table of a library', () => {
       }),
     ],
     texts: {
-      de: { bot: 'Fährt.', 'bot.go': 'Los.' },
-      fr: {},
-      it: {},
-      en: { bot: 'Drives.', 'bot.Motor.rotate': 'Turns.' },
+      bot: { de: 'Fährt.', fr: '', it: '', en: 'Drives.' },
+      'bot.Motor.rotate': { de: '', fr: '', it: '', en: 'Turns.' },
     },
   };
 

@@ -1,3 +1,4 @@
+import { textsOfRobot } from '#reference/texts';
 import type { Entry, Names, ReferenceModule, RobotReference } from '#reference/types';
 
 import type { Language } from '../../page/i18n/texts';
@@ -19,9 +20,9 @@ export interface LibraryRow {
 }
 
 /** The libraries of a robot with their words; what the firmware does not have is left out. */
-export function libraryTables({ modules, texts }: RobotReference, language: Language): readonly LibraryTable[] {
-  const words = texts[language];
-  return modules.map((module) => ({
+export function libraryTables(reference: RobotReference, language: Language): readonly LibraryTable[] {
+  const words = textsOfRobot(reference, language);
+  return reference.modules.map((module) => ({
     module: module.name,
     text: words[module.name] ?? '',
     rows: rowsOf(module, words),
