@@ -23,7 +23,7 @@ for (const [language, share] of Object.entries(SHARE))
     page,
   }, info) => {
     await page.goto(`${gallery}?language=${language}`);
-    await expect(page.getByRole('button', { name: share, exact: true })).toHaveCount(2 * 17);
+    await expect(page.getByRole('button', { name: share, exact: true })).toHaveCount(2 * 16);
     for (const width of WIDTHS) {
       await page.setViewportSize({ width, height: 900 });
       await info.attach(`kit-${language}-${width}`, { body: await page.screenshot(), contentType: 'image/png' });
