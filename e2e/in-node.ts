@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
+import { words } from '../build/words';
 import type * as ClassKinds from './class-kinds';
 import type { ProbeResult, ProbeTask } from './probe/messages';
 import type { runBare } from './probe/run-bare';
@@ -18,6 +19,6 @@ export const kindsInNode = (): Promise<typeof ClassKinds> => loaded('./class-kin
 /** Playwright's own loader takes no JSON, which the VM's library and all words are. */
 async function loaded<Module>(path: string): Promise<Module> {
   const file = fileURLToPath(new URL(path, import.meta.url));
-  const { module } = await runnerImport<Module>(file, { configFile: false, logLevel: 'warn' });
+  const { module } = await runnerImport<Module>(file, { configFile: false, logLevel: 'warn', plugins: [words()] });
   return module;
 }

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
+import { words } from '../build/words';
 import type * as Testing from '../src/web/real-device/testing/simulated-board';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
@@ -22,7 +23,11 @@ type WithCable = Window & { cable?: Cable };
 /** A simulated board in this process. */
 async function switchedOn(files: Readonly<Record<string, string>>): Promise<Testing.SimulatedBoard> {
   const path = fileURLToPath(new URL('../src/web/real-device/testing/simulated-board.ts', import.meta.url));
-  const { module } = await runnerImport<typeof Testing>(path, { configFile: false, logLevel: 'warn' });
+  const { module } = await runnerImport<typeof Testing>(path, {
+    configFile: false,
+    logLevel: 'warn',
+    plugins: [words()],
+  });
   const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
   return module.simulatedBoard({ board: 'microbit-v2', files, firmware });
 }

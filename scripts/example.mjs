@@ -16,6 +16,10 @@ await main(import.meta.url, async ([name]) => {
   const path = `${FOLDER}/${name}.ts`;
   if (!existsSync(join(root, path)))
     throw new Failure(`There is no example ${name}. There are: ${names().join(', ')}.`);
-  const { module } = await runnerImport(join(root, path), { root, configFile: false, logLevel: 'error' });
+  const { module } = await runnerImport(join(root, path), {
+    root,
+    configFile: 'vite.cli.config.ts',
+    logLevel: 'error',
+  });
   await /** @type {any} */ (module).main(console.log);
 });
