@@ -16,10 +16,8 @@ await main(import.meta.url, async ([name]) => {
   const path = `${FOLDER}/${name}.ts`;
   if (!existsSync(join(root, path)))
     throw new Failure(`There is no example ${name}. There are: ${names().join(', ')}.`);
-  const { module } = await runnerImport(join(root, path), {
-    root,
-    configFile: 'vite.cli.config.ts',
-    logLevel: 'error',
-  });
+  const options = { root, configFile: /** @type {const} */ (false), logLevel: /** @type {const} */ ('error') };
+  const { words } = /** @type {any} */ ((await runnerImport(join(root, 'build/words.ts'), options)).module);
+  const { module } = await runnerImport(join(root, path), { ...options, plugins: [words()] });
   await /** @type {any} */ (module).main(console.log);
 });
