@@ -80,9 +80,10 @@ export class Lent {
 }
 
 /** Leaves the page, takes away all that it has stored, and goes where no page inherits that somebody has clicked. */
-async function emptied({ app, restHand }: Profile): Promise<void> {
+async function emptied(profile: Profile): Promise<void> {
+  const { app } = profile;
   await app.goto('./logo.svg');
-  await restHand();
+  await profile.restHand();
   await app.evaluate(async () => {
     localStorage.clear();
     sessionStorage.clear();

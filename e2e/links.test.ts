@@ -2,7 +2,6 @@ import { linkOf, projectOfLink } from '../src/project/link/link';
 import { drawings, drawn } from '../src/project/testing/drawings';
 import { FORTY_LINES, fortyObjects, largeProject } from '../src/project/testing/projects';
 import { expect, test } from './app';
-import { IN_ONE_ENGINE } from './engines';
 import { linkFrom } from './course-tasks';
 import { programIn } from './page';
 import { by, until } from './parts';
@@ -11,22 +10,20 @@ import { openEditor } from './pupil';
 /** Knows no ready course: all of the course is in the link. */
 const none = (): null => null;
 
-test(
-  'a link that was made elsewhere opens, and one that is made here opens elsewhere: the numbers are the same',
-  IN_ONE_ENGINE,
-  async ({ app }) => {
-    const base = largeProject();
-    const scribble = drawings['scribble'];
-    if (scribble === undefined) throw new Error('There is no such drawing.');
-    const scene = { ...base.scene, objects: [...drawn(scribble, 1), ...fortyObjects()] };
-    const made = linkOf({ ...base, scene }, { courses: none, program: true });
-    await openEditor(app);
-    await app.goto(`./#${made?.fragment ?? ''}`);
-    await expect.poll(() => programIn(app)).toContain(FORTY_LINES.split('\n').slice(0, 8).join('\n')); // the editor has no lines that are out of sight
-    await until(app, by('course-more'));
-    const link = await linkFrom(app);
-    const read = projectOfLink(link.slice(link.indexOf('#')), none);
-    expect('project' in read && read.project.scene).toEqual(scene);
-    expect('project' in read && read.project.files).toEqual(base.files);
-  },
-);
+test('a link that was made elsewhere opens, and one that is made here opens elsewhere: the numbers are the same', async ({
+  app,
+}) => {
+  const base = largeProject();
+  const scribble = drawings['scribble'];
+  if (scribble === undefined) throw new Error('There is no such drawing.');
+  const scene = { ...base.scene, objects: [...drawn(scribble, 1), ...fortyObjects()] };
+  const made = linkOf({ ...base, scene }, { courses: none, program: true });
+  await openEditor(app);
+  await app.goto(`./#${made?.fragment ?? ''}`);
+  await expect.poll(() => programIn(app)).toContain(FORTY_LINES.split('\n').slice(0, 8).join('\n')); // the editor has no lines that are out of sight
+  await until(app, by('course-more'));
+  const link = await linkFrom(app);
+  const read = projectOfLink(link.slice(link.indexOf('#')), none);
+  expect('project' in read && read.project.scene).toEqual(scene);
+  expect('project' in read && read.project.files).toEqual(base.files);
+});
