@@ -336,7 +336,6 @@ const treeshake = { propertyReadSideEffects: false } as const;
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
-  plugins: [wordsByLanguage(wordFiles), ...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
   worker: {
     format: 'es',
     plugins: () => [programs(), words(), runsInTheOldest(), collectModules()],
@@ -390,5 +389,15 @@ const single: UserConfig = {
   },
 };
 
+/** The server of `npm run gallery` gives all languages at once: it knows no files of words, and nothing waits for them. */
+const wordsFor = (command: 'build' | 'serve'): Plugin => (command === 'serve' ? words() : wordsByLanguage(wordFiles));
+
 /** Builds the web app; with `--mode single`, as single files. */
-export default defineConfig(({ mode }) => (mode === 'single' ? single : folder));
+export default defineConfig(({ mode, command }) =>
+  mode === 'single'
+    ? single
+    : {
+        ...folder,
+        plugins: [wordsFor(command), ...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
+      },
+);
