@@ -5,9 +5,10 @@ import { gzipSync } from 'node:zlib';
 
 import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
-import { build, defineConfig, type Plugin, type PluginOption, type Rolldown, type UserConfig } from 'vite';
+import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
 
 import { breakPoints } from './build/break-points.ts';
+import { bundled, collectModules, ICON, licences } from './build/bundled.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
@@ -16,11 +17,7 @@ import { words, wordsByLanguage, type WordGroups } from './build/words.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { licencesOf } from './scripts/licences.mjs';
 import { OLDEST } from './scripts/oldest.mjs';
-import { bareServiceWorker } from './scripts/service-worker.mjs';
 import { singleFile } from './scripts/single-file.mjs';
-
-/** Before the name of an icon's own module. */
-const ICON = 'icon:';
 
 /**
  * Makes each icon a module of its own, so that it comes with what shows it. All of them are one module as published: the
@@ -122,33 +119,6 @@ function installable(): Plugin {
     },
   };
 }
-
-/** The modules with code in the bundles of this build: the page's, its workers' and the service worker's. */
-const bundled = new Set<string>();
-
-const collectModules = (): Plugin => ({
-  name: 'collect-modules',
-  apply: 'build',
-  generateBundle(_, bundle) {
-    for (const part of Object.values(bundle)) if (part.type === 'chunk') addModules(part);
-  },
-});
-
-function addModules({ modules }: Rolldown.OutputChunk): void {
-  for (const [id, { renderedLength }] of Object.entries(modules))
-    if (renderedLength > 0)
-      bundled.add(id.startsWith(`\0${ICON}`) ? fileURLToPath(import.meta.resolve('@mdi/js')) : id);
-}
-
-/** Writes the licences of everything in the app beside it: whoever passes it on passes them on, too. */
-const licences = (): Plugin => ({
-  name: 'licences',
-  apply: 'build',
-  async generateBundle() {
-    addModules(await bareServiceWorker());
-    this.emitFile({ type: 'asset', fileName: 'LICENSES.txt', source: await licencesOf(bundled) });
-  },
-});
 
 /** What both builds of the web app have in common: the folder of files, and the single file (`--mode single`). */
 const common = {

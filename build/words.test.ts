@@ -52,8 +52,8 @@ describe('the words of a part', () => {
   });
 
   it('are a module that needs no code at run time', async () => {
-    const { load } = words() as unknown as { load(this: object, id: string): Promise<{ readonly code: string }> };
-    const { code } = await load.call({ addWatchFile: () => undefined }, `\0words:${join(src, 'wall/words')}`);
+    const plugin = words() as unknown as { load(this: object, id: string): Promise<{ readonly code: string }> };
+    const { code } = await plugin.load.call({ addWatchFile: () => undefined }, `\0words:${join(src, 'wall/words')}`);
     expect(code).toMatch(/^export default \{"title":\{"de":"Wand","fr":"Mur"/);
   });
 });

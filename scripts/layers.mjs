@@ -35,10 +35,9 @@ export const importsOf = (modules) =>
  */
 export function styleImportsIn(path, text) {
   const found = text.matchAll(/<style\b[^>]*\ssrc="([^"]+)"|@import\s+(?:url\()?["']?([^"')\s;]+)/g);
-  return Array.from(found, ([, source, imported]) => [
-    path,
-    posix.join(posix.dirname(path), source ?? imported),
-  ]).filter(([, to]) => to.endsWith('.css'));
+  return Array.from(found, ([, source, imported]) => posix.join(posix.dirname(path), source ?? imported))
+    .filter((to) => to.endsWith('.css'))
+    .map((to) => [path, to]);
 }
 
 /** Imports between rooms of a table that it does not allow, each with its sentence. */

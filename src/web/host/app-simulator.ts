@@ -104,12 +104,16 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
     edit(edit: SceneEdit) {
       const problem = editProblem(work.scene.value, edit);
       if (problem !== null) return problem.message;
+      if (work.staysAsItIs()) return LOOKED_BACK;
       if (work.keeper.value?.refusesStep('edit', { edit }) === true) return KEPT;
       app.editor.commit(edit);
       return null;
     },
   };
 }
+
+/** Why a host is refused an edit of the past. */
+const LOOKED_BACK = 'A moment of the past is shown, and stays as it was: look-now shows the present.';
 
 /** Why a host is refused what the open task locks. */
 const KEPT = 'The task that is open keeps this as it is.';

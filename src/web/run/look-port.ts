@@ -1,8 +1,7 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
 import type { Snapshot } from '#simulation/snapshot';
-import type { Asked } from './recording';
-import type { RunModel } from './run-model';
+import type { Asked, Recording } from './recording';
 import type { WhyAsked } from './why-asked';
 
 /** The one way into the past of a run, and out of it. */
@@ -13,7 +12,7 @@ export class LookPort {
 
   /** @param hold lets time stand still, and has the newest moments brought to the recording */
   constructor(
-    private readonly run: Pick<RunModel, 'present' | 'recording'>,
+    private readonly run: Readonly<{ present: ShallowRef<Snapshot | null>; recording: ShallowRef<Recording> }>,
     private readonly hold: () => void,
   ) {}
 

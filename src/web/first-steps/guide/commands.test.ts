@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import type { ReferenceContext } from '#reference/context';
-import { loadReferenceTexts } from '#reference/texts';
+import { loadReferenceTexts, textsOfRobot } from '#reference/texts';
 import { robotReferences } from '#robots/references';
 import { commandsOf } from './commands';
 
@@ -42,10 +42,12 @@ describe('the commands in the help', () => {
   });
 
   it('have words in the reference, for every robot and for the board', async () => {
-    for (const { modules, texts } of robotReferences)
-      for (const { name } of modules)
+    for (const reference of robotReferences) {
+      const texts = textsOfRobot(reference, 'de');
+      for (const { name } of reference.modules)
         for (const { text } of commandsOf(name, context).filter(({ text }) => text.startsWith(name)))
-          expect(texts.de[text] ?? '', text).not.toBe('');
+          expect(texts[text] ?? '', text).not.toBe('');
+    }
     const words = await loadReferenceTexts('de');
     for (const { text } of commandsOf('microbit', context)) expect(words[text] ?? '', text).not.toBe('');
   });
