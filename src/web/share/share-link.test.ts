@@ -14,7 +14,7 @@ import { readyScene } from '../work/catalogue/ready-courses';
 import ShareDialog from './ShareDialog.vue';
 
 const link = (): string => document.querySelector<HTMLInputElement>('[data-testid="share-link"]')?.value ?? '';
-const warnings = (): readonly string[] => [...document.querySelectorAll('.warn')].map(textOf);
+const warnings = (): readonly string[] => [...document.querySelectorAll('.callout--warn')].map(textOf);
 /** What somebody gets who opens the shown link. */
 function received() {
   const read = projectOfLink(link().slice(link().indexOf('#')), readyScene);

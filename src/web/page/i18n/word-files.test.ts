@@ -62,4 +62,10 @@ describe('the words of the page', () => {
     for (const language of LANGUAGES) await loadWords(language);
     expect(await withWords(Promise.resolve({ part: 1 }))).toEqual({ part: 1 });
   });
+
+  it('are waited for by whatever comes late, also by a file that is a text', async () => {
+    const { withWords } = stage();
+    expect(await withWords(Promise.resolve('<svg/>'))).toBe('<svg/>');
+    expect(await withWords(Promise.resolve(null))).toBeNull();
+  });
 });

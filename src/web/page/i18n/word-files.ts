@@ -72,9 +72,10 @@ export function openWordFiles(files: WordFiles) {
   }
 
   /** What an `import()` gives, once the words that it brought are there. The build puts this around each. */
-  async function withWords<T extends object>(imported: Promise<T>): Promise<T> {
+  async function withWords<T>(imported: Promise<T>): Promise<T> {
     const part = await imported;
-    if (!('wordTexts' in part)) await loadWords(wanted);
+    const isWords = typeof part === 'object' && part !== null && 'wordTexts' in part;
+    if (!isWords) await loadWords(wanted);
     return part;
   }
 
