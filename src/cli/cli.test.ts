@@ -203,10 +203,10 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     [
       '10 MB of text as program',
       [file('huge.py', 'x = 1\n'.repeat(1_700_000))],
-      /huge\.py: has 10200000 bytes; the limit is 1000000/,
+      /huge\.py: has 10200000 bytes; the limit is 262144/,
     ],
     ['a program that is no text', [file('photo.py', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))], /is not text in UTF-8/],
-    ['a program without end', ['/dev/zero'], /\/dev\/zero: has more than 1000000 bytes/],
+    ['a program without end', ['/dev/zero'], /\/dev\/zero: has more than 262144 bytes/],
     ['signs that steer a terminal', ['\u001b[31mred.py'], /^parcours: \\x1b\[31mred\.py: there is no such file/],
     ['a missing driver', [hello, '--file', 'nothing.py'], /nothing\.py: there is no such file/],
     ['a driver twice', [hello, '--file', hello, '--file', hello], /there is already a file "fine\.py" on the board/],

@@ -71,8 +71,7 @@ describe('a run that is put back to its start', () => {
     void run.reset();
     expect(run.phase.value).toBe('stopping');
     void run.start();
-    await aMoment();
-    expect(run.phase.value).toBe('running');
+    await vi.waitFor(() => expect(run.phase.value).toBe('running'));
     await run.reset();
     expect(run.phase.value).toBe('ready');
   });
