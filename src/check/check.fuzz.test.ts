@@ -13,7 +13,7 @@ import { projectOfTask } from './task/write-task';
 import { ahead, firmware, projectWith, sceneWith, targetAt } from './testing/tasks';
 
 /** Every so many of those that can be read are run, too. */
-const RUN_EVERY = 100;
+const RUN_EVERY = 10;
 /** Only against an endless loop. */
 const TIME_LIMIT_MS = 120_000 + 20 * fuzzRuns;
 
