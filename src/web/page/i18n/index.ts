@@ -49,14 +49,12 @@ export async function loadErrorTexts(): Promise<void> {
   named.value = { ...words, error: { ...words.error, ...adviceWords } };
 }
 
-/** The language chosen last; its texts may still be loading. */
-let wanted: Language = 'de';
-
-/** Chooses the page's language, and announces it to browsers and screen readers. Resolves once its texts are loaded. */
+/**
+ * Chooses the page's language, and announces it to browsers and screen readers. Resolves once its texts are loaded; where
+ * another one was chosen meanwhile, that one is shown. Rejects without a connection.
+ */
 export async function setLanguage(language: Language): Promise<void> {
-  wanted = language;
-  await wantWords(language);
-  if (wanted !== language) return; // another one was chosen meanwhile
+  if (!(await wantWords(language))) return;
   showLanguage(language);
   document.documentElement.lang = localeOf(language);
 }

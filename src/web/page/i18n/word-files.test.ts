@@ -57,6 +57,34 @@ describe('the words of the page', () => {
     expect((await withWords(load())).words).toEqual({ share: { en: 'Share en' } });
   });
 
+  it('of a part that comes while another language is on its way are there in the shown one, too', async () => {
+    const { wordsOfPart, wantWords, withWords } = stage();
+    wordsOfPart('first', 0, { run: 0 });
+    await wantWords('de');
+    const choice = wantWords('it');
+    const words = await withWords(Promise.resolve(wordsOfPart('late', 0, { share: 0 })));
+    expect(words).toEqual({ share: { de: 'Share de', it: 'Share it' } });
+    expect(await choice).toBe(true);
+  });
+
+  it('stay in the language that is shown where the one that was chosen does not come', async () => {
+    const { wordsOfPart, wantWords, withWords, broken } = stage();
+    wordsOfPart('first', 0, { run: 0 });
+    await wantWords('de');
+    for (const group of ['first', 'late']) broken.add(`${group} it`);
+    await expect(wantWords('it')).rejects.toThrow('No connection.');
+    const load = (): Promise<unknown> => withWords(Promise.resolve(wordsOfPart('late', 0, { share: 0 })));
+    expect(await load()).toEqual({ share: { de: 'Share de' } });
+    broken.clear();
+    expect(await wantWords('it')).toBe(true);
+    expect(await load()).toEqual({ share: { de: 'Share de', it: 'Share it' } });
+  });
+
+  it('are not to be shown any more where another language was chosen meanwhile', async () => {
+    const { wantWords } = stage();
+    expect(await Promise.all([wantWords('it'), wantWords('fr')])).toEqual([false, true]);
+  });
+
   it('are in the parts where there are no files: nothing is waited for', async () => {
     const { loadWords, withWords } = openWordFiles({});
     for (const language of LANGUAGES) await loadWords(language);

@@ -25,12 +25,14 @@ interface Part {
  */
 export function openWordFiles(files: WordFiles) {
   const parts: Part[] = [];
-  /** By group and language, what each part says. */
-  const come = new Map<string, readonly (readonly string[])[]>();
-  const coming = new Map<string, Promise<void>>();
-  let wanted: Language = 'de';
+  const { textsOf, load } = fetchedOnce(files, (group, language) => {
+    for (const part of parts) if (part.group === group) fill(part, language);
+  });
+  /** The language that is shown, and the one that was chosen last: parts that come late have both. `null`: none yet. */
+  let shown: Language | null = null;
+  let wanted: Language | null = null;
 
-  /** The words of a part. They are complete before the part is shown, in the language that is wanted. */
+  /** The words of a part. They are complete before the part is shown, in the language that is shown. */
   function wordsOfPart(group: string, at: number, shape: Shape): Tree {
     const texts: Text[] = [];
     const part = { group, at, texts };
@@ -41,45 +43,65 @@ export function openWordFiles(files: WordFiles) {
   }
 
   function fill({ group, at, texts }: Part, language: Language): void {
-    const said = come.get(`${group} ${language}`)?.[at] ?? [];
-    for (const [index, text] of said.entries()) Object.assign(texts[index] ?? {}, { [language]: text });
+    for (const [index, text] of (textsOf(group, language)[at] ?? []).entries())
+      Object.assign(texts[index] ?? {}, { [language]: text });
   }
 
   /** Fetches the words of all parts that are there, in a language. Rejects without a connection; another call tries again. */
   async function loadWords(language: Language): Promise<void> {
     const groups = new Set(parts.map(({ group }) => group));
-    await Promise.all([...groups].map((group) => loadGroup(group, language)));
+    await Promise.all([...groups].map((group) => load(group, language)));
   }
 
-  /** Fetches the words of all parts that are there, and from now on of those that come. */
-  function wantWords(language: Language): Promise<void> {
+  /**
+   * Chooses the language of the parts that are there and of those that come. Rejects without a connection; then all stays.
+   *
+   * @returns whether it is to be shown now; `false`: another one was chosen meanwhile
+   */
+  async function wantWords(language: Language): Promise<boolean> {
     wanted = language;
-    return loadWords(language);
-  }
-
-  function loadGroup(group: string, language: Language): Promise<void> {
-    const key = `${group} ${language}`;
-    const loading = coming.get(key) ?? fetchGroup(group, language);
-    coming.set(key, loading);
-    loading.catch(() => coming.delete(key));
-    return loading;
-  }
-
-  async function fetchGroup(group: string, language: Language): Promise<void> {
-    const file = await files[group]?.[language]();
-    come.set(`${group} ${language}`, file?.wordTexts ?? []);
-    for (const part of parts) if (part.group === group) fill(part, language);
+    try {
+      await loadWords(language);
+    } catch (error) {
+      if (wanted === language) wanted = shown;
+      throw error;
+    }
+    if (wanted !== language) return false;
+    shown = language;
+    return true;
   }
 
   /** What an `import()` gives, once the words that it brought are there. The build puts this around each. */
   async function withWords<T>(imported: Promise<T>): Promise<T> {
     const part = await imported;
     const isWords = typeof part === 'object' && part !== null && 'wordTexts' in part;
-    if (!isWords) await loadWords(wanted);
+    const languages = [shown, wanted].filter((language) => language !== null);
+    if (!isWords) await Promise.all(languages.map(loadWords));
     return part;
   }
 
   return { wordsOfPart, loadWords, wantWords, withWords };
+}
+
+/** The texts in the files, by group and language; each file is fetched once. @param onCome its texts are there */
+function fetchedOnce(files: WordFiles, onCome: (group: string, language: Language) => void) {
+  const come = new Map<string, readonly (readonly string[])[]>();
+  const coming = new Map<string, Promise<void>>();
+  async function fetchTexts(group: string, language: Language): Promise<void> {
+    const file = await files[group]?.[language]();
+    come.set(`${group} ${language}`, file?.wordTexts ?? []);
+    onCome(group, language);
+  }
+  function load(group: string, language: Language): Promise<void> {
+    const key = `${group} ${language}`;
+    const loading = coming.get(key) ?? fetchTexts(group, language);
+    coming.set(key, loading);
+    loading.catch(() => coming.delete(key));
+    return loading;
+  }
+  /** What each part of the group says, as far as its file has come. */
+  const textsOf = (group: string, language: Language) => come.get(`${group} ${language}`) ?? [];
+  return { textsOf, load };
 }
 
 function treeOf(shape: Shape, texts: Text[]): Tree {
