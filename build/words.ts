@@ -73,16 +73,19 @@ export async function textsIn(folder: string, language: Language): Promise<reado
 const watched = (folder: string): readonly string[] => LANGUAGES.map((language) => join(folder, `${language}.json`));
 const asModule = (code: string) => ({ code, map: null, moduleType: 'js' as const });
 
+/** The module that an import means; `null`: it means no words. */
+function resolved(specifier: string, importer: string | undefined): string | null {
+  if (specifier === FILES) return `\0${FILES}`;
+  const folder = wordsFolder(specifier, importer);
+  return folder === null ? null : PART + folder;
+}
+
 /** Makes a module of each folder of words, with all languages in it. */
 export function words(): Plugin {
   return {
     name: 'words',
     enforce: 'pre',
-    resolveId(specifier, importer) {
-      if (specifier === FILES) return `\0${FILES}`;
-      const folder = wordsFolder(specifier, importer);
-      return folder === null ? null : PART + folder;
-    },
+    resolveId: resolved,
     async load(id) {
       if (id === `\0${FILES}`) return asModule('export default {};');
       if (!id.startsWith(PART)) return null;
@@ -104,18 +107,13 @@ export type WordGroups = Readonly<Record<string, readonly string[]>>;
  */
 export function wordsByLanguage(groupsOf: () => WordGroups): Plugin {
   let groups: WordGroups = {};
-  const every = words();
   return {
-    ...every,
+    name: 'words-by-language',
+    enforce: 'pre',
     buildStart() {
       groups = groupsOf();
     },
-    resolveId(specifier, importer) {
-      if (specifier.startsWith(FILE)) return specifier;
-      if (specifier === FILES) return `\0${FILES}`;
-      const folder = wordsFolder(specifier, importer);
-      return folder === null ? null : PART + folder;
-    },
+    resolveId: (specifier, importer) => (specifier.startsWith(FILE) ? specifier : resolved(specifier, importer)),
     async load(id) {
       if (id === `\0${FILES}`) return asModule(filesCode(Object.keys(groups)));
       if (id.startsWith(FILE)) {

@@ -2,6 +2,7 @@ import { closeSync, existsSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
+import { textOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText, isOurs } from '#intake/text';
 import { MAIN } from '#project/project';
@@ -10,7 +11,16 @@ import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from '#simulation/input-file';
-import { addressProblem, documentAt, isAddress, onlyProgram, workOfAddress, workOfJson, type Work } from './read-work';
+import {
+  addressProblem,
+  documentAt,
+  isAddress,
+  onlyProgram,
+  shortened,
+  workOfAddress,
+  workOfJson,
+  type Work,
+} from './read-work';
 import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
@@ -88,9 +98,6 @@ function workOfFile(path: string): Work | { readonly problem: string } {
 
 const PROJECT = /^\s*\{\s*"format"\s*:\s*"parcours-project"/;
 
-/** An address may be as long as a program. */
-const shortened = (address: string): string => (address.length > 60 ? `${address.slice(0, 57)}…` : address);
-
 function addFile(files: Record<string, string>, path: string): void {
   const name = basename(path);
   if (name.length > MAX_NAME_CHARACTERS) {
@@ -166,9 +173,5 @@ function readText(path: string, maxBytes: number): string {
     if (error instanceof BadFile) throw error;
     return refuse(path, reasonOf(error));
   }
-  try {
-    return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
-  } catch {
-    return refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
-  }
+  return textOf(bytes) ?? refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
 }

@@ -38,6 +38,9 @@ type Read = Work | { readonly problem: string };
 /** Whether the words on the command line are an address rather than the name of a file. */
 export const isAddress = (text: string): boolean => /^https?:\/\//i.test(text) || isProjectLink(text);
 
+/** A word of the command line as problems name it: an address may be as long as a program. */
+export const shortened = (word: string): string => (word.length > 60 ? `${word.slice(0, 57)}…` : word);
+
 /** The content of an address. */
 export async function documentAt(address: string): Promise<AddressDocument> {
   const { readyCourse } = await import('./ready-courses');

@@ -21,7 +21,7 @@ export function documentOfAddress(text: string, courses: ReadyCourses): AddressD
     const read = readRunLink(fragment);
     return 'fault' in read ? badLink(read.fault === 'newer' ? NEWER : DAMAGED) : { kind: 'recording', ...read };
   }
-  const link = seriesLinkOf(fragment);
+  const link = seriesLinkOf(address);
   if (link !== null) return { kind: 'series-link', link };
   const [, place] = /^#?series=(.+)$/.exec(fragment) ?? [];
   if (place !== undefined) return { kind: 'series-place', place };
@@ -44,9 +44,11 @@ export function documentOfSeriesLink(link: string, courses: ReadyCourses): Serie
 
 const fragmentOf = (address: string): string => address.slice(Math.max(address.indexOf('#'), 0));
 
-/** The link of a series in the part of an address behind `#`; `null`: there is none. */
-const seriesLinkOf = (fragment: string): string | null =>
-  isSeriesLink(fragment) ? fragment.slice(fragment.startsWith('#') ? 1 : 0) : null;
+/** The link of a series in an address, from `s=` on; `null`: there is none. */
+export function seriesLinkOf(address: string): string | null {
+  const fragment = fragmentOf(address);
+  return isSeriesLink(fragment) ? fragment.slice(fragment.startsWith('#') ? 1 : 0) : null;
+}
 
 /** The ready course that an address names: a task before an arena, in the query before the fragment. */
 function readyIn(address: string): ReadyDocument | null {

@@ -1,12 +1,13 @@
 import { basename } from 'node:path';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
+import { seriesLinkOf } from '#intake/address';
 import { limits, stemOf } from '#intake/formats';
 import { documentOfText, taskIn } from '#intake/text';
 import { isNoFile, readLimited } from '../read-files';
 import { readyCourse, readyProject } from '../ready-courses';
-import { addressProblem, documentAt, isAddress } from '../read-work';
-import { partsOf, seriesLinkIn, taskInFile, taskOfLink, withoutReload, type OpenedTask } from './series-task';
+import { addressProblem, documentAt, isAddress, shortened } from '../read-work';
+import { partsOf, taskInFile, taskOfLink, withoutReload, type OpenedTask } from './series-task';
 
 /** A task with the names that reports have for it. */
 export interface NamedTask {
@@ -36,7 +37,7 @@ export async function readTask(word: string): Promise<(NamedTask & { readonly fi
 
 async function openedTask(word: string): Promise<OpenedTask | Problem> {
   const { where, which } = partsOf(word);
-  const link = seriesLinkIn(where);
+  const link = seriesLinkOf(where);
   if (link !== null) return saidOf(shortened(word), await taskOfLink(link, which));
   if (isAddress(word)) return taskOfAddress(word);
   const ready = isNoFile(where) ? readyProject(where) : null;
@@ -71,6 +72,3 @@ const isSingle = (where: string, which: string): Problem => ({
 });
 
 const isId = (word: string): boolean => /^[\w-]+$/.test(word);
-
-/** An address may be as long as a program. */
-const shortened = (word: string): string => (word.length > 60 ? `${word.slice(0, 57)}…` : word);

@@ -2,7 +2,6 @@ import { existsSync } from 'node:fs';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { readTasks, type LoadFile } from '#intake/read-files';
 import type { Series, SeriesTask } from '#check/series/series';
-import { isSeriesLink } from '#check/series/series-link';
 import { documentOfSeriesLink } from '#intake/address';
 import { limits } from '#intake/formats';
 import type { Project } from '#project/project';
@@ -40,15 +39,9 @@ export function partsOf(word: string): TaskWord {
   return at < 1 ? { where: word, which: '' } : { where: word.slice(0, at), which: word.slice(at + 1) };
 }
 
-/** The link of a series in an address; `null`: it has none. */
-export function seriesLinkIn(where: string): string | null {
-  const fragment = where.slice(Math.max(where.indexOf('#'), 0));
-  return isSeriesLink(fragment) ? fragment : null;
-}
-
 /** The task that is meant of the series in a link. */
-export async function taskOfLink(fragment: string, which: string): Promise<OpenedTask | Problem> {
-  const document = documentOfSeriesLink(fragment, readyCourse);
+export async function taskOfLink(link: string, which: string): Promise<OpenedTask | Problem> {
+  const document = documentOfSeriesLink(link, readyCourse);
   if (document.kind === 'unreadable') return { problem: withoutReload(document.message) };
   return chosen(document.series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
 }
