@@ -28,7 +28,7 @@ export function withTables(text, manuals) {
 }
 
 /**
- * @typedef {{ name: string, direction: string, schema: object, about: string, answer?: object }} ManualMessage
+ * @typedef {{ name: string, direction: string, schema: object, about: string, answer?: object, since?: string }} ManualMessage
  * @typedef {{ title: string, version: string, messages: readonly ManualMessage[] }} DialectManual
  * @typedef {Record<string, any>} JsonSchema
  */
@@ -46,8 +46,9 @@ function tablesOf({ messages }) {
 }
 
 /** @param {ManualMessage} message */
-function messageOf({ name, about, schema, answer }) {
-  const parts = [`#### \`${name}\``, about, tableOf(schema, 'Field', name)];
+function messageOf({ name, about, schema, answer, since }) {
+  const sentences = since === undefined ? about : `${about} _Since ${since}._`;
+  const parts = [`#### \`${name}\``, sentences, tableOf(schema, 'Field', name)];
   if (answer !== undefined) parts.push('Its answer brings:', tableOf(answer, 'Field of the answer'));
   return parts.filter((part) => part !== '').join('\n\n');
 }

@@ -40,6 +40,10 @@ describe('npm run manual', () => {
     expect(text).toContain('Its answer brings:\n\n| Field of the answer | type and range | meaning |');
   });
 
+  it('names the version that brought a message which is younger than its dialect', () => {
+    expect(written([{ ...message, since: '1.2.0' }])).toContain('Chooses the robot. _Since 1.2.0._');
+  });
+
   it('refuses a file without a place for a dialect', () => {
     expect(() => withTables('Nothing', { ours: { title: '', version: '1', messages: [] } })).toThrow('no place');
   });

@@ -1,8 +1,10 @@
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { API_REPORT, apiReport } from './api-report.mjs';
 import { bundleTypes } from './bundle-types.mjs';
 import { missingInScript } from '../build/oldest.ts';
 import { buildModule, packages, packAll } from './packages.mjs';
@@ -26,6 +28,17 @@ describe('npm run packages', () => {
     expect(about).not.toHaveProperty('dependencies');
     const script = execFileSync('tar', ['-xzOf', first, 'package/dist/index.js'], { encoding: 'utf8' });
     expect(script).not.toMatch(/^\s*import[\s{*'"]|valibot/m);
+  });
+
+  it('makes a tarball that npm would publish as it is', async () => {
+    const tarball = await pack('published');
+    const { stdout, stderr } = await promisify(execFile)('npm', ['publish', '--dry-run', '--offline', tarball]);
+    expect(stdout).toMatch(/^\+ parcours-client@\d+\.\d+\.\d+$/m);
+    expect(stderr).not.toContain('auto-corrected'); // npm would mend package.json
+  });
+
+  it('export what packages/API.md says (npm run api): another API is another version', async () => {
+    expect(apiReport()).toBe(await readFile(API_REPORT, 'utf8'));
   });
 
   it.each(packages)('writes types of $folder that import nothing', ({ entry }) => {

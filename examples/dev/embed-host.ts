@@ -10,7 +10,7 @@ export function main(print: Print): void {
     const { reply, ok, type } = message as Readonly<Record<string, string | number | boolean | undefined>>;
     print(reply === undefined ? `event ${String(type)}` : `answer ${String(reply)}: ${String(ok)}`);
   };
-  const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'], courses: ['push'] };
+  const facts = { app: '1.0.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'], courses: ['push'] };
   const host = createParcoursAdapter(simulator, { post, nowMs: () => 0 }, facts);
   host.receive({ parcours: 1, id: 1, type: 'hello' });
   host.receive({ parcours: 1, id: 2, type: 'set-files', files: [{ name: 'main.py', text: 'print(1)' }] });

@@ -12,6 +12,8 @@ export interface ManualMessage {
   readonly about: string;
   /** The fields of its answer, if it has one. */
   readonly answer?: GenericSchema;
+  /** The version of the app that brought it, if it is younger than the dialect. */
+  readonly since?: string;
 }
 
 /** The export `manual` of a dialect's `manual.ts`; `scripts/manual.mjs` makes tables from it. */

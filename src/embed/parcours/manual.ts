@@ -2,6 +2,7 @@ import type { DialectManual, ManualMessage } from '../manual';
 import { commandNames, commandSchemas } from './command-schemas';
 import { answerSchemas, eventNames, eventSchemas } from './event-schemas';
 import type { CommandName, EventName } from './protocol';
+import { laterVersion } from './protocol-versions';
 import { PROTOCOL_VERSION } from './read-command';
 
 const COMMANDS: Readonly<Record<CommandName, string>> = {
@@ -79,7 +80,7 @@ export const manual: DialectManual = {
   messages: [
     ...commandNames.map((name): ManualMessage => {
       const answer = name in answerSchemas ? answerSchemas[name as keyof typeof answerSchemas] : undefined;
-      const message = { name, direction: 'in', schema: commandSchemas[name], about: COMMANDS[name] } as const;
+      const message = { name, direction: 'in', schema: commandSchemas[name], about: COMMANDS[name], ...laterVersion('commands', name) } as const; // prettier-ignore
       return answer === undefined ? message : { ...message, answer };
     }),
     ...eventNames.map((name): ManualMessage => ({
@@ -87,6 +88,7 @@ export const manual: DialectManual = {
       direction: 'out',
       schema: eventSchemas[name],
       about: EVENTS[name],
+      ...laterVersion('events', name),
     })),
   ],
 };
