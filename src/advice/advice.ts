@@ -10,18 +10,18 @@ export interface Advice {
   readonly values: AdviceValues;
   /** The device's own words, such as `NameError: name 'x' isn't defined`. */
   readonly device: string;
-  /** What a button would write, where it is sure. */
+  /** The correction that a button would make, if the error leaves only one. */
   readonly mend?: Mend;
 }
 
-/** What an exception looks like. */
+/** An exception as MicroPython reports it. */
 export interface Failure {
   readonly type: string;
   readonly message: string;
   readonly traceback?: string;
 }
 
-/** Exceptions that have one text whatever the device says. */
+/** Exceptions with one text regardless of the device's message. */
 const PLAIN = [
   'SyntaxError', 'IndentationError', 'TypeError', 'ValueError', 'ZeroDivisionError', 'IndexError', 'MemoryError', 'OSError',
   'AssertionError', 'NotImplementedError', 'RuntimeError', 'StopIteration', 'UnicodeError', 'OverflowError',

@@ -1,6 +1,6 @@
 import type { AdviceKey } from './text';
 
-/** What a message of the device means: its words, the text that explains it, and what goes into that text. */
+/** One error message of MicroPython: its pattern, the text that explains it, and the values for that text. */
 export interface ErrorPattern {
   readonly type: string;
   readonly words: RegExp;

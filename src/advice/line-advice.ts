@@ -1,10 +1,10 @@
 import type { Source, SyntaxAdvice } from './syntax-advice';
 
-/** What stands in a line between quotation marks, and a comment. */
+/** Strings in quotation marks and comments of a line. */
 const TEXTS = /(["'])((?:\\.|(?!\1).)*)\1|#.*/g;
 const NUMBERS: readonly string[] = ['int', 'float', 'bool'];
 const FUNCTIONS: readonly string[] = ['function', 'bound_method', 'closure'];
-/** Words that brackets may follow and that are no functions. */
+/** Words that may be followed by brackets but are not functions. */
 const WORDS = /^(?:if|elif|while|for|in|and|or|not|return|print|lambda|yield|assert|del|is|else)$/;
 
 /** The part of the device's words that it leaves out, from the line that failed. In doubt nothing. */
@@ -21,7 +21,7 @@ export function lineAdvice(type: string, message: string, { text, line }: Source
   return name === null ? null : { key: 'error.argumentCount', values: { name, expected, given } };
 }
 
-/** The text that `int` was given, where it stands in the line. */
+/** The text given to `int` in the line. */
 function notWhole(written: string): SyntaxAdvice | null {
   const found = /\bint\(\s*(["'])((?:\\.|(?!\1).)*)\1\s*[,)]/.exec(written)?.[2];
   if (found === undefined) return null;

@@ -1,7 +1,7 @@
 import { slipIn } from './slips';
 import { curlyAdvice, withMend, type Source, type SyntaxAdvice } from './syntax-advice';
 
-/** What pupils write for the three values that Python writes with a capital letter, and for its commonest functions. */
+/** Common misspellings of Python's three capitalised values and of its most used functions. */
 const MEANT: Readonly<Record<string, string>> = {
   true: 'True', TRUE: 'True', wahr: 'True', vrai: 'True', vero: 'True',
   false: 'False', FALSE: 'False', falsch: 'False', faux: 'False', falso: 'False',
@@ -9,7 +9,7 @@ const MEANT: Readonly<Record<string, string>> = {
 }; // prettier-ignore
 const FUNCTIONS = /^(?:print|input|range|len|int|str|float|list|round|abs|min|max|sum)$/;
 
-/** What an unknown name was meant to be, where the name itself says it. */
+/** The name that an unknown one was meant to be, if the name itself shows it. */
 export function nameAdvice(type: string, message: string, { text, line }: Source): SyntaxAdvice | null {
   const name = type === 'NameError' ? (/^name '(.+)' (?:isn't|is not) defined/s.exec(message)?.[1] ?? null) : null;
   if (name === null) return null;

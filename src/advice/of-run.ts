@@ -6,7 +6,7 @@ import type { Source } from './syntax-advice';
 /** The programs of a board by their names. */
 type Files = Readonly<Record<string, string>>;
 
-/** What an error that ended a program means and what helps, as the console of the page says it; `null`: there is nothing to say. */
+/** Explains the error that ended a program and what helps, as the page's console does; `null`: no explanation. */
 export const adviceOfRun = (failure: Failure, files: Files): Texts | null =>
   adviceTexts(adviceFor(failure, sourceOf(failure, files)));
 

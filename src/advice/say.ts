@@ -5,7 +5,7 @@ import adviceWords from './words';
 
 export { adviceWords };
 
-/** An explanation in all languages; `null`: there is none. */
+/** An explanation in all languages; `null`: none. */
 export function adviceTexts({ key, values }: Advice): Texts | null {
   if (key === 'error.other') return null;
   const name = key.slice('error.'.length) as keyof typeof adviceWords;

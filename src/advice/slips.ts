@@ -7,13 +7,16 @@ export interface Slip {
   readonly line?: string;
 }
 
-/** A slip by its look. It is looked for in the line without texts and comments, `mend` rewrites the whole line. */
+/**
+ * A slip recognised by a pattern. It is searched for in the line without strings and comments; `mend` rewrites the
+ * whole line.
+ */
 interface Rule {
   readonly look: RegExp;
   readonly key: AdviceKey;
   readonly values?: (found: RegExpExecArray) => AdviceValues;
   readonly mend?: (line: string, found: RegExpExecArray) => string;
-  /** `mend` leaves texts in the line alone. */
+  /** `mend` leaves strings in the line alone. */
   readonly sparesTexts?: true;
 }
 
@@ -23,7 +26,7 @@ const KEYWORDS =
 const CAPITALS = KEYWORDS.split('|').flatMap((it) => [it.charAt(0).toUpperCase() + it.slice(1), it.toUpperCase()]);
 const word = (found: RegExpExecArray): AdviceValues => ({ word: found[1] ?? '' });
 
-/** What other languages, and children in their own, write for a word of Python. */
+/** Words of other languages, programming and natural, that pupils write for a Python word. */
 const MEANT: Readonly<Record<string, string>> = {
   wenn: 'if', falls: 'if', si: 'if', se: 'if', unless: 'if not', sonst: 'else', sinon: 'else', altrimenti: 'else',
   solange: 'while', tantque: 'while', mentre: 'while', until: 'while not', forever: 'while True', loop: 'while True', do: 'while True',
@@ -38,7 +41,7 @@ const SIGNS: Readonly<Record<string, string>> = {
 const SIGN = new RegExp(`[${Object.keys(SIGNS).join('')}]`);
 const COMPARED: Readonly<Record<string, string>> = { '=>': '>=', '=<': '<=', '=!': '!=', '<>': '!=' };
 const JOINED: Readonly<Record<string, string>> = { '&&': 'and', '||': 'or', '!': 'not' };
-/** Commands that stand alone, whatever a program calls its variables. */
+/** Commands that form a statement of their own, whatever variables a program has. */
 const COMMANDS =
   'sleep|delay|forward|backward|left|right|leftArc|rightArc|stop|setSpeed|setLED\\w*|setServo|motL|motR|input';
 const DOTTED = 'display|music|radio|button_[ab]|accelerometer|compass|pin\\d+|speech|random|math|audio|i2c|uart|robot';

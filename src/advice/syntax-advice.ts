@@ -9,19 +9,19 @@ export interface Source {
   readonly line: number;
 }
 
-/** What is wrong with a line that MicroPython calls "invalid syntax", as far as this can be found out. */
+/** Explanation of a line that MicroPython rejects with "invalid syntax", as far as its cause can be found. */
 export interface SyntaxAdvice {
   readonly key: AdviceKey;
   readonly values: AdviceValues;
   readonly mend?: Mend;
 }
 
-/** A change that mends a file. */
+/** A change that corrects a file. */
 export interface Mend {
   /** The whole file as it was and as it would be. */
   readonly before: string;
   readonly after: string;
-  /** What is written anew, as the button names it. */
+  /** The rewritten code, as shown on the button. */
   readonly code: string;
   /** A line more, not one written otherwise. */
   readonly adds?: true;
@@ -44,7 +44,7 @@ export function syntaxAdvice({ text, line }: Source): SyntaxAdvice | null {
   const lines = text.split(/\r\n?|\n/);
   const read = readUpTo(lines, line);
   const above = { text, line: read.codes.slice(0, line - 1).findLastIndex((it) => it.trim() !== '') + 1 };
-  // Below a bracket that is open, every line looks wrong: it comes first, wherever the device stopped.
+  // Below an open bracket every line looks wrong, so it is reported first, wherever the device stopped.
   const isWithin = read.open.some((it) => it.line < line);
   if (isWithin) return atLine(lines, read, { text, line });
   const before = above.line === 0 ? null : above;
@@ -56,7 +56,7 @@ export function syntaxAdvice({ text, line }: Source): SyntaxAdvice | null {
   );
 }
 
-/** What is wrong at a line, without the lines before. */
+/** Explains an error within one line, ignoring the lines before it. */
 function atLine(lines: readonly string[], read: Reading, { text, line }: Source): SyntaxAdvice | null {
   const code = read.codes[line - 1] ?? '';
   const written = lines[line - 1] ?? '';
@@ -89,7 +89,7 @@ export function withMend({ key, values, line: right }: Slip, text: string, line:
   return { key, values, mend: { before: text, after: lines.join('\n'), code: right.trim() } };
 }
 
-/** The first loop of TigerJython in a program that has not run yet: its line, counted from 1, and how it is mended. */
+/** The first TigerJython loop in a program that has not run yet: its line, counted from 1, and the correction. */
 export function repeatIn(text: string): { readonly line: number; readonly advice: SyntaxAdvice } | null {
   const lines = text.split('\n');
   const { codes } = readUpTo(lines, lines.length);
@@ -98,7 +98,7 @@ export function repeatIn(text: string): { readonly line: number; readonly advice
   return advice && { line, advice };
 }
 
-/** TigerJython's loop. The sentence names the line that does the same, the button writes all of them anew. */
+/** TigerJython's loop. The sentence names the equivalent line; the button rewrites all such loops. */
 function repeatAdvice(text: string, lines: readonly string[], line: number): SyntaxAdvice | null {
   const found = text.includes('\r') ? null : withoutRepeat(lines, readUpTo(lines, lines.length).codes, line);
   if (found === null) return null;
@@ -118,7 +118,7 @@ function quoteAdvice({ openQuote }: Reading, code: string, { text, line }: Sourc
   return withMend({ key: 'error.curlyQuotes', values: {}, line: right }, text, line);
 }
 
-/** Quotation marks of a word processor around a text; where others stand in the line too, nothing is rewritten. */
+/** Quotation marks of a word processor around a string; if the line has other ones too, nothing is rewritten. */
 export function curlyAdvice({ text, line }: Source): SyntaxAdvice {
   const written = text.split('\n')[line - 1] ?? '';
   const right = written.replace(/[“”„«»]/g, '"').replace(/[‘’‹›´`]/g, "'");
@@ -155,13 +155,13 @@ function colonAdvice(word: string, text: string, line: number): SyntaxAdvice {
   return withMend({ key: 'error.missingColon', values: { word }, ...(isSure ? { line: right } : {}) }, text, line);
 }
 
-/** What a line of code cannot end with. */
+/** Ends that a line of code cannot have. */
 const UNFINISHED =
   /(?:[-+*/%<>=&|^~@]|[^\d.\s]\s*\.|\b(?:and|or|not|in|is|import|from|as|del|assert|lambda|global|nonlocal))$/;
 
 /**
- * Something is missing at the end of the last line of code before. MicroPython 1.18 tells it of the next line with code.
- * (No MicroPython comes past such a line.)
+ * Something is missing at the end of the last line of code before. MicroPython 1.18 reports it for the next line with
+ * code. (No MicroPython gets past such a line.)
  */
 function endAbove(lines: readonly string[], codes: readonly string[], { text, line }: Source): SyntaxAdvice | null {
   const code = (codes[line - 1] ?? '').trim();
@@ -209,7 +209,7 @@ interface Reading {
   readonly open: readonly { readonly bracket: string; readonly line: number }[];
   /** The line of a text that does not end on it. */
   readonly openQuote: number | null;
-  /** The line in which a text in three quotation marks begins that goes on behind it. */
+  /** The line in which a triple-quoted string begins that continues past that line. */
   readonly openText: number | null;
   /** Two brackets in that line that do not fit. */
   readonly mixed: { readonly open: string; readonly close: string } | null;

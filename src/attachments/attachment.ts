@@ -13,17 +13,17 @@ export interface AttachmentType {
   /** Used in course files and on the command line. */
   readonly id: string;
   readonly title: Texts;
-  /** What its servo's angles mean, in a sentence. */
+  /** One sentence on the meaning of its servo's angles. */
   readonly about: Texts;
   /**
-   * Where its servo stands at the start, in degrees: as on a robot that was just switched on. Nothing holds a servo
-   * without a signal, so fork and shovel have sunk to the floor, the claw stands open and the sensor looks ahead.
+   * Angle of its servo at the start, in degrees: as on a robot that was just switched on. A servo without a signal
+   * exerts no force, so fork and shovel have sunk to the floor, the claw is open and the sensor faces ahead.
    */
   readonly restDeg: number;
   attach(context: AttachmentContext): Attachment;
 }
 
-/** What an attachment is fixed to. */
+/** The robot's side of an attachment: the chassis and everything else it is fixed to. */
 export interface AttachmentContext {
   readonly chassis: Chassis;
   /** Robot frame, at the size of the real robot. */
@@ -36,16 +36,16 @@ export interface AttachmentContext {
 export interface Attachment {
   /** Moves it to where its servo is now, in degrees. */
   move(angleDeg: number): void;
-  /** Whether it holds or carries a block. */
+  /** True while it holds or carries a block. */
   isHolding(): boolean;
-  /** How far it turns the distance sensor away from forward, in rad, left positive; 0 for most. */
+  /** Angle by which it turns the distance sensor away from forward, in rad, left positive; 0 for most. */
   sonarTurnRad(): number;
   /** The visible pose of its moving parts. */
   pose(): AttachmentPose;
   readonly remove: Stop;
 }
 
-/** Where the moving parts of an attachment are. */
+/** Positions of the moving parts of an attachment. */
 export interface AttachmentPose {
   /** By part: how far it has turned from its place in the drawing, in rad, counter-clockwise seen from above. */
   readonly turnRad: Readonly<Record<string, number>>;
@@ -59,9 +59,9 @@ export interface AttachmentState extends AttachmentPose {
   readonly type: string;
   /** The servo port that moves it. */
   readonly port: string;
-  /** Where it is fixed, robot frame, at the size of the real robot. */
+  /** Mounting point, robot frame, at the size of the real robot. */
   readonly atMm: Vec;
-  /** Where its servo is now, on its way to the angle that was set. */
+  /** Current angle of its servo while it moves to the angle that was set. */
   readonly angleDeg: number;
   readonly isHolding: boolean;
 }

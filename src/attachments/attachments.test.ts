@@ -8,7 +8,7 @@ import { putOnFloor, type Floor } from '#robots/testing/floor';
 import { scaledBody } from '#simulation/scaled-body';
 import type { BlockHandle, WallShape } from '#world/shapes';
 
-/** How a program drives and turns a servo on one kind of robot. */
+/** Program lines that drive and turn a servo on one kind of robot. */
 interface Controls {
   readonly build: RobotBuild;
   /** Two servo ports. */
@@ -147,7 +147,7 @@ describe.each(named)('Claw on a %s', (_name, controls) => {
     turn(100);
     const gripped = at();
     drive(-SLOW, 1000);
-    expect(at().aheadMm - gripped.aheadMm).toBeLessThan(40); // it comes along, held or between the jaws
+    expect(at().aheadMm - gripped.aheadMm).toBeLessThan(40); // the block moves with the robot, held or between the jaws
     expect(attachment().isHolding).toBe(sizeMm >= 30);
   });
 

@@ -1,13 +1,13 @@
 /**
- * The attachments as seen from above, one SVG document each. Loaded late: only code that shows one needs it.
+ * The attachments as seen from above, one SVG document each. Loaded on demand: only code that shows one needs it.
  *
  * Rules: 1 unit = 1 mm of the real robot, front up, origin where it is fixed to the robot (`mountMm`); `viewBox` around
  * everything. The groups right below the root are its parts. Those named like a part of the attachment's pose move:
  * - `jaw-left`, `jaw-right` turn about their `data-pivot`, "x y"; `data-rest` is how far, in degrees counter-clockwise,
  *   they are turned while nothing runs;
  * - `fork` is raised;
- * - `sonar` stands for the distance sensor: a robot with a sensor of its own turns that one instead.
- * All others stand still.
+ * - `sonar` represents the distance sensor: a robot with a sensor of its own turns that one instead. All other groups
+ *   are fixed.
  */
 import claw from './claw/claw.svg?raw';
 import forklift from './forklift/forklift.svg?raw';

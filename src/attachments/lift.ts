@@ -9,7 +9,7 @@ import { onRobot, share } from './mount';
 export const UP_DEG = 0;
 export const DOWN_DEG = 110;
 
-/** How high the plate goes. Chosen: as high as the block of the kits, 5 cm, less the arm's tilt. */
+/** Highest position of the plate, in mm. Chosen: the height of the kits' block, 5 cm, less the arm's tilt. */
 export const TOP_MM = 45;
 
 /** From this height on a block no longer scrapes over the floor. Chosen: the unevenness of a school floor. */

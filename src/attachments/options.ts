@@ -2,7 +2,7 @@ import type { Option } from '#core/option';
 import { inEvery } from '#core/words';
 import words from './words';
 
-/** What can hang on a servo port, by id, the most usual first; `none` leaves it empty. */
+/** Titles of the attachments for a servo port, by id, the most usual first; `none` leaves it empty. */
 export const attachmentTitles = words;
 
 /** The options of a robot's servo ports: what hangs on each. Light: the page loads it before anything runs. */

@@ -7,11 +7,11 @@ import { findAttachment } from './types';
 
 /** The servo ports of one robot with what hangs on them. */
 export interface ServoPorts {
-  /** The program sets a servo: degrees, 0 … 180, clamped. It goes there at its own speed. */
+  /** Sets a servo's target angle for the program: degrees, 0 … 180, clamped. The servo turns at its own speed. */
   set(port: string, angleDeg: number): void;
   /** Call it after each step of the world. */
   step(): void;
-  /** How far the distance sensor looks away from forward, in rad, left positive. */
+  /** Angle by which the distance sensor is turned away from forward, in rad, left positive. */
   sonarTurnRad(): number;
   /** Angle by port as the program set it, for each servo that was ever set. */
   servos(): Readonly<Record<string, number>>;
@@ -26,7 +26,7 @@ const BARE_DEG = 90;
  * Puts a servo on each port, and on the servo the attachment that the option of the same name chooses.
  *
  * All of them are fixed to the same place, so two go together as in the kit with two servos: a lift and a claw lift
- * what the claw holds, a pusher's sensor turns above a claw. Two of the same kind lie on top of each other.
+ * what the claw holds, a pusher's sensor turns above a claw. Two of the same kind overlap completely.
  *
  * @param mount `null`: servos only
  */

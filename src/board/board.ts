@@ -91,7 +91,7 @@ export class Board {
     this.motorOutputs = type.motors && this.createMotors(type.motors);
   }
 
-  /** Whether the firmware has names that came after v2.1.2. */
+  /** True if the firmware has a feature added after v2.1.2. */
   has(feature: Feature): boolean {
     return this.firmware.features.includes(feature);
   }

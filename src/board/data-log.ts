@@ -25,8 +25,8 @@ const MILLISECONDS = 1;
 export const LOG_BYTES = 118_780;
 
 /**
- * The table in the flash memory. Columns are only ever added, at the end; the timestamp comes first if it is requested
- * before anything is logged. The table survives resets. Source: codal-microbit-v2 MicroBitLog.cpp.
+ * The table in the flash memory. Columns are only ever added, at the end; the timestamp is the first if it is
+ * requested before anything is logged. The table survives resets. Source: codal-microbit-v2 MicroBitLog.cpp.
  */
 export class DataLog {
   private text = '';

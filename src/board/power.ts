@@ -1,7 +1,7 @@
 /** The power state of the board. */
 export type PowerState = 'on' | 'asleep' | 'off';
 
-/** What can wake a sleeping board: a pin or a button. */
+/** A pin or button that can wake a sleeping board. */
 export interface WakeSource {
   /** Called when the board falls asleep; returns a function that becomes true to wake the board. */
   arm(): () => boolean;

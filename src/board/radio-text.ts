@@ -1,4 +1,4 @@
-/** What `radio.send` puts before the UTF-8 of its text: micropython-microbit-v2 modradio.c. */
+/** Bytes that `radio.send` puts before the UTF-8 of its text: micropython-microbit-v2 modradio.c. */
 const TEXT_PREFIX: readonly number[] = [1, 0, 1];
 
 /** The packet that `radio.send` makes of a text. */

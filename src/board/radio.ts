@@ -1,11 +1,11 @@
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 
-/** Settings of the radio. Boards hear each other if they share channel, address, group and data rate. */
+/** Settings of the radio. Boards receive each other if they share channel, address, group and data rate. */
 export interface RadioConfig {
   /** Longest message in bytes, 1 … 251. */
   readonly length: number;
-  /** How many messages of full length wait to be received, 1 … 254. */
+  /** Capacity of the receive queue in messages of full length, 1 … 254. */
   readonly queue: number;
   /** 0 … 83, 1 MHz apart. */
   readonly channel: number;
@@ -39,7 +39,7 @@ export interface RadioMessage {
 }
 
 const RSSI_DBM = -50; // chosen: another board some metres away in the same room
-const OVERHEAD_BYTES = 6; // drv_radio.c: length, strength and time are kept with each message
+const OVERHEAD_BYTES = 6; // drv_radio.c: length, strength and time are stored with each message
 
 /**
  * The radio: packets out, packets in. Senders outside are on the same channel and in the same group.

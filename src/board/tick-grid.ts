@@ -1,6 +1,6 @@
 import type { Clock } from '#core/clock';
 
-/** One participant's way to request ticks. */
+/** Access of one participant to the ticks. */
 export interface TickSlot {
   /** Requests ticks from the next one on, until `tick` says that it needs no more. */
   wake(): void;

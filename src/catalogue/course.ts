@@ -36,19 +36,19 @@ export interface CourseDevice {
   readonly solution: Texts;
 }
 
-/** How hard a course is: 1 easy, 2 medium, 3 hard. */
+/** Difficulty of a course: 1 easy, 2 medium, 3 hard. */
 export type CourseLevel = 1 | 2 | 3;
 
-/** What courses are about, in the order of the gallery. */
+/** Topics of courses, in the order of the gallery. */
 export const courseKinds = ['free', 'line', 'drive', 'obstacles', 'maze', 'blocks'] as const;
 export type CourseKind = (typeof courseKinds)[number];
 
-/** What a course is called, what it says about itself, and what it asks for. */
+/** Texts of a course: its name, its description and its task. */
 export interface CourseTexts {
   readonly name: string;
   /** One or two sentences on what it is about. */
   readonly text: string;
-  /** What the pupil is to do. */
+  /** The pupil's task. */
   readonly task: string;
   /** Opened one by one, the gentlest first. */
   readonly hints?: readonly string[];
@@ -69,7 +69,7 @@ export interface CourseFiles {
   readonly scenes: Readonly<Record<string, Scene>>;
   /** `course.json`. */
   readonly data: Readonly<Record<string, string>>;
-  /** `main.py`, with the texts about the course; where it says nothing, the scene's name and description stand in. */
+  /** `main.py`, with the texts about the course; those it lacks are the scene's name and description. */
   readonly main: Readonly<Record<string, ProgramWords>>;
   /** `start.py`. */
   readonly start: Readonly<Record<string, Texts>>;
@@ -114,7 +114,7 @@ function readCourse(folder: string, { scenes, data, main, start, others }: Cours
   return [{ id, place, level, kind, scene, program, solution, texts, devices: all, isRandom: false }];
 }
 
-/** What `course.json` holds. */
+/** Contents of `course.json`. */
 type CourseData = Partial<Pick<Course, 'place' | 'level' | 'kind'>> & {
   readonly devices?: readonly { readonly name: string; readonly robot: string }[];
 };

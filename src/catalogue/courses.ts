@@ -1,22 +1,22 @@
 /**
- * The courses of the gallery. Each is a folder in `courses/`, and everything about it is in there:
+ * The courses of the gallery. Each is a folder in `courses/` with everything about it:
  *
- * - `scene.json`: the arena, and where the robot starts (`#scene/scene`). `name` and `description` are for whoever
- *   opens the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
+ * - `scene.json`: the arena, and where the robot starts (`#scene/scene`). `name` and `description` are for those who
+ *   open the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
  * - `main.py`: the program that solves it, in English.
- * - `start.py`: what the pupil finds on opening it, a beginning that runs and leaves the task to them. Without it they
- *   find the solution.
+ * - `start.py`: the program on opening it, a beginning that runs and leaves the task to the pupil. Without it the
+ *   solution is shown.
  * - `course.json`: `{ "place": 4, "level": 2, "kind": "line" }`: its place in the list (lowest first), how hard it is
  *   (1 … 3), what it is about (`courseKinds`). With several devices also
  *   `"devices": [{ "name": "robot", "robot": "auto" }, { "name": "remote", "robot": "none" }]`, the first one with `main.py` and `start.py`.
- * - `remote.py`, `remote-start.py`: the same for a further device called so. The words of that name are its name.
- * - `inputs.json`: what is pressed and tilted while its solution is recorded, where that needs somebody.
- * - `words/de.json`, `words/fr.json` …: `{ "name": "…", "text": "…", "task": "…", "program": { … } }`: what it is called, one
- *   or two sentences on it, what is to be done, and the comments and strings of its programs (`build/programs.ts`).
+ * - `remote.py`, `remote-start.py`: the same for a further device called so. The texts of that name are its name.
+ * - `inputs.json`: button presses and tilts while its solution is recorded, if it needs any.
+ * - `words/de.json`, `words/fr.json` …: `{ "name": "…", "text": "…", "task": "…", "program": { … } }`: its name, one
+ *   or two sentences on it, its task, and the comments and strings of its programs (`build/programs.ts`).
  *
- * How its solution drives is recorded in `courses/golden.json`.
+ * The drive of its solution is recorded in `courses/golden.json`.
  *
- * On the page fetched late, with the list.
+ * The page loads this on demand, with the list.
  */
 import { coursesOf, type Course, type CourseFiles } from './course';
 

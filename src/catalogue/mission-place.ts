@@ -13,5 +13,5 @@ export interface Mission {
   readonly news: string;
 }
 
-/** What a mission for a robot is called in projects and links. */
+/** Id of a mission for one robot in projects and links. */
 export const missionId = (name: string, robot: MissionRobot): string => `${name}-${robot}`;

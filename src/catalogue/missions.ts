@@ -5,12 +5,12 @@
  * - `scene.json`: the course, the same for every robot.
  * - `mission.json`: `{ "new": "forward()", "robots": { "callibot": { "stars": [9, 6], "values": { "drive": 1700 } }, … } }`: the
  *   piece of Python that it brings, and for each robot the times (s) for two and three stars and what its programs need.
- * - `main.py`: the program that solves it, in English. `$drive` stands for the robot's value of that name, `$module` for
- *   its library.
- * - `start.py`: what the pupil finds on opening it.
+ * - `main.py`: the program that solves it, in English. `$drive` is replaced by the robot's value of that name,
+ *   `$module` by its library.
+ * - `start.py`: the program on opening it.
  * - `words/de.json`, …: as those of a course (`courses.ts`), and `hints`.
  *
- * On the page fetched late, with the list; `first-course.ts` there holds the one that comes with the page.
+ * The page loads this on demand, with the list; its `first-course.ts` holds the one that is part of the page.
  */
 import { missionsOf, type MissionCourse, type MissionFiles } from './mission';
 import type { Mission, MissionRobot } from './mission-place';

@@ -3,13 +3,13 @@ import type { Course } from './course';
 import { courses } from './courses';
 import { missions } from './missions';
 
-/** The ready course or mission of that id; `null`: there is none. */
+/** The ready course or mission with that id; `null`: none. */
 export const readyCourseOf = (id: string | null): Course | null =>
   [...courses, ...missions].find((course) => course.id === id) ?? null;
 
 /**
- * A ready course as a task for a class. One that is opened with its solution hands nothing out: whoever has found the
- * solution has worked.
+ * A ready course as a task for a class. One that is opened with its solution hands nothing out: finding the solution
+ * is the work.
  */
 export const withStart = (project: Project, course: Course): Project =>
   Object.values(course.solution).includes(project.files[0]?.text ?? '')

@@ -12,7 +12,7 @@ import { taskOf } from './task/read-task';
 import { projectOfTask } from './task/write-task';
 import { ahead, firmware, projectWith, sceneWith, targetAt } from './testing/tasks';
 
-/** Every so many of those that can be read are run, too. */
+/** One in this many readable cases is run, too. */
 const RUN_EVERY = 10;
 /** Only against an endless loop. */
 const TIME_LIMIT_MS = 120_000 + 20 * fuzzRuns;
@@ -54,7 +54,7 @@ const handIn: Carried = {
   ...{ version: 1, task: 'task-1', alias: 'Anna', verdict: 'passed', tries: 3, hash: 'abc', remarks: ['hand'] },
 };
 
-/** What a project file carries is an object. */
+/** The contents of a project file are an object. */
 function changed(data: Carried, rng: Rng): Carried {
   const value = mutatedTree(data, rng, false);
   return isRecord(value) ? value : {};

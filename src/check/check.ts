@@ -13,11 +13,13 @@ import { keptLines } from './task/kept-lines';
 import { isUnlocked } from './task/unlocked';
 import { isFact, type Check, type ClassTask, type Fact } from './task/task';
 
-/** How hand-ins are run. */
+/** Settings for running hand-ins. */
 export interface Checker {
   /** The compiled VM. */
   readonly firmware: WebAssembly.Module;
-  /** Called often while a world runs, and at its beginning, with its place in the task: who watches sees that it goes on. */
+  /**
+   * Called often while a world runs, and at its beginning, with its place in the task: a sign of progress for watchers.
+   */
   readonly beat?: (world: number) => void;
   /** The `main.py` that was handed out, as pupils may have found it in other languages. */
   readonly starts?: readonly string[];
@@ -29,8 +31,9 @@ export interface Checker {
 }
 
 /**
- * Checks a hand-in: its program is run in every world of the task, and looked at. The same task and hand-in give the same
- * result on every machine. Everything but the programs is the task's; what the pupil had else is told.
+ * Checks a hand-in: runs its program in every world of the task, and examines its text. The same task and hand-in
+ * give the same result on every machine. Everything except the programs is the task's; the pupil's other differences
+ * are reported.
  */
 export async function check(task: ClassTask, handIn: HandIn, checker: Checker): Promise<CheckResult> {
   const { firmware, beat, lost, starts = [] } = checker;
@@ -107,7 +110,7 @@ function starsOf({ stars }: ClassTask, passed: boolean, points: number): number 
   return passed ? 1 + stars.filter((wanted) => points >= wanted).length : 0;
 }
 
-/** Whether the programs are still those that were handed out; those of further devices in whatever language. */
+/** True if the programs are still those that were handed out; those of further devices in any language. */
 function isUnchanged({ project }: ClassTask, [main, ...others]: readonly Files[], starts: readonly string[]): boolean {
   const [own, ...ownOthers] = programsOf(project, project);
   return (
@@ -129,7 +132,7 @@ function remarksOn(
   };
   const [visible] = worlds;
   const other = otherTask(task, handIn);
-  // Whatever differs from this task was right there: nobody is suspected of it.
+  // Differences from this task are correct in the other one: they raise no suspicion.
   if (other !== null) return [{ code: 'other-task', params: { task: other } }];
   if ((hasCourse && !isSameCourse(task.project.scene, project.scene)) || said?.remarks.includes('course') === true)
     tell('course');

@@ -7,7 +7,7 @@ import { ahead, checked, sceneWith, targetAt, taskWith } from './testing/tasks';
 const scene = sceneWith([targetAt(700, 450), targetAt(900, 800, 'far')], { task: { seconds: null, noTouch: false } });
 const near = { start: { at: [220, 450], heading: 3 } };
 
-/** What is said of these hidden worlds, when the model solution drives ahead. */
+/** The remarks on these hidden worlds, when the model solution drives ahead. */
 async function told(worlds: readonly object[], program = ahead(4000)) {
   const data: Carried = {
     worlds,

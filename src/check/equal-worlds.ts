@@ -6,13 +6,14 @@ import { worldName, type ClassTask, type WorldVariant } from './task/task';
 export interface EqualWorlds {
   /** As people call it. */
   readonly id: string;
-  /** The first world that comes out the same. */
+  /** The first world with the same result. */
   readonly other: string;
 }
 
 /**
- * The hidden worlds that hide nothing: who knows the way of another world by heart passes there, too. What is done to the
- * board differs on purpose, and a good solution may answer two buttons alike: such worlds are compared only with one another.
+ * The hidden worlds that test nothing new: a program written for another world alone passes there, too. Inputs to the
+ * board differ on purpose, and a good solution may answer two buttons alike: such worlds are compared only with one
+ * another.
  *
  * @param solution the result of the task's model solution
  */

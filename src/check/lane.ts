@@ -15,29 +15,29 @@ export type CheckAnswer = { readonly result: CheckResult } | { readonly broken: 
 /** A thread that checks one hand-in after the other. */
 export interface CheckThread {
   ask(request: CheckRequest): void;
-  /** How often it has shown that time passes, and the place of the world that it runs. */
+  /** Counter of signs of progress, and the place of the world that is running. */
   pulse(): { readonly beat: number; readonly world: number };
   stop(): void;
 }
 
-/** Starts a thread. `heard` gets its answers; a thread that has ended is broken. */
+/** Starts a thread. `heard` receives its answers; a thread that has ended is broken. */
 export type StartThread = (heard: (answer: CheckAnswer) => void) => CheckThread;
 
-/** Calls something every so many ms of wall time; what it returns ends that. */
+/** Calls something at this interval, in ms of wall time; returns a function that stops it. */
 export type Every = (ms: number, act: () => void) => () => void;
 
 /**
- * After so many ms of wall time without a heartbeat, a program is stuck inside one call that never ends, if it is so a second
- * time, too: the machine may have been busy.
+ * After this many ms of wall time without a heartbeat a program counts as stuck inside one call that never ends, if
+ * it happens a second time, too: the machine may have been busy.
  */
 export const STUCK_MS = 10_000;
 
-/** So long may a run last on any machine, in ms of wall time. Chosen: what a simulation must be slower than to be of no use. */
+/** Longest duration of a run on any machine, in ms of wall time. Chosen: a simulation slower than that is of no use. */
 const LONG_MS = 120_000;
 
 const LOOK_MS = 200;
 
-/** How a request ended: with an answer, or with the thread's end. */
+/** End of a request: with an answer, or with the end of the thread. */
 type Ending = { readonly result: CheckResult } | { readonly reason: Reason; readonly world: number };
 
 /** A thread that is replaced when a hand-in has broken it or is stuck in it. */

@@ -3,7 +3,7 @@ import type { Point } from '#scene/scene';
 import type { Unread } from './hand-in/unread';
 import type { Reason as GoalReason } from '#simulation/task/verdict';
 
-/** What became of a hand-in: plain data without wall times, so that equal work gives equal results. */
+/** Result of checking a hand-in: plain data without wall times, so that equal work gives equal results. */
 export interface CheckResult {
   readonly passed: boolean;
   readonly points: number;
@@ -14,11 +14,11 @@ export interface CheckResult {
   /** Each world of the task, in its order; none for what cannot be run. */
   readonly worlds: readonly WorldResult[];
   readonly remarks: readonly Remark[];
-  /** What twins have in common; empty for a program that was handed out so. */
+  /** The common part of duplicates; empty for a program that was handed out like this. */
   readonly twin: string;
 }
 
-/** How a check of the task turned out: in all worlds, or in enough of them. */
+/** Result of a check of the task: passed in all worlds, or in enough of them. */
 export interface CheckOutcome {
   readonly id: string;
   readonly passed: boolean;
@@ -26,7 +26,7 @@ export interface CheckOutcome {
   readonly reason: Reason | null;
 }
 
-/** How it went in a world. */
+/** Result in one world. */
 export interface WorldResult {
   readonly id: string;
   readonly hidden: boolean;
@@ -40,9 +40,9 @@ export interface WorldResult {
   readonly held: readonly string[];
   /** Why those that a run decides do not hold, by their ids. */
   readonly missed: Readonly<Record<string, Reason>>;
-  /** Fingerprint of the robots' ways until the run was over. */
+  /** Fingerprint of the robots' trails until the end of the run. */
   readonly hash: string;
-  /** The way of the first robot in mm: pieces, where the hand did not lift it. */
+  /** The trail of the first robot in mm: pieces, without the parts where the hand lifted it. */
   readonly trail: readonly (readonly Point[])[];
   /** Simulated ms at which it was at each of these points. */
   readonly trailMs: readonly (readonly number[])[];
@@ -51,9 +51,9 @@ export interface WorldResult {
 /** Why a check does not hold. */
 export interface Reason {
   readonly code: ReasonCode;
-  /** What the sentence about it names. */
+  /** Values for the sentence about it. */
   readonly params: Readonly<Record<string, string | number>>;
-  /** Of an error of the program: what it means and what helps, as the console of the page says it. */
+  /** For an error of the program: its explanation and remedy, as the page's console gives them. */
   readonly advice?: Texts;
 }
 
@@ -61,7 +61,7 @@ export interface Reason {
 export const reasonCodes = [
   // of the course's goals
   ...(['time', 'forbidden', 'spikes', 'touched', 'robot', 'left', 'open', 'helped'] as const),
-  // of a run in which nothing came of them
+  // of a run that ended without a result
   ...(['empty', 'unmoved', 'waits'] as const),
   // of the other checks
   ...(['stop', 'laps', 'checkpoints', 'touches', 'slow'] as const),
@@ -72,7 +72,7 @@ export const reasonCodes = [
 ] as const;
 export type ReasonCode = (typeof reasonCodes)[number];
 
-/** The codes of what a run may still come to. */
+/** The codes of requirements that a run may still meet. */
 const unreached: readonly ReasonCode[] = [
   ...(['open', 'empty', 'unmoved', 'waits', 'stop', 'laps', 'checkpoints'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
@@ -84,7 +84,7 @@ export const isUnreached = ({ code }: Reason): boolean => unreached.includes(cod
 /** All of the judge's reasons are among them. */
 export const goalReason = (reason: GoalReason): ReasonCode => reason;
 
-/** Something that the teacher is told. */
+/** Something reported to the teacher. */
 export interface Remark {
   readonly code: RemarkCode;
   readonly params: Readonly<Record<string, string | number>>;
@@ -94,14 +94,14 @@ export interface Remark {
 export const remarkCodes = [
   // what cannot be read, or is for another task
   ...(['unreadable', 'other-task'] as const),
-  // told by the pupil's page
+  // reported by the pupil's page
   ...(['hand', 'outside'] as const),
   // found by comparing
   ...(['course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'unchanged', 'twins'] as const),
 ] as const;
 export type RemarkCode = (typeof remarkCodes)[number];
 
-/** The result of something that is no hand-in. */
+/** The result of something that is not a hand-in. */
 export const unreadable = (checks: readonly { readonly id: string }[], { code, params }: Unread): CheckResult => ({
   passed: false,
   points: 0,

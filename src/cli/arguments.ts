@@ -28,9 +28,9 @@ export interface RunOptions {
   readonly myRobot: string | null;
   readonly input: string | null;
   readonly trace: string | null;
-  /** Where the run is recorded, to be run again by `parcours replay`. */
+  /** File for the recording of the run, to be repeated by `parcours replay`. */
   readonly record: string | null;
-  /** Where the board's data log goes as CSV. */
+  /** File for the board's data log as CSV. */
   readonly log: string | null;
   /** Ends when the course's task is decided. */
   readonly untilVerdict: boolean;
@@ -46,11 +46,11 @@ export interface RunOptions {
 export interface ProbeOptions {
   /** The saved output of a board. */
   readonly board: string;
-  /** That of another; `null`: the same programs are run here. */
+  /** The table of another board; `null`: the same programs are run here. */
   readonly other: string | null;
 }
 
-/** Where a repeated run shall stop. */
+/** The point at which a repeated run stops. */
 export type StopAsked =
   { readonly timeUs: number } | { readonly file: string; readonly line: number; readonly hit: number };
 
@@ -195,7 +195,7 @@ function replayCommand(
 
 const REPLAY_OPTIONS: readonly string[] = ['at', 'line', 'hit', 'device', 'json', 'quiet'];
 
-/** Where a replay stops, or what is wrong with it. */
+/** The point at which a replay stops, or the problem with it. */
 function readStop(given: ReadonlyMap<Text, string[]>): StopAsked | string | null {
   const last = (name: Text): string | undefined => given.get(name)?.at(-1);
   const [at, place, hit] = [last('at'), last('line'), last('hit')];

@@ -327,7 +327,7 @@ describe('a run that does not end', { timeout: 40_000 }, () => {
     const program = file('long.py', "print('go')\nsum(map(sum, [range(10**9)] * 100))");
     const { code, out } = parcours('run', program, '--for', '3s', '--json');
     expect(code).toBe(0);
-    // The limit comes with the next few µs of work, which are charged together.
+    // The limit takes effect with the next few µs of work, which are charged together.
     const simulatedMs: unknown = expect.closeTo(3000, 1);
     expect(lastLine(out)).toMatchObject({ ended: 'time-limit', console: 'go\n', simulatedMs });
   });

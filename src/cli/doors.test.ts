@@ -9,7 +9,7 @@ import { useFolder } from './testing/parcours';
 
 const { file } = useFolder();
 
-/** What runs, or why nothing does. */
+/** The program that runs, or the reason why none does. */
 async function run(word: string): Promise<string> {
   const command = parseCommand(['run', word]) as { readonly options: RunOptions };
   const read = await readRunFiles(command.options);
@@ -32,7 +32,7 @@ async function handIns(word: string): Promise<string> {
   return found.join(', ');
 }
 
-/** What each file is where it is run, as a task, and as a hand-in. */
+/** The meaning of each file as a program to run, as a task, and as a hand-in. */
 const files: Readonly<Record<string, readonly [run: string, task: string, handIn: string]>> = {
   'anna.py': [': forward()', 'not JSON', 'anna forward()'],
   'anna.parcours.json': ['Hall: forward()', 'Hall', 'anna forward()'],

@@ -11,10 +11,10 @@ export interface Output {
 }
 
 /**
- * What is wrong with files that a command is to write, `null` for nothing: none may be one that it reads, by whatever name
- * or link, nor a program, nor the same as another one. Into /dev/null and its like anything may be written.
+ * Finds the problem with files that a command is to write, `null` for none: no file may be one that it reads, under
+ * any name or link, nor a program, nor the same as another one. Any number of outputs may go to /dev/null and its like.
  *
- * @param reads files that the command reads; what does not exist is none
+ * @param reads files that the command reads; missing ones are ignored
  */
 export function outputProblem(outputs: readonly Output[], reads: readonly string[], command: string): string | null {
   const asked = outputs.flatMap(({ option, path }) => (path === null ? [] : [{ option, path }]));
@@ -33,7 +33,7 @@ export function outputProblem(outputs: readonly Output[], reads: readonly string
   return null;
 }
 
-/** What two names have in common that lead to one file: where it lies behind links, and what it is on its disk. */
+/** Identities of a file, equal for two names of one file: its path behind links, and its number on its disk. */
 function identities(path: string): readonly string[] {
   try {
     const { dev, ino } = statSync(path, { bigint: true });
@@ -43,7 +43,7 @@ function identities(path: string): readonly string[] {
   }
 }
 
-/** Where a file will be that is not there yet. */
+/** The future path of a file that does not exist yet. */
 function placeOf(path: string): string {
   try {
     return join(realpathSync(dirname(resolve(path))), basename(path));

@@ -6,7 +6,7 @@ import { msOf } from '#simulation/report';
 /** A packet that was sent, for `--json`: as text when `radio.send` made it, else its bytes, two signs each. */
 export type SentPacket = { readonly atMs: number } & ({ readonly text: string } | { readonly hex: string });
 
-/** What a device has sent since it was last told, and how many packets it has sent in all. */
+/** Packets of a device since the last report, and the total number of its packets. */
 export interface RadioNews {
   readonly packets: readonly SentPacket[];
   readonly count: number;
@@ -35,7 +35,7 @@ export class RadioKeeper {
     this.packets.push(text === null ? { atMs, hex: hexOf(bytes) } : { atMs, text: new TextDecoder().decode(text) });
   }
 
-  /** What is new since the last call. */
+  /** Returns the news since the last call. */
   take(): RadioNews {
     const { packets, count } = this;
     this.packets = [];

@@ -26,7 +26,7 @@ import { reasonOf } from './reason-of';
 /** The files of a run, read and checked. */
 export interface RunFiles extends Work {
   readonly scene: Scene;
-  /** What the devices that `--device` adds have, in their order: a program, or the first device's of a project. */
+  /** Programs of the devices that `--device` adds, in their order: a program, or the first device's of a project. */
   readonly added: readonly Pick<Work, 'files' | 'settings'>[];
   readonly inputs: readonly InputEvent[];
   /** The measured robot that `--my-robot` lets drive; `null`: the project's, or the one of the type. */
@@ -55,7 +55,7 @@ export async function readRunFiles(options: RunOptions): Promise<RunFiles | { re
   }
 }
 
-/** The text of a file of at most so many bytes, or one line about what is wrong with it. */
+/** The text of a file of at most this many bytes, or one line about the problem with it. */
 export function readLimited(path: string, maxBytes: number): { readonly text: string } | { readonly problem: string } {
   try {
     return { text: readText(path, maxBytes) };
@@ -80,7 +80,7 @@ function refuse(path: string, what: string): never {
   );
 }
 
-/** The program, or the project that stands in its place, and further files on its board. */
+/** The program or project, and further files on its board. */
 async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Promise<Work> {
   const read = isAddress(program) ? await workOfAddress(program) : workOfFile(program);
   if ('problem' in read) return refuse(isAddress(program) ? shortened(program) : program, read.problem);
@@ -107,7 +107,7 @@ function addFile(files: Record<string, string>, path: string): void {
   files[name] = readText(path, limits.program);
 }
 
-/** Whether a word can only be the id of a ready course: a folder of that name is none. */
+/** True if a word can only be the id of a ready course: a folder of that name is none. */
 export const isNoFile = (path: string): boolean => !existsSync(path) || statSync(path).isDirectory();
 
 /** A course, that of a project or of a link, or a ready one by its id. */
@@ -120,7 +120,7 @@ async function readScene(word: string): Promise<Scene> {
   if (document.kind === 'project') return document.project.scene;
   const parsed = parseScene(text);
   if ('scene' in parsed) return parsed.scene;
-  // A project is told what is wrong with it, not that it is none.
+  // The problems inside a project are reported, instead of "not a project".
   const { problems } = document.kind === 'unreadable' && PROJECT.test(text) ? document : parsed;
   return refuse(word, problems.map((problem) => problem.message).join('\n'));
 }
@@ -146,7 +146,7 @@ function readMyRobot(path: string): MyRobot {
   );
 }
 
-/** The bytes of a file, at most one more than these: what is no ordinary file tells no size, and may have no end. */
+/** The bytes of a file, at most one more than these: the size of special files is unknown, and they may have no end. */
 function readAtMost(path: string, maxBytes: number): Uint8Array {
   const file = openSync(path, 'r');
   try {

@@ -8,7 +8,7 @@ import { filesByName, type Project, type ProjectSettings } from '#project/projec
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
 
-/** What stands in the place of a program: a program alone, or a project with what belongs to it. */
+/** The work to run: a program alone, or a project with everything that belongs to it. */
 export interface Work {
   readonly files: Readonly<Record<string, string>>;
   /** `null`: the work has no course. */
@@ -35,7 +35,7 @@ export const onlyProgram = (files: Work['files']): Work => ({
 
 type Read = Work | { readonly problem: string };
 
-/** Whether the words on the command line are an address rather than the name of a file. */
+/** True if the words on the command line are an address rather than the name of a file. */
 export const isAddress = (text: string): boolean => /^https?:\/\//i.test(text) || isProjectLink(text);
 
 /** A word of the command line as problems name it: an address may be as long as a program. */
@@ -92,6 +92,6 @@ function workOfProject(project: Project): Work {
   return { files: runFilesOf(project, 0), scene, settings, firstName: devices?.first ?? null, devices: others };
 }
 
-/** The page says so to people who have it open. */
+/** The advice to reload is for people with the page open. */
 const withoutReload = (message: string): string =>
   message.replace(' Reload the page to update.', ' Update Parcours, or save the project as a file on the page.');

@@ -16,12 +16,12 @@ const inputs = import.meta.glob<string>('../../courses/*/inputs.json', {
   query: '?raw',
 });
 
-/** What `course.json` says of the devices of a course that has several. */
+/** The devices in `course.json`, for a course that has several. */
 interface CourseData {
   readonly devices?: readonly { readonly name: string; readonly robot: string }[];
 }
 
-/** The ready course or mission of this id, which a link only names; `null` if there is none. */
+/** The ready course or mission with this id, which a link only names; `null` if there is none. */
 export function readyCourse(id: string): Scene | null {
   const value = scenes[`../../courses/${id}/scene.json`];
   if (value === undefined) return readyCourseOf(id)?.scene ?? null;
@@ -29,13 +29,13 @@ export function readyCourse(id: string): Scene | null {
   return 'scene' in parsed ? parsed.scene : null;
 }
 
-/** What the page calls a ready course in this language; `null`: as its scene says. */
+/** The page's title of a ready course in this language; `null`: that of its scene. */
 export const readyTitle = (id: string | null, language: Language): string | null =>
   readyCourseOf(id)?.texts[language].name ?? null;
 
 /**
- * The ready course or mission of this id as a task for a class: its start program, and what is pressed in it; `null` if there is
- * none. Its further devices do their part, for whoever hands in the first one's program alone.
+ * The ready course or mission with this id as a task for a class: its start program and its inputs; `null` if there
+ * is none. Its further devices have their programs, for hand-ins of the first one's program alone.
  */
 export function readyProject(id: string): Project | null {
   const scene = readyCourse(id);

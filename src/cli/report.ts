@@ -5,7 +5,7 @@ import type { SentPacket } from './radio-report';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 
-/** How a run ended, as a word for programs; `time-limit`: its program went on. */
+/** End of a run, as a word for programs; `time-limit`: its program was still running. */
 export type RunEndedWord = EndedWord | 'time-limit';
 
 /** The error of a program; `advice`: what it means, in the reader's language. */
@@ -21,17 +21,17 @@ export interface Report {
   readonly robot: RobotReport | null;
   /** Digits 0 … 9 per LED, rows separated by colons. */
   readonly display: string;
-  /** How well the course's task is done, or `null` if the course has no task. */
+  /** Verdict on the course's task, or `null` if the course has none. */
   readonly verdict: Verdict | null;
   readonly heapFree: number;
   readonly traceHash: string;
   /** The packets sent by radio, oldest first: the first ones (`RadioKeeper`). */
   readonly radio: readonly SentPacket[];
-  /** How many were sent. */
+  /** Number of packets sent. */
   readonly radioSent: number;
   /** Chains of colour lights on pins that no robot uses: rings and strips to which the program has sent colours. */
   readonly lights: Snapshot['lights'];
-  /** Each device, the first one first: what stands above is the first one's. */
+  /** All devices; the fields above are those of the first one. */
   readonly devices: readonly DeviceReport[];
 }
 
@@ -43,7 +43,7 @@ export interface DeviceReport extends Pick<
   readonly name: string;
 }
 
-/** The report on a run now, without its packets. While a program goes on, its `ended` is `time-limit`. */
+/** The report on a run now, without its packets. While a program is running, its `ended` is `time-limit`. */
 export function reportOf(simulation: Simulation, wallMs: number): Report {
   const snapshot = simulation.snapshot();
   const simulatedMs = simulation.nowUs / 1000;
@@ -79,10 +79,10 @@ function runEndedWord(ended: Ended | null, isOff: boolean): RunEndedWord {
 }
 
 /**
- * The line that `--json` prints; it has `radio` and `lights` only if they are not empty. The packets of the first device
- * stand at the top alone: there may be many.
+ * The line that `--json` prints; it has `radio` and `lights` only if they are not empty. The packets of the first
+ * device are listed only at the top: there may be many.
  *
- * @param consoles what each device's program has printed
+ * @param consoles output of each device's program
  */
 export function jsonLine(report: Report, consoles: readonly string[]): string {
   const { ended, exception, simulatedMs, wallMs, realTimeFactor, robot, display, verdict } = report;
@@ -107,7 +107,7 @@ const someOf = ({ radio, radioSent, lights }: Pick<Report, 'radio' | 'radioSent'
   ...(lights.length > 0 ? { lights } : {}),
 });
 
-/** How the run ended as a whole: badly, if one of its programs did. */
+/** End of the run as a whole: an error, if one of its programs had one. */
 export const runEnding = ({ ended, devices }: Report): RunEndedWord =>
   devices.map((device) => device.ended).find((one) => exitCodeOf(one) === 1) ?? ended;
 
@@ -173,7 +173,7 @@ function failureInWords(verdict: Progress & Pick<Verdict, 'reason' | 'by' | 'ear
   }
 }
 
-/** What was reached; of one of several robots without blocks, which are of all. */
+/** Goals reached; blocks are left out for one of several robots, as all robots share them. */
 type Progress = Pick<Verdict, 'checkpoints' | 'targets'> & Partial<Pick<Verdict, 'blocks'>>;
 
 const helpWords: Readonly<Record<Help, string>> = {
@@ -187,7 +187,7 @@ const withStars = ({ stars }: Verdict): string => (stars === null ? '' : `, ${st
 /** `, with help by hand`, or nothing. */
 const withHelp = ({ help }: Verdict): string => help.map((one) => `, ${helpWords[one]}`).join('');
 
-/** `; checkpoint 2 came before 1`, or nothing if all came in their order. */
+/** `; checkpoint 2 came before 1`, or nothing if all were in their order. */
 function earlyInWords({ early }: Pick<Verdict, 'early'>): string {
   if (early === null) return '';
   const what = early.number === 0 ? 'a target' : `checkpoint ${early.number}`;

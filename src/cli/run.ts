@@ -28,7 +28,7 @@ import { exitCodeOf, jsonLine, runEnding, verdictLines, type Report } from './re
 import { nothingYet, supervise } from './supervise';
 import { printable, type Terminal } from './terminal';
 
-/** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
+/** Default time limit of a run: ten minutes, longer than any lesson's program. */
 const DEFAULT_LIMIT_US = 600_000_000;
 
 /**
@@ -148,7 +148,7 @@ function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSe
 /** The board on the robot feels the arena from the start. */
 const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
 
-/** What a project says where the command line says nothing. */
+/** Takes settings of the project that the command line leaves open. */
 function withProject<T extends Pick<RunOptions, 'robot' | 'board' | 'firmware'>>(
   options: T,
   settings: RunFiles['settings'],
@@ -172,7 +172,7 @@ function chanceOf(options: RunOptions, { settings }: RunFiles): { readonly seed:
 const withMyRobot = (options: RunOptions, { myRobot }: RunFiles): RunOptions =>
   myRobot === null || options.robot !== AUTO ? options : { ...options, robot: myRobot.robot };
 
-/** What was measured of the robot that drives. */
+/** The measured traits of the robot that drives. */
 function traitsOf(
   { myRobot, settings }: RunFiles,
   { robot }: Hardware,
@@ -245,7 +245,7 @@ function placed(problem: string, options: RunOptions): string {
   return problem;
 }
 
-/** What a run may write, each into a file of its own. */
+/** Outputs of a run, each with a file of its own. */
 const RESULTS = ['trace', 'log', 'record'] as const;
 type Results = Readonly<Record<(typeof RESULTS)[number], number | null>>;
 

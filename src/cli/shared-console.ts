@@ -1,7 +1,7 @@
 /**
  * The programs' output on its way from the worker to the main thread, in shared memory: output is available at once,
- * even if the worker never returns from what it does next. A full buffer makes the worker wait. Where the output of
- * another device begins, two bytes tell: `SWITCH` and the device's place. At the start it is the first one's.
+ * even if the worker never returns from what it does next. A full buffer makes the worker wait. Two bytes mark the
+ * beginning of another device's output: `SWITCH` and the device's place. At the start it is the first one's.
  */
 export interface SharedConsole {
   /** Two counters of bytes, written and read since the start, modulo 2³². */
@@ -64,7 +64,7 @@ export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: 
   };
 }
 
-/** The main thread's side: returns what has come since the last call, in its order, never half a character. */
+/** The main thread's side: returns the output since the last call, in its order, never half a character. */
 export function createConsoleReader({ counters, bytes }: SharedConsole): () => readonly Said[] {
   const sorter = createSorter();
   return () => {

@@ -13,7 +13,7 @@ export interface StrictReport {
   readonly count: number;
   /** The first line of `text` that is an error; empty without errors. */
   readonly first: string;
-  /** Findings that only change a result, such as numbers with more digits than the device keeps. Listed as hints. */
+  /** Findings that only change a result, such as numbers with more digits than on the device. Listed as hints. */
   readonly hints: number;
 }
 

@@ -14,7 +14,7 @@ export type Outcome =
       readonly type: 'ran';
       readonly report: Report;
       readonly consoles: readonly string[];
-      /** Of a repetition that has come to its end. */
+      /** Result of a repetition that has reached its end. */
       readonly replay: ReplayOutcome | null;
     }
   | { readonly type: 'refused'; readonly problem: string }
@@ -105,7 +105,7 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
   });
 }
 
-/** The programs' output on its way. */
+/** The programs' output in transit. */
 interface Output {
   readonly shared: SharedConsole;
   stop(): void;
@@ -113,7 +113,7 @@ interface Output {
   all(): readonly string[];
 }
 
-/** Passes the programs' output on to the terminal, every `DRAIN_MS` and at the end, and keeps it for the report. */
+/** Passes the programs' output on to the terminal, every `DRAIN_MS` and at the end, and stores it for the report. */
 function passOn(shared: SharedConsole, names: readonly string[], terminal: Terminal): Output {
   const read = createConsoleReader(shared);
   const all = names.map(() => '');

@@ -12,7 +12,7 @@ export interface Terminal {
   progress(simulatedMs: number, realTimeFactor: number): void;
   /** Shows how many of several things are done, in such a line with a bar. */
   count(done: number, of: number, passed: number): void;
-  /** Whether progress is shown: on a terminal, unless quiet. */
+  /** True if progress is shown: on a terminal, unless quiet. */
   readonly showsProgress: boolean;
   /** Removes the progress line. */
   clearProgress(): void;
@@ -29,7 +29,7 @@ const BAR_SIGNS = 30;
 
 const CLEAR_LINE = '\r\u001b[K';
 
-/** Names and values may hold signs that steer a terminal, or that nobody sees: they are shown, not sent. */
+/** Names and values may contain invisible or terminal control characters: they are shown, not sent. */
 export const printable = (text: string): string =>
   unseenShown(text).replace(
     /[\u0000-\u0008\u000b-\u001f\u007f-\u009f]/g,

@@ -6,7 +6,7 @@ import type { TraceRow } from '#simulation/trace';
 export interface TraceColumns {
   /** Names of the line sensors of all robots. */
   readonly sensors: readonly string[];
-  /** Whether each line names its device. */
+  /** True if each line names its device. */
   readonly device: boolean;
 }
 
@@ -52,5 +52,5 @@ export function traceLine(row: TraceRow, { sensors, device }: TraceColumns): str
   return device ? `${line},${quoted(row.device)}` : line;
 }
 
-/** RFC 4180: a name with a comma, a quote or a line break stands in quotes. */
+/** RFC 4180: a name with a comma, a quote or a line break is quoted. */
 const quoted = (text: string): string => (/[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);

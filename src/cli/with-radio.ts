@@ -1,7 +1,7 @@
 import type { RadioNews, SentPacket } from './radio-report';
 import type { Report } from './report';
 
-/** Puts the news of the devices, as they come, together with their reports. */
+/** Collects the news of the devices, and adds them to their reports. */
 export class RadioReport {
   private readonly sent: { packets: SentPacket[]; count: number }[] = [];
 
@@ -13,7 +13,7 @@ export class RadioReport {
     }
   }
 
-  /** The report with all packets that were told so far. */
+  /** The report with all packets received so far. */
   in(report: Report): Report {
     const of = (device: number) => ({
       radio: this.sent[device]?.packets ?? [],

@@ -20,7 +20,7 @@ export interface WorkerTask {
   readonly logFile: number | null;
   /** An open file for the recording, or `null`. */
   readonly tapeFile: number | null;
-  /** The run is a repetition: its result and, where it shall stop, the moment are told. */
+  /** The run is a repetition: it reports its result and, if it stops early, the moment. */
   readonly replay: ReplayTask | null;
   /** Shared words, see `BEAT` and `INTERRUPT`. */
   readonly shared: Int32Array;
@@ -28,18 +28,18 @@ export interface WorkerTask {
   readonly console: SharedConsole;
 }
 
-/** What a repetition of a recorded run tells. */
+/** The order for repeating a recorded run. */
 export interface ReplayTask {
-  /** Where it stops; `null`: at its end. */
+  /** Point at which it stops; `null`: at its end. */
   readonly stop: StopAsked | null;
   /** Place of the device that is looked at. */
   readonly device: number;
 }
 
-/** What a repetition has told. */
+/** Result of a repetition. */
 export interface ReplayOutcome {
   readonly result: TapeResult;
-  /** Where it was asked to stop; `null`: it was not, or the line did not come. */
+  /** Moment at which it stopped; `null`: no stop was requested, or the line was not reached. */
   readonly moment: Moment | null;
 }
 

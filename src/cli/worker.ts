@@ -30,7 +30,7 @@ const MESSAGE_MS = 50;
 
 const post = (message: WorkerMessage): void => parentPort?.postMessage(message);
 
-/** Empties a file; what is none (a terminal, /dev/null) cannot be emptied and need not be. */
+/** Empties a file; anything else (a terminal, /dev/null) cannot be emptied and need not be. */
 function empty(file: number): void {
   if (fstatSync(file).isFile()) ftruncateSync(file);
 }
@@ -54,7 +54,7 @@ function createTraceWriter(simulation: Simulation, file: number | null, devices:
 /** Collects the programs' packets and the first one's log rows; their text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
-  /** What each device has sent since the last call. */
+  /** Packets of each device since the last call. */
   readonly takeRadio: () => readonly RadioNews[];
   readonly log: LogEvent[];
   readonly output: OutputHashes;
@@ -94,7 +94,7 @@ function writeTape(
 ): void {
   empty(file);
   const inputs = run.inputLog;
-  // A run that was interrupted has come less far than it was asked to.
+  // An interrupted run has not reached its time limit.
   const until = {
     untilUs: run.hasEnded && untilProgramEnds ? untilUs : Math.min(untilUs, run.nowUs),
     untilProgramEnds,
@@ -111,7 +111,7 @@ function writeTape(
   );
 }
 
-/** Lets a repetition go on to where it shall stop. @returns null: the line does not come so often */
+/** Lets a repetition continue to its stop. @returns null: the line is reached less often than that */
 function runToStop(
   simulation: Simulation,
   { shared, untilUs }: WorkerTask,

@@ -5,7 +5,7 @@ export function toBase64Url(bytes: Uint8Array): string {
   return toBase64(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 }
 
-/** The bytes of base64 text in either alphabet, padded or not; `null` for text that is none. */
+/** The bytes of base64 text in either alphabet, padded or not; `null` for any other text. */
 export function fromBase64Url(text: string): Uint8Array | null {
   const bare = text
     .replace(/={1,2}$/, '')

@@ -4,7 +4,7 @@
  */
 export type Changes = readonly [unknown] | { readonly [key: string]: Changes };
 
-/** What turns `before` into `after`, or `undefined` where both say the same. Shares nothing with either. */
+/** The changes that turn `before` into `after`; `undefined` if the two are equal. Shares nothing with either. */
 export function changesOf(before: unknown, after: unknown): Changes | undefined {
   if (Object.is(before, after)) return undefined;
   if (!isAlike(before, after)) return [copyOf(after)];
@@ -19,7 +19,7 @@ export function changesOf(before: unknown, after: unknown): Changes | undefined 
   return isAny ? found : undefined;
 }
 
-/** Data after its changes. Whatever has not changed in it is the same object as before. */
+/** Data after its changes. Unchanged parts are the same objects as before. */
 export function withChanges(before: unknown, changes: Changes | undefined): unknown {
   if (changes === undefined) return before;
   if (isValue(changes)) return changes[0];

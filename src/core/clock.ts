@@ -28,7 +28,7 @@ export class Clock {
     return this.heap[0]?.timeUs ?? Infinity;
   }
 
-  /** How many alarms are set; one that rings again and again is one. */
+  /** Number of alarms set; a repeating one counts once. */
   get alarms(): number {
     return this.heap.reduce((count, alarm) => (alarm.cancelled ? count : count + 1), 0);
   }
@@ -59,7 +59,7 @@ export class Clock {
     let cancel: Stop = () => undefined;
     const schedule = (timeUs: number): void => {
       cancel = this.at(timeUs, () => {
-        // Also after an error: an error ends the run, but the clock goes on.
+        // Also after an error: an error ends the run, but the clock continues.
         try {
           ring();
         } finally {
@@ -75,10 +75,10 @@ export class Clock {
   }
 
   /**
-   * Moves the time on, ringing every alarm that is due by then (also those that alarms set on the way).
-   * While an alarm rings, `nowUs` is the alarm's own time.
+   * Moves the time on, ringing every alarm that is due by then (also those that alarms set meanwhile). While an alarm
+   * rings, `nowUs` is the alarm's own time.
    *
-   * @throws RangeError when `timeUs` lies in the past
+   * @throws RangeError when `timeUs` is in the past
    */
   advanceTo(timeUs: number): void {
     if (timeUs < this.time) throw new RangeError(`The clock cannot go back from ${this.time} to ${timeUs} µs.`);

@@ -1,12 +1,12 @@
 const US_PER = { ms: 1000, s: 1_000_000, min: 60_000_000, h: 3_600_000_000 } as const;
 
-/** Longest time that may be asked for: a day. Chosen: nobody waits longer, and all figures stay exact. */
+/** Longest time that may be requested: a day. Chosen: more than enough for a run, and all figures remain exact. */
 const MAX_US = 24 * US_PER.h;
 
 /**
  * Reads a time with its unit, such as `500ms`, `20s`, `1.5s`, `2min` or `3h`.
  *
- * @returns whole µs, or a problem that names the value and the way out
+ * @returns whole µs, or a problem that names the value and the remedy
  */
 export function parseDuration(text: string): { readonly us: number } | { readonly problem: string } {
   const match = /^(\d+(?:\.\d+)?)(ms|s|min|h)?$/.exec(text.trim());

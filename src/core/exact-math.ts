@@ -25,7 +25,7 @@ const HALF_PI_REST = 6.12323399573676603587e-17;
 /** 2⁶⁰: steeper slopes are vertical to the last bit. */
 const STEEP = 1152921504606846976;
 
-// What reduce() leaves behind: the angle within ±π/4 as head and rest. Kept outside to save an object per call.
+// Result of reduce(): the angle within ±π/4 as head and rest. Stored outside to save an object per call.
 let reducedHead = 0;
 let reducedRest = 0;
 

@@ -3,7 +3,7 @@ export const FNV_BASIS = 0x811c9dc5;
 const FNV_PRIME = 0x01000193;
 
 /**
- * FNV-1a over the UTF-16 units of a text: enough to tell texts apart, not secure against an attacker.
+ * FNV-1a over the UTF-16 units of a text: enough to distinguish texts, not secure against an attacker.
  *
  * @param before hash to continue from
  * @returns 0 … 2³² − 1

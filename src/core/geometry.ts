@@ -4,7 +4,7 @@ export interface Vec {
   readonly y: number;
 }
 
-/** Where a body stands: the position of its origin in world mm and its heading in rad, counter-clockwise from +x. */
+/** Pose of a body: the position of its origin in world mm and its heading in rad, counter-clockwise from +x. */
 export interface Pose {
   readonly xMm: number;
   readonly yMm: number;

@@ -7,7 +7,7 @@ export interface Option {
   readonly title: Texts;
   /** One sentence on its effect, where the title does not say it. */
   readonly about?: Texts;
-  /** For people who know the robot's series: shown where they look for it, not to every pupil. */
+  /** For people who know the robot's series: shown where they look for it, not to all pupils. */
   readonly isExpert?: boolean;
   /** At least two; the first is the default. */
   readonly choices: readonly OptionChoice[];

@@ -6,7 +6,7 @@ export interface Rng {
   u32(): number;
   /** A number from 0 up to, but not including, 1. */
   unit(): number;
-  /** An independent stream for one purpose, the same for the same seed and name whatever was drawn before. */
+  /** An independent stream for one purpose, the same for the same seed and name regardless of earlier draws. */
   fork(name: string): Rng;
 }
 

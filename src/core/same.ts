@@ -1,4 +1,4 @@
-/** Whether two pieces of plain data say the same, whatever the order of their properties. `NaN` is the same as `NaN`. */
+/** True if two pieces of plain data are equal, in any order of their properties. `NaN` equals `NaN`. */
 export function isSame(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null)

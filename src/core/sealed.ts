@@ -1,7 +1,7 @@
 import { fromBase64Url, toBase64Url } from './base64-url';
 import { fnvOfBytes } from './fnv';
 
-/** The checksum (FNV-1a, lowest byte first) stands before the bytes. */
+/** The checksum (FNV-1a, lowest byte first) precedes the bytes. */
 const SUM_BYTES = 4;
 
 /** Bytes as text for an address, with a checksum: a link that was cut short is noticed. */

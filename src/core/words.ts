@@ -22,7 +22,8 @@ export const inEvery = <T>(make: (language: Language) => T): Readonly<Record<Lan
 /**
  * A text with its values in the braces.
  *
- * @param write a value as it is written, and `{name}` where it stands; else numbers are plain, and braces without a value empty
+ * @param write formats a value, or `{name}` where there is none; by default numbers are plain and braces without a
+ *   value empty
  */
 export const filledIn = (
   text: string,

@@ -4,10 +4,13 @@ import { timeOf } from './time-heading';
 
 /** A reading: across and up. */
 export type Point = readonly [x: number, y: number];
-/** Readings that belong together, in order. A new line begins after a cell that is no number, and when the time jumps back. */
+/**
+ * Readings that belong together, in order. A new line begins after a cell that is not a number, and when the time jumps
+ * back.
+ */
 export type Line = readonly Point[];
 
-/** What runs across: the time in seconds, a column of times without a unit, or the number of the row. */
+/** The horizontal axis: the time in seconds, a column of times without a unit, or the number of the row. */
 export type Axis =
   { readonly kind: 'seconds' } | { readonly kind: 'own'; readonly heading: string } | { readonly kind: 'rows' };
 
@@ -27,7 +30,7 @@ export interface Comparison {
   readonly charts: readonly Chart[];
 }
 
-/** Joins a device's table and that of the simulation: columns of the same name come into one chart. */
+/** Joins a device's table and that of the simulation: columns of the same name share a chart. */
 export function compare(device: Table, simulation: Table): Comparison {
   const axes = [device, simulation].filter(({ rows }) => rows.length > 0).map(axisOf);
   const [first = { kind: 'rows' } as const, second = first] = axes;
@@ -76,7 +79,7 @@ function newLines(table: Table, heading: string, axis: Axis): readonly Line[] {
   };
   for (const [number, row] of table.rows.entries()) {
     const cell = row[column] ?? '';
-    if (cell === '') continue; // nothing was logged: the line goes on
+    if (cell === '') continue; // nothing was logged: the line continues
     const x = across(row, number);
     if (x === null || !isNumber(cell)) {
       end();
@@ -89,7 +92,9 @@ function newLines(table: Table, heading: string, axis: Axis): readonly Line[] {
   return lines;
 }
 
-/** Where a row stands across. A log whose unit was changed has several columns of times: the one with a value counts. */
+/**
+ * Horizontal position of a row. A log whose unit was changed has several columns of times: the one with a value counts.
+ */
 function acrossOf({ headings }: Table, axis: Axis): (row: readonly string[], number: number) => number | null {
   if (axis.kind === 'rows') return (_row, number) => number + 1;
   const times = headings.flatMap((heading, place) => {

@@ -5,11 +5,11 @@ export interface Table {
   readonly rows: readonly (readonly string[])[];
 }
 
-/** What a real board has logged, from a file. */
+/** The data that a real board has logged, from a file. */
 export interface DeviceLog extends Table {
   /** The board's memory was full: later rows are missing. */
   readonly isFull: boolean;
-  /** What the reader of the curves should know about the file. */
+  /** Remarks on the file for the reader of the curves. */
   readonly remarks: readonly Remark[];
 }
 
@@ -17,7 +17,7 @@ export interface DeviceLog extends Table {
 export type Remark =
   /** The file ends before its log does: a last, broken row is left out. */
   | { readonly code: 'cut-off'; readonly rows: number }
-  /** Cells that are no numbers in a column of numbers: the first, and how many there are. */
+  /** Cells that are not numbers in a column of numbers: the first, and their count. */
   | { readonly code: 'not-a-number'; readonly line: number; readonly column: string; readonly value: string; readonly count: number } // prettier-ignore
   /** Cells to the right of the last column: the first, and how many there are. */
   | { readonly code: 'extra-cells'; readonly line: number; readonly value: string; readonly count: number }
@@ -31,7 +31,7 @@ export type LogProblem =
   | { readonly code: 'empty' }
   | { readonly code: 'workbook' }
   | { readonly code: 'not-text' }
-  /** A page that is none of a micro:bit's. */
+  /** A page that is not from a micro:bit. */
   | { readonly code: 'other-page' }
   /** A micro:bit's page that ends before its data begins. */
   | { readonly code: 'cut-short'; readonly size: number; readonly start: number }
@@ -40,6 +40,6 @@ export type LogProblem =
   | { readonly code: 'too-many-columns'; readonly line: number; readonly count: number; readonly max: number }
   | { readonly code: 'no-numbers'; readonly line: number; readonly value: string };
 
-/** What became of a file. */
+/** Result of reading a file. */
 export type ReadLog =
   { readonly kind: 'log'; readonly log: DeviceLog } | { readonly kind: 'problem'; readonly problem: LogProblem };

@@ -14,22 +14,22 @@
  * counted in bytes from the comment on, with U+FFFD as one: this reads both.
  */
 
-/** What the comment of such a page holds. */
+/** Contents of the comment in such a page. */
 export type PageLog =
   | { readonly kind: 'log'; readonly csv: string; readonly isFull: boolean; readonly isCutOff: boolean }
   /** It ends before its data begins; addresses in bytes. */
   | { readonly kind: 'cut-short'; readonly start: number };
 
 const MARK = /FS_START(UBIT_LOG_FS_V_\d{3}\n(0x[0-9A-F]{8})[^](0x[0-9A-F]{8}))/i;
-/** How the head of the page ends. A page cut off right there has no more of it. */
+/** End of the page's head. A page cut off right there has no more of it. */
 const HEAD_END = /<!--FS_STAR?T?$/;
 /** Length of the page before the comment's content: addresses count from its begin. */
 const HEAD_BYTES = 2048;
-/** Where the data is on every board so far: head, page of the meta data, journal, 4 kB each but the first. */
+/** Offset of the data on every board so far: head, page of the meta data, journal, 4 kB each but the first. */
 const USUAL_START = 0x2000;
 const UNUSED = '\uFFFD';
 
-/** The log in a page's text, decoded as UTF-8 with U+FFFD for what is none. `null`: it is no such page. */
+/** The log in a page's text, decoded as UTF-8 with U+FFFD for invalid bytes. `null`: not such a page. */
 export function pageLog(text: string): PageLog | null {
   const found = MARK.exec(text);
   if (found === null) return HEAD_END.test(text) || isCutHead(text) ? { kind: 'cut-short', start: USUAL_START } : null;
@@ -53,7 +53,7 @@ export function pageLog(text: string): PageLog | null {
 const isCutHead = (text: string): boolean =>
   text.includes('UBIT_LOG_FS_V_') || /<title>micro:bit data log|micro:bit Data Log<\/h2>/i.test(text);
 
-/** Where so many bytes of UTF-8 end in a text; `null`: it has fewer. */
+/** Position in a text after that many bytes of UTF-8; `null`: it has fewer. */
 function placeOf(text: string, bytes: number): number | null {
   let left = bytes;
   for (let at = 0; at < text.length; at += 1) {

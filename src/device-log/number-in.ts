@@ -8,5 +8,5 @@ export function plainNumber(cell: string, hasDecimalComma: boolean): string {
   return NUMBER.test(text) ? text : cell;
 }
 
-/** Whether a cell is a number that can be drawn: `nan`, `inf`, words and numbers beyond all bounds are none. */
+/** True if a cell is a number that can be drawn, which `nan`, `inf`, words and out-of-range numbers are not. */
 export const isNumber = (cell: string): boolean => NUMBER.test(cell) && Number.isFinite(Number(cell));

@@ -7,7 +7,7 @@ import { separated } from './separated';
  * Reads what a real board has logged: the file MY_DATA.HTM of a micro:bit V2, as it is or saved again by a browser, or a
  * table of separated values from that page or from a spreadsheet. It never throws.
  *
- * @param bytes the whole file; whoever calls bounds its size
+ * @param bytes the whole file; the caller limits its size
  */
 export function readDeviceLog(bytes: Uint8Array): ReadLog {
   if (bytes.length === 0) return problem({ code: 'empty' });
@@ -42,8 +42,8 @@ const startsWith = (bytes: Uint8Array, mark: readonly number[]): boolean =>
   mark.every((byte, place) => bytes[place] === byte);
 
 /**
- * A file as text: `lenient` with U+FFFD for each byte that is none of UTF-8, `exact` as whoever saved it meant it. Excel
- * writes UTF-16 (“Unicode text”), UTF-8 with a mark before it, or the characters of Windows.
+ * A file as text: `lenient` with U+FFFD for each byte that is not UTF-8, `exact` in the encoding it was saved in.
+ * Excel writes UTF-16 (“Unicode text”), UTF-8 with a mark before it, or the characters of Windows.
  */
 function textOf(bytes: Uint8Array): { readonly lenient: string; readonly exact: string } {
   const same = (text: string) => ({ lenient: text, exact: text });

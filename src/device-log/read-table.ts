@@ -6,7 +6,7 @@ import { timeOf } from './time-heading';
 /** A table has no more columns: each has a curve of its own. */
 const MAX_COLUMNS = 60; // chosen: a micro:bit's log has a handful
 
-/** A table, or why there is none. */
+/** A table, or the reason why there is none. */
 export type ReadTable =
   | { readonly kind: 'table'; readonly table: Table; readonly remarks: readonly Remark[] }
   | { readonly kind: 'problem'; readonly problem: LogProblem };
@@ -35,11 +35,11 @@ export function readTable({ rows, hasDecimalComma }: Separated): ReadTable {
   return reader.result();
 }
 
-/** What is known of a column. */
+/** Facts gathered about a column. */
 interface Column {
   readonly heading: string;
   numbers: number;
-  /** Its cells that are no numbers: the first of them, and how many. */
+  /** Its cells that are not numbers: the first of them, and their count. */
   texts: number;
   firstText: { readonly line: number; readonly value: string } | null;
 }
@@ -52,7 +52,7 @@ class TableReader {
   private readonly remarks: Remark[] = [];
   /** Place in the present rows → place in the table. */
   private places: number[] = [];
-  /** The names as they stand in the last line of names. */
+  /** The names as given in the last line of names. */
   private names: readonly string[] = [];
   private extra: { readonly line: number; readonly value: string; readonly count: number } | null = null;
   private first: { readonly line: number; readonly value: string } | null = null;

@@ -13,9 +13,9 @@ export interface Separated {
 
 /** In this order where several fit equally well: a comma may also be a decimal comma. */
 const SEPARATORS = ['\t', ';', ','] as const;
-/** So many lines tell which it is. */
+/** Number of lines that decide on the separator. */
 const LINES_LOOKED_AT = 20;
-/** A line of a table of one column, if there is no comma in its first line. */
+/** A line of a one-column table, if its first line has no comma. */
 const DECIMAL_COMMA_ALONE = /^[+-]?\d+,\d+$/;
 
 /** Splits a text into cells: separated by commas, semicolons or tabs, in quotes where needed (RFC 4180). */
@@ -27,7 +27,10 @@ export function separated(text: string): Separated {
   return { rows: rowsOf(rest, separator, told === null ? 1 : 2), hasDecimalComma: separator !== ',' };
 }
 
-/** The sign that stands equally often in most lines: the first may be a title. Without one: a sign that stands nowhere. */
+/**
+ * The character that occurs equally often in most lines, as the first may be a title. Without one: a character that
+ * never occurs.
+ */
 function separatorOf(text: string): string {
   const all = linesAtBegin(text);
   const lines = all[0]?.includes(',') === true ? all : all.filter((line) => !DECIMAL_COMMA_ALONE.test(line));
@@ -42,7 +45,7 @@ function separatorOf(text: string): string {
   return best;
 }
 
-/** In how many lines the sign stands equally often. */
+/** Number of lines in which the character occurs equally often. */
 function mostAlike(counts: readonly number[]): number {
   const lines = new Map<number, number>();
   for (const count of counts) if (count > 0) lines.set(count, (lines.get(count) ?? 0) + 1);

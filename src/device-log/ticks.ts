@@ -1,7 +1,7 @@
 /** Steps that are easy to read, in each power of ten. */
 const STEPS = [1, 2, 5, 10];
 
-/** Round values from below the least to above the largest, about so many. A single value gets room on both sides. */
+/** Round values from below the least to above the largest, about that many. A single value gets room on both sides. */
 export function ticksFor(min: number, max: number, about: number): readonly number[] {
   const [low, high] = min === max ? [min - (Math.abs(min) || 1) / 2, max + (Math.abs(max) || 1) / 2] : [min, max];
   const rough = (high - low) / about;

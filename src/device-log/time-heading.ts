@@ -3,7 +3,10 @@ export interface TimeColumn {
   readonly unitS: number | null;
 }
 
-/** What programs and people call it. The board itself: `Time (seconds)`; MakeCode’s other boards: `Time (sec.)`. */
+/**
+ * Headings used for time by programs and people. The board itself: `Time (seconds)`; MakeCode’s other boards: `Time
+ * (sec.)`.
+ */
 const HEADING = /^(?:time|zeit|temps|tempo|t)(?:\s*[([]\s*([a-z]+)\.?\s*[)\]]|[\s_]+([a-z]+)\.?)?$/i;
 const UNITS: readonly (readonly [RegExp, number])[] = [
   [/^(?:ms|milli\w+)$/, 0.001],
@@ -13,7 +16,7 @@ const UNITS: readonly (readonly [RegExp, number])[] = [
   [/^(?:d|days?|tage?|jours?|giorn[oi])$/, 86_400],
 ];
 
-/** Whether a column holds times, by its heading; `null`: it does not. */
+/** The unit of a column of times, read from its heading; `null`: not a column of times. */
 export function timeOf(heading: string): TimeColumn | null {
   const found = HEADING.exec(heading.trim());
   if (found === null) return null;

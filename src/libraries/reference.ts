@@ -83,7 +83,7 @@ const simrobot = module('simrobot', {
   }),
 });
 
-/** What the editor knows about the libraries that belong to no robot. */
+/** The editor's reference of the libraries that belong to no robot. */
 export const freeReference: Omit<RobotReference, 'robot'> = {
   modules: [simrobot],
   texts: words,

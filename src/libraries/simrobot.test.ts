@@ -11,7 +11,7 @@ beforeAll(() => {
 
 interface Setting {
   readonly robot?: string;
-  /** Of the arena. */
+  /** Size of the arena. */
   readonly size?: readonly [number, number];
   /** Walls, blocks and lines; the robot starts at (600, 450), heading along +x. */
   readonly objects?: readonly object[];

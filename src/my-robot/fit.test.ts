@@ -28,7 +28,7 @@ const typeOf = (id: string): RobotType => {
   return type;
 };
 
-/** What a pupil writes down about a robot, each number up to 5 mm or 5° wrong. */
+/** A pupil's measurements of a robot, each number up to 5 mm or 5° wrong. */
 async function measure(driving: Driving & { readonly seed: number }): Promise<Measured> {
   const chance = createRng(driving.seed).fork('ruler');
   const wrong = (by: number): number => by * (2 * chance.unit() - 1);
@@ -45,7 +45,7 @@ async function measure(driving: Driving & { readonly seed: number }): Promise<Me
   };
 }
 
-/** Programs that are none of the measuring ones. */
+/** Programs other than the measuring ones. */
 const OTHERS = {
   'straight at 30': 'setSpeed(30)\nforward()\ndelay(3000)\nstop()',
   'straight at 80': 'setSpeed(80)\nforward()\ndelay(1500)\nstop()',
@@ -55,7 +55,7 @@ const OTHERS = {
   'a corner': 'setSpeed(70)\nforward()\ndelay(800)\nleft()\ndelay(400)\nforward()\ndelay(800)\nstop()',
 } as const;
 
-/** Length of the way in mm, and turn in degrees, of a robot after one of the programs. */
+/** Length of the path in mm and turn in degrees of a robot after one of the programs. */
 async function driven(program: string, { type, traits, reality = 0, seed = 1 }: Omit<Driving, 'firmware'>) {
   const bare = defaultScene();
   const scene = {
@@ -77,7 +77,7 @@ async function compared(program: string, type: RobotType, used: Used, traits: Tr
   const real = await driven(program, { type, ...used });
   const here = await driven(program, { type, traits });
   return {
-    way: Math.abs(here.wayMm - real.wayMm) / Math.max(real.wayMm, 100), // a turn on the spot has a way of some mm
+    way: Math.abs(here.wayMm - real.wayMm) / Math.max(real.wayMm, 100), // a turn on the spot has a path of some mm
     turn: Math.abs(here.turnDeg - real.turnDeg) / Math.max(Math.abs(real.turnDeg), 90),
     turnDeg: here.turnDeg - real.turnDeg,
   };

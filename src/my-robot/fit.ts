@@ -1,6 +1,7 @@
 /**
- * Finds the traits with which the simulated robot drives as the measured one did. What was not measured, or what a ruler
- * cannot tell, stays near what is usual: each trait has an expected spread that weighs against the errors of a ruler.
+ * Finds the traits with which the simulated robot drives as the measured one did. What was not measured, or cannot be
+ * measured with a ruler, stays near the usual value: each trait has an expected spread that weighs against the errors
+ * of a ruler.
  */
 import type { RobotType } from '#robots/robot';
 import { traitLimits, type MotorTraits, type Traits } from '#robots/traits';
@@ -11,10 +12,10 @@ import { predictMotion, type Motion } from './predict';
 /** Expected errors of a measurement with ruler and protractor. Chosen: ± 5 mm, of which most are smaller. */
 const RULER_MM = 3;
 const TURN_DEG = 4;
-/** Of the ultrasonic sensor's reading, which most libraries round to a cm. */
+/** Error of the ultrasonic sensor's reading, which most libraries round to a cm. */
 const ECHO_MM = 4;
 
-/** What is usual of a robot's motors, and how far robots are spread around it. Chosen, as in `#simulation/reality`. */
+/** Usual traits of a robot's motors and their spread between robots. Chosen, as in `#simulation/reality`. */
 const MOTORS = ['difference', 'charge', 'sag', 'friction'] as const;
 const USUAL: MotorTraits = { difference: 0, charge: 1, sag: 0.04, friction: 0 };
 const SPREAD: MotorTraits = { difference: 0.05, charge: 0.1, sag: 0.04, friction: 0.004 };

@@ -6,7 +6,7 @@ import { traitLimits, type LineReadings, type Traits } from '#robots/traits';
 import { shown } from '#scene/problem';
 import type { Reader } from '#scene/reader';
 
-/** Where the robot's nose was after a drive straight ahead, as seen from where it was before. */
+/** Position of the robot's nose after a drive straight ahead, relative to its pose before. */
 export interface Drive {
   readonly aheadMm: number;
   readonly leftMm: number;
@@ -19,14 +19,14 @@ export type DriveName = (typeof DRIVES)[number];
 /** True distances from the ultrasonic sensor at which its reading is asked for, in mm. */
 export const ECHOES_MM = [100, 400] as const;
 
-/** What was measured; `null` and sensors left out: not measured. */
+/** The measurements; `null` and sensors left out: not measured. */
 export interface Measured {
   readonly drives: Readonly<Record<DriveName, Drive | null>>;
-  /** How far it turned to the left in all, in degrees: two turns are 720. */
+  /** Total turn to the left, in degrees: two turns are 720. */
   readonly turnDeg: number | null;
-  /** What the ultrasonic sensor showed at each of `ECHOES_MM`, in mm. */
+  /** Readings of the ultrasonic sensor at each of `ECHOES_MM`, in mm. */
   readonly echoesMm: readonly [number | null, number | null];
-  /** What the line sensors read on black and on white paper, by the sensor's name. */
+  /** Readings of the line sensors on black and on white paper, by the sensor's name. */
   readonly line: Readonly<Record<string, LineReadings>>;
 }
 
@@ -35,7 +35,7 @@ export interface MyRobot {
   readonly name: string;
   /** Id of its type. */
   readonly robot: string;
-  /** Whether runs with a robot of its type are driven by this one. */
+  /** True if runs with a robot of its type use this one's traits. */
   readonly used: boolean;
   readonly measured: Measured;
   readonly traits: Traits;

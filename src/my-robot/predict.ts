@@ -11,13 +11,13 @@ import { Simulation } from '#simulation/simulation';
 import { DRIVES, type Drive, type DriveName } from './my-robot';
 import { DRIVE_MS, FINGER_MS, programOf, TURN_MS, type Step } from './programs';
 
-/** What the motors do to a robot: where its nose is after each drive, and how far it has turned. */
+/** The effect of the motors: where the robot's nose is after each drive, and how far it has turned. */
 export interface Motion {
   readonly drives: Readonly<Record<DriveName, Drive>>;
   readonly turnDeg: number;
 }
 
-/** How a robot is driven: as measured here, or as the one on the page or of a test. */
+/** The robot that is driven: as measured here, or as the one on the page or of a test. */
 export interface Driving {
   readonly type: RobotType;
   readonly firmware: WebAssembly.Module;
@@ -29,13 +29,13 @@ export interface Driving {
 
 /** From the program's start to the first press, in ms: by then it waits for one. */
 const READY_MS = 200;
-/** How long a button is pressed, and what passes until the robot stands still, in ms. */
+/** Duration of a button press, and the time until the robot has stopped, in ms. */
 const PRESS_MS = 50;
 const STILL_MS = 700;
 /** Side of the arena, in mm: no robot reaches its edge. */
 const ARENA_MM = 6000;
 
-/** Where the drives begin and end, in ms from the program's start. */
+/** Start and end of each drive, in ms from the program's start. */
 function spans(lengths: readonly number[]): readonly { readonly fromMs: number; readonly toMs: number }[] {
   let now = READY_MS;
   return lengths.map((ms) => {
@@ -108,7 +108,7 @@ function setupOf(step: Step, pressesMs: readonly number[], { type, traits, reali
   });
 }
 
-/** Where the nose is after a drive, as seen from where it was before. */
+/** Position of the nose after a drive, relative to the robot's pose before. */
 function driveOf(way: readonly Pose[], noseMm: number): Drive {
   const [before, after] = [way[0], way.at(-1)];
   if (before === undefined || after === undefined) return { aheadMm: 0, leftMm: 0 };

@@ -17,7 +17,7 @@ const PROGRAMS = { straight, turn, distance, line } as const;
 /** From button A to the start of a drive or turn, in ms: as in the programs. */
 export const FINGER_MS = 1000;
 
-/** How long each drive lasts, in ms, and the turn: as in the programs. */
+/** Duration of each drive and of the turn, in ms, as in the programs. */
 export const DRIVE_MS = { slow: 4000, usual: 2000, fast: 1000 } as const;
 export const TURN_MS = 2000;
 

@@ -23,7 +23,7 @@ function argumentOf(source: PythonText, [first, second, third]: readonly SyntaxN
   return { value: first, star: '', keyword: null };
 }
 
-/** The last name of a chain of attributes and what stands before it: `display.show` is `display` and `show`. */
+/** The last name of a chain of attributes and the part before it: `display.show` is `display` and `show`. */
 export interface Attribute {
   readonly owner: SyntaxNode;
   readonly property: SyntaxNode;
@@ -37,7 +37,7 @@ export function attributeOf(node: SyntaxNode): Attribute | null {
     : null;
 }
 
-/** Whether a MemberExpression is a subscript with a colon in it: `a[1:3]`. */
+/** True if a MemberExpression is a subscript with a colon: `a[1:3]`. */
 export function isSlice(node: SyntaxNode): boolean {
   return node.name === 'MemberExpression' && node.getChild(':') !== null;
 }

@@ -4,7 +4,7 @@ import { childrenOf, parsePython, readPython, splitBy, textOf, type PythonText, 
 export interface Import {
   /** The module as written: `math`, `os.path`, `.drive`; `.` for `from . import x`. */
   readonly module: string;
-  /** Where the module's name stands. */
+  /** The module's name in the syntax tree. */
   readonly moduleNode: SyntaxNode | null;
   /** The name imported from the module; `*` for all names, `null` for the module itself. */
   readonly symbol: string | null;
@@ -70,7 +70,7 @@ function moduleNames(source: PythonText, statement: SyntaxNode): readonly string
   return importsIn(source, statement).map(({ module: path }) => path.split('.')[0] ?? '');
 }
 
-/** The modules that the programs of a project import. Files that do not end in `.py` are no programs. */
+/** The modules that the programs of a project import. Files whose name does not end in `.py` are not programs. */
 export function modulesImportedBy(files: Readonly<Record<string, string>>): ReadonlySet<string> {
   const programs = Object.entries(files).filter(([name]) => name.endsWith('.py'));
   return new Set(programs.flatMap(([, text]) => importedModules(text)));

@@ -2,7 +2,7 @@ import { attributeOf } from './expressions';
 import { importsIn, type Import } from './imports';
 import { childrenOf, splitBy, textOf, type PythonText, type SyntaxNode } from './tree';
 
-/** How a name is bound in a scope. */
+/** The form in which a name is bound in a scope. */
 export type Binding =
   /** `symbol` is the name imported from the module; `null` for the module itself. */
   | { readonly kind: 'import'; readonly module: string; readonly symbol: string | null }
@@ -26,7 +26,7 @@ export interface Scope {
   readonly node: SyntaxNode;
   /** Indentation of its first line. */
   readonly indent: number;
-  /** Where the first statement after it begins. */
+  /** Start of the first statement after it. */
   to: number;
   readonly parent: Scope | null;
   readonly inner: Scope[];
@@ -39,7 +39,7 @@ export interface Scope {
   readonly stars: string[];
 }
 
-/** What the names of a program mean. */
+/** The names of a program and their meaning. */
 export interface ProgramNames {
   /** The scope of the module. */
   readonly root: Scope;
@@ -52,7 +52,7 @@ export interface ProgramNames {
 
 const known = new WeakMap<PythonText, ProgramNames>();
 
-/** Works out which names a program has and where they come from. What it does not understand is left out. */
+/** Finds the names of a program and where they are bound. Code that it does not understand is left out. */
 export function namesOf(source: PythonText): ProgramNames {
   const names = known.get(source) ?? new Collector(source);
   known.set(source, names);
@@ -74,7 +74,7 @@ export function scopeAt(root: Scope, text: string, offset: number): Scope {
   }
 }
 
-/** The class that a scope is or stands in. */
+/** The class that a scope is or belongs to. */
 export function classAround(scope: Scope): Scope | null {
   if (scope.kind === 'class') return scope;
   return scope.parent === null ? null : classAround(scope.parent);
@@ -117,7 +117,10 @@ class Collector implements ProgramNames {
     });
   }
 
-  /** A line indented wrongly ends a function in the tree; here the function goes on as far as lines are indented more. */
+  /**
+   * A line indented wrongly ends a function in the tree; here the function continues as long as lines are indented
+   * more.
+   */
   private leaveScopes(from: number): void {
     const indent = indentAt(this.source.text, from);
     while (this.scope.parent !== null && from >= this.scope.node.to && indent <= this.scope.indent) {
@@ -214,7 +217,7 @@ class Collector implements ProgramNames {
   /** `n += 1` does not bind a new name, but shows what it may be afterwards. */
   update({ firstChild: target, lastChild: node }: SyntaxNode): void {
     if (target?.name !== 'VariableName' || node === null) return;
-    const isDivision = node.prevSibling !== null && this.textOf(node.prevSibling) === '/='; // a float comes out
+    const isDivision = node.prevSibling !== null && this.textOf(node.prevSibling) === '/='; // the result is a float
     this.note(this.textOf(target), isDivision ? UNKNOWN : { kind: 'value', of: 'itself', node });
   }
 
@@ -256,7 +259,7 @@ class Collector implements ProgramNames {
       this.imports.push(it);
       if (symbol === '*') this.scope.stars.push(module);
       if (nameNode === null) continue;
-      // `import a.b` binds a; what lies behind the dot is found through it.
+      // `import a.b` binds a; the names behind the dot are found through it.
       const isShort = symbolNode === null && nameNode.from === moduleNode?.from;
       this.declare(nameNode, { kind: 'import', module: isShort ? this.textOf(nameNode) : module, symbol });
     }

@@ -3,7 +3,7 @@ import { parser } from '@lezer/python';
 
 export type { SyntaxNode };
 
-/** A Python text with its syntax tree. Wrong code stands in the tree as an error node `⚠`, with the rest around it. */
+/** A Python text with its syntax tree. Wrong code is an error node `⚠` in the tree, with the rest around it. */
 export interface PythonText {
   readonly text: string;
   readonly tree: Tree;
@@ -17,8 +17,8 @@ const REMEMBERED = 32;
 const readings = new Map<string, PythonText>();
 
 /**
- * Parses a Python text. Never fails: a line being typed is read as far as it goes. The same text is parsed once, and a
- * text that differs little from an earlier one is parsed around the difference only.
+ * Parses a Python text. Never fails: a line being typed is parsed as far as possible. The same text is parsed once,
+ * and a text that differs little from an earlier one is parsed around the difference only.
  */
 export function readPython(text: string): PythonText {
   return remember(readings.get(text) ?? parsePython(text, unchangedParts(text)));

@@ -18,7 +18,7 @@ import type { Attachment, AttachmentContext, AttachmentType } from '../attachmen
 import { box, onRobot, share } from '../mount';
 import { attachmentTitles } from '../options';
 
-/** Angle of the servo with the claw wide open; below it the jaws stand against their stops. */
+/** Angle of the servo with the claw wide open; below it the jaws rest against their stops. */
 export const OPEN_DEG = 30;
 
 /** Angle at which the tips meet; beyond it the servo only presses harder. */

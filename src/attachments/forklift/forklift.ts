@@ -1,6 +1,6 @@
 /**
  * The Maqueen Mechanic kit "Forklift": two tines that go under a block and lift it. Lengths are chosen (no drawing is
- * public): the middle of a block of 3 to 8 cm that touches the mast lies above the tines.
+ * public): the middle of a block of 3 to 8 cm that touches the mast is above the tines.
  */
 import attachmentAbout from '../words/about';
 import type { AttachmentType } from '../attachment';

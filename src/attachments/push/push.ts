@@ -22,7 +22,7 @@ const WING: readonly Vec[] = [
   { x: 12, y: 43 },
 ];
 
-/** The plate, as wide as the robot, with two short wings that keep a block from slipping off in curves. */
+/** The plate, as wide as the robot, with two short wings that stop a block from slipping off in curves. */
 const PLATE: readonly (readonly Vec[])[] = [
   box(0, 7, -34, 34),
   WING,

@@ -1,6 +1,6 @@
 import type { BoardApi, Feature } from '#core/board-api';
 
-/** What a pin is being used for, in the words of the device's `get_mode()`. */
+/** Current use of a pin, in the words of the device's `get_mode()`. */
 export type PinMode =
   | 'unused'
   | 'read_digital'
@@ -14,7 +14,7 @@ export type PinMode =
   | 'i2c'
   | 'spi';
 
-/** How a pin senses a finger: through a loop over ground, or by its charge. */
+/** Method by which a pin senses a finger: through a loop over ground, or by its charge. */
 export type TouchKind = 'resistive' | 'capacitive';
 
 /** One pin of a board, as a Python program knows it. */
@@ -80,7 +80,7 @@ export interface BoardCosts {
   readonly logByteUs: number;
 }
 
-/** What `os.uname()` tells. */
+/** The fields of `os.uname()`. */
 export interface Uname {
   readonly sysname: string;
   readonly nodename: string;

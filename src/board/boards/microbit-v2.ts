@@ -53,8 +53,8 @@ const pins: readonly PinType[] = [
 
 /**
  * The firmwares of the micro:bit. The words of v2.1.2 are those of the hex that the official editor ships
- * (python-editor-v3, src/micropython/main); those of the newest one stand in micropython-microbit-v2 (mpconfigport.h,
- * modos.c), which has not been released: date and hash are those of the commit that the names come from.
+ * (python-editor-v3, src/micropython/main); those of the newest one are from micropython-microbit-v2 (mpconfigport.h,
+ * modos.c), which has not been released: date and hash are those of that commit.
  */
 const firmwares: readonly [FirmwareType, FirmwareType] = [
   {

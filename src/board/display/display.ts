@@ -7,9 +7,9 @@ const SIDE = 5;
 const TICK_MS = 6; // drv_display.c: MILLISECONDS_PER_MACRO_TICK
 const DARK = new Uint8Array(SIDE * SIDE);
 
-/** How pictures follow each other. */
+/** Timing of a sequence of pictures. */
 export interface ShowOptions {
-  /** How long each one stays, in ms; rounded up to whole ticks of 6 ms. Negative: for ever, as on the device. */
+  /** Duration of each picture, in ms; rounded up to whole ticks of 6 ms. Negative: for ever, as on the device. */
   readonly delayMs: number;
   /** Begin again after the last one, without end. */
   readonly loop: boolean;
@@ -19,7 +19,7 @@ export interface ShowOptions {
   readonly onOver?: () => void;
 }
 
-/** How a text scrolls through. */
+/** Speed and form of a scrolling text. */
 export interface ScrollOptions {
   /** Time for one column, in ms; rounded up to whole ticks of 6 ms. */
   readonly delayMs: number;
@@ -31,7 +31,7 @@ export interface ScrollOptions {
 interface Animation {
   readonly film: Film;
   readonly loop: boolean;
-  /** Whether a blank picture still has to follow. */
+  /** True if a blank picture still has to follow. */
   clear: boolean;
   readonly delayMs: number;
   readonly onOver: (() => void) | undefined;
@@ -60,7 +60,7 @@ export class Display {
     this.slot = grid.join(() => this.tick());
   }
 
-  /** What the LEDs show, 0 … 9, row by row; dark while the display is off or the board sleeps. Read-only. */
+  /** The LEDs, 0 … 9, row by row; dark while the display is off or the board sleeps. Read-only. */
   get pixels(): Uint8Array {
     if (!this.enabled || this.darkened) return DARK;
     return this.quarterTurns === 0 ? this.image : turned(this.image, this.quarterTurns);
@@ -101,12 +101,12 @@ export class Display {
     for (const pin of this.pins) pin.free();
   }
 
-  /** Cuts the LEDs' power while the board sleeps; the picture is kept. */
+  /** Cuts the LEDs' power while the board sleeps; the picture is retained. */
   darken(isDark: boolean): void {
     this.darkened = isDark;
   }
 
-  /** Sets one LED; an animation goes on. @throws RangeError "index out of bounds" or "brightness out of bounds" */
+  /** Sets one LED; an animation continues. @throws RangeError "index out of bounds" or "brightness out of bounds" */
   setPixel(x: number, y: number, brightness: number): void {
     if (!(brightness >= 0 && brightness <= 9)) throw new RangeError('brightness out of bounds');
     this.image[placeOf(x, y)] = brightness;
@@ -117,7 +117,7 @@ export class Display {
     return this.image[placeOf(x, y)] ?? 0;
   }
 
-  /** Blanks the pixels at once; what moves goes on. */
+  /** Blanks the pixels at once; an animation continues. */
   blank(): void {
     this.image.fill(0);
   }
@@ -129,7 +129,7 @@ export class Display {
     this.slot.wake();
   }
 
-  /** Shows one picture at once and keeps it. */
+  /** Shows one picture at once, without an end. */
   show(frame: Uint8Array): void {
     this.stopAnimation();
     this.draw(frame);

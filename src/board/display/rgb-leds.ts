@@ -5,7 +5,7 @@ const BYTES_PER_LED = 3;
 const DARK: Rgb = [0, 0, 0];
 
 /**
- * RGB LEDs soldered to the board, on a one-wire stream. They take the bytes in the order green, red, blue and keep
+ * RGB LEDs soldered to the board, on a one-wire stream. They take the bytes in the order green, red, blue and show
  * their colours until the next stream; a stream that is too short leaves the other LEDs as they were. Source: WS2812B
  * datasheet, "Composition of 24bit data"; the Calliope mini 3 carries three of them.
  */

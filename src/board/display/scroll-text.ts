@@ -14,11 +14,11 @@ const SIDE = 5;
 const BLANK_COLUMN: Column = [0, 0, 0, 0, 0];
 
 /**
- * A text that scrolls through the display: one picture for each column that comes in from the right, the last blank.
+ * A text that scrolls through the display: one picture for each column that enters from the right, the last blank.
  *
  * Proportional: letters as wide as they are (three columns at least, counted from the first), without a blank first
- * column, except for the first letter of the text, which keeps it. Source: micropython-microbit-v2 microbit_image.c,
- * the scrolling string iterator.
+ * column, except for the first letter of the text, which has it. Source: micropython-microbit-v2 microbit_image.c, the
+ * scrolling string iterator.
  */
 export function scrollFilm(text: string, monospace: boolean): Film {
   const columns = columnsOf(text, monospace);

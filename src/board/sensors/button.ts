@@ -45,12 +45,12 @@ export class Button {
     return this.contact.isOn;
   }
 
-  /** Whether it was pressed since the last call; independent of `takePresses`. */
+  /** True if it was pressed since the last call; independent of `takePresses`. */
   wasPressed(): boolean {
     return this.contact.wasOn();
   }
 
-  /** How often it was pressed since the last call; independent of `wasPressed`. */
+  /** Number of presses since the last call; independent of `wasPressed`. */
   takePresses(): number {
     return this.contact.takeCount();
   }

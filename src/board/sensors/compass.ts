@@ -10,8 +10,8 @@ export interface Field {
 /**
  * The compass. Heading and field are set from outside and independent of each other, as in the official simulator.
  *
- * It counts as calibrated from the start (on the device the last calibration is kept in the flash memory). Calibrating
- * takes no time and asks for no tilting: a board in a simulator has no iron near it (chosen).
+ * It counts as calibrated from the start (on the device the last calibration is stored in the flash memory).
+ * Calibrating takes no time and requires no tilting: a board in a simulator has no iron near it (chosen).
  */
 export class Compass {
   private calibrated = true;

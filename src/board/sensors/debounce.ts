@@ -6,7 +6,7 @@ const SIGMA_OFF = 2; // DEVICE_BUTTON_SIGMA_THRESH_LO: off below it
 
 /**
  * The device's lazy follower of a contact: a sum that rises by one per sample while the contact is closed and falls
- * while it is open. Sampled every 4 ms it goes on 36 ms after the contact closes and off 44 ms after it opens.
+ * while it is open. Sampled every 4 ms it switches on 36 ms after the contact closes and off 44 ms after it opens.
  * Source: codal-core Button.cpp, periodicCallback.
  */
 export class Debounce {
@@ -48,7 +48,7 @@ export class Debounce {
     return was;
   }
 
-  /** How often it switched on since the last call. Does not change `wasOn`. */
+  /** Number of times it switched on since the last call. Does not change `wasOn`. */
   takeCount(): number {
     const count = this.count;
     this.count = 0;

@@ -63,7 +63,7 @@ export class GestureRecogniser {
   /** @param tell called with every gesture when it is made */
   constructor(private readonly tell: (gesture: Gesture) => void) {}
 
-  /** The last gesture that was recognised; a posture stays until another gesture comes. */
+  /** The last gesture that was recognised; a posture remains until another gesture follows. */
   get current(): Gesture {
     return this.last;
   }

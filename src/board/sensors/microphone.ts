@@ -21,9 +21,9 @@ const DB_AT_255 = 100; // codal-core LevelDetectorSPL.h: LEVEL_DETECTOR_SPL_8BIT
 const CLAP_MS = { silenceBefore: 232, shortest: 23, longest: 151 } as const;
 
 /**
- * The microphone: loudness 0 … 255, and the events quiet and loud, which alternate (LevelDetectorSPL.cpp): after a loud
- * event only a quiet one can follow, and vice versa. The microphone begins to listen, and its light goes on, when a
- * program first uses it; it knows nothing of what happened before.
+ * The microphone: loudness 0 … 255, and the events quiet and loud, which alternate (LevelDetectorSPL.cpp): after a
+ * loud event only a quiet one can follow, and vice versa. The microphone begins to listen, and its light turns on, when
+ * a program first uses it; earlier sounds have no effect.
  */
 export class Microphone {
   private used = false;
@@ -98,7 +98,7 @@ export class Microphone {
     return this.latest;
   }
 
-  /** Whether this event occurred since the last call; also clears the list of `takeEvents`. */
+  /** True if this event occurred since the last call; also clears the list of `takeEvents`. */
   wasEvent(kind: SoundKind): boolean {
     this.history = [];
     return this.were.delete(kind);
@@ -130,7 +130,7 @@ export class Microphone {
     this.recorder.stop();
   }
 
-  /** Back to the state after a start: off, nothing heard. The level stays. */
+  /** Back to the state after a start: off, no events. The level remains. */
   reset(): void {
     this.recorder.stop();
     this.used = false;
@@ -156,7 +156,7 @@ export class Microphone {
     else if (this.state === 'loud' && this.level <= quiet) this.note((this.state = 'quiet'));
   }
 
-  /** A clap is recognised when it is over. Noise and silence are told apart by the thresholds of the start (chosen). */
+  /** A clap is recognised when it is over. The thresholds of the start separate noise from silence (chosen). */
   private feelClap(): void {
     const { nowUs } = this.clock;
     if (this.noiseSinceUs === null) {

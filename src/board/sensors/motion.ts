@@ -9,7 +9,7 @@ const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
 export const WIDEST_G = RANGES_G[2];
 const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
 
-/** Lets the accelerometer's sensors reach this far either way. */
+/** Sets the range of the accelerometer's sensors to ± this value. */
 export function limitReach(sensors: Sensors, mg: number): void {
   for (const id of Object.keys(AXES)) sensors.limit(id, -mg, mg);
 }
@@ -18,8 +18,8 @@ export function limitReach(sensors: Sensors, mg: number): void {
  * The accelerometer. It samples every 20 ms, at whole multiples since the start of the run; gestures are found in these
  * samples, and each setting of the sensor `gesture` makes another one.
  *
- * It sets no alarm: missed samples are caught up when a program asks, with the same result. A start finds the board as
- * it has been lying for a while: it feels gravity, and its posture is its first gesture.
+ * It sets no alarm: missed samples are caught up when a program asks, with the same result. At the start the board has
+ * been at rest for a while: it senses gravity, and its posture is its first gesture.
  */
 export class Motion {
   private readonly raw = { x: 0, y: 0, z: 0 };
@@ -64,13 +64,13 @@ export class Motion {
     this.readSensors();
   }
 
-  /** The present gesture; empty for none. A posture stays until another gesture comes. */
+  /** The present gesture; empty for none. A posture remains until another gesture follows. */
   get gesture(): Gesture {
     this.catchUp();
     return this.lastGesture;
   }
 
-  /** Whether the gesture was made since the last call; also clears the list of `takeGestures`. */
+  /** True if the gesture was made since the last call; also clears the list of `takeGestures`. */
   wasGesture(gesture: Gesture): boolean {
     this.catchUp();
     this.history = [];
@@ -91,7 +91,7 @@ export class Motion {
     this.lie();
   }
 
-  /** The board has been lying still, as its sensors say, for as long as a gesture needs. */
+  /** Treats the board as having been at rest, as its sensors are set, for as long as a gesture needs. */
   private lie(): void {
     this.recogniser = this.createRecogniser();
     this.lastGesture = '';
@@ -120,7 +120,7 @@ export class Motion {
       if (gesture === 'none') this.lastGesture = this.recogniser.current;
       else this.note(gesture as Gesture);
     } else if (Object.hasOwn(AXES, id)) {
-      // What is set before anything has run is how the board lies when it starts.
+      // A value set before anything has run is the board's posture at the start.
       if (this.clock.nowUs === 0) return this.lie();
       this.catchUp();
       this.readSensors();

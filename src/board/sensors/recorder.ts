@@ -10,7 +10,7 @@ const FULL_LEVEL = 255;
 /** The gain at which a level of 255 reaches full scale: main.cpp sets it at the start. */
 export const MEDIUM_SENSITIVITY = 0.2;
 
-/** The parameters of a recording, and where it goes. */
+/** The parameters of a recording, and its destination. */
 export interface RecordingOrder {
   /** Samples a second, at least 1. */
   readonly rateHz: number;

@@ -2,8 +2,8 @@ import type { Clock } from '#core/clock';
 import type { Sensors } from './sensors';
 
 /**
- * A sensor that the board reads at its first use and then periodically; in between, it gives the last reading. It sets
- * no alarm: a value from outside is kept until its reading would have come.
+ * A sensor that the board reads at its first use and then periodically; in between, it gives the last reading. It
+ * sets no alarm: a value from outside is held back until its reading is due.
  */
 export class SampledSensor {
   /** When the first reading was taken; `null` before it. */

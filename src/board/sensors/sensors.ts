@@ -28,12 +28,12 @@ interface Range {
   readonly unit: string;
 }
 
-/** What an accelerometer at rest measures of gravity, in its own mg (codal-core Accelerometer.h). */
+/** Gravity as measured by an accelerometer at rest, in its own mg (codal-core Accelerometer.h). */
 export const GRAVITY_MG = 1024;
 
 /**
- * Ranges, start values and ids as in the official simulator (micropython-microbit-v2-simulator, src/board/), but for
- * gravity: the board lies on the table, display up, while the official one falls freely (all axes 0).
+ * Ranges, start values and ids as in the official simulator (micropython-microbit-v2-simulator, src/board/), except
+ * for gravity: this board rests on the table, display up, while the official one is in free fall (all axes 0).
  */
 const RANGES: Readonly<Record<string, Range>> = {
   accelerometerX: { min: -2000, max: 2000, start: 0, unit: 'mg' },
@@ -89,7 +89,9 @@ export class Sensors {
     return value;
   }
 
-  /** What is wrong with a value: an unknown id, or outside its range. Names id, value and range; `null`: it can be set. */
+  /**
+   * The problem with a value: an unknown id, or outside its range. Names id, value and range; `null`: it can be set.
+   */
   problemOf(id: string, value: number | string): string | null {
     if (id === 'gesture') {
       const isGesture = typeof value === 'string' && GESTURES.includes(value);

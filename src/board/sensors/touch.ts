@@ -36,7 +36,7 @@ export class Touch {
     this.contact.reset();
   }
 
-  /** How it senses; see `TouchKind`. */
+  /** Its method of sensing; see `TouchKind`. */
   get kind(): TouchKind {
     return this.currentKind;
   }
@@ -58,12 +58,12 @@ export class Touch {
     return this.contact.isOn;
   }
 
-  /** Whether it was touched since the last call; independent of `takeTouches`. */
+  /** True if it was touched since the last call; independent of `takeTouches`. */
   wasTouched(): boolean {
     return this.contact.wasOn();
   }
 
-  /** How often it was touched since the last call; independent of `wasTouched`. */
+  /** Number of touches since the last call; independent of `wasTouched`. */
   takeTouches(): number {
     return this.contact.takeCount();
   }

@@ -19,8 +19,8 @@ export class AudioRoute {
   /**
    * Sends the sound to this pin, or to none, and gives back the pin that had it.
    *
-   * @param mode `music` holds the pin against other uses, `audio` lets it be taken
-   * @returns `null`, or the device's ValueError if the pin is held; the sound then goes to no pin
+   * @param mode `music` reserves the pin, `audio` lets other uses take it
+   * @returns `null`, or the device's ValueError if the pin is reserved; the sound then has no pin
    */
   select(pin: Pin | null, mode: 'music' | 'audio'): string | null {
     const problem = this.take(pin, mode);
@@ -59,7 +59,10 @@ export class AudioRoute {
     if (this.mode === 'music') this.current?.playTone(periodUs);
   }
 
-  /** Takes a pin; one that had the sound otherwise is given back. @returns `null`, or what is told if the pin is held */
+  /**
+   * Takes a pin; the previous pin of the sound is released. @returns `null`, or the error message if the pin is
+   * reserved
+   */
   private take(pin: Pin | null, mode: 'music' | 'audio'): string | null {
     const before = this.current;
     if (before && (pin !== before || this.mode !== mode)) this.free();

@@ -4,12 +4,12 @@ import { createBench } from '../testing/bench';
 
 const START = { octave: 4, ticks: 4 };
 
-/** A board with its music, and what is heard. */
+/** A board with its music, and a record of its sounds. */
 function bench() {
   const table = createBench();
   const { music } = table.board;
   const pin = table.board.pin('pin0');
-  /** Plays to the end and tells when which tone begins and ends, in ms and whole Hz. */
+  /** Plays to the end and returns the beginning and end of each tone, in ms and whole Hz. */
   const hear = (notes: readonly string[]): string[] => {
     expect(music.play(notes, { pin, loop: false })).toBeNull();
     const heard: string[] = [];

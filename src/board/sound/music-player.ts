@@ -14,7 +14,7 @@ export interface Tempo {
   readonly ticks: number;
 }
 
-/** Where and how notes are played. */
+/** Destination and form of played notes. */
 export interface PlayOptions {
   /** The pin that carries the tone besides the speaker; `null` for the speaker alone. */
   readonly pin: Pin | null;
@@ -28,7 +28,7 @@ interface Tune {
   readonly notes: readonly string[];
   readonly loop: boolean;
   next: number;
-  /** What to do when the time has come: silence before the next note, or the next note. */
+  /** The action at that time: silence before the next note, or the next note. */
   then: 'gap' | 'note';
   untilMs: number;
 }
@@ -68,14 +68,14 @@ export class MusicPlayer {
     return this.currentTempo;
   }
 
-  /** Changes the tempo; 0 or nothing keeps a value. Values are 16 bits wide, as on the device. */
+  /** Changes the tempo; 0 or nothing leaves a value as it is. Values are 16 bits wide, as on the device. */
   setTempo(tempo: { readonly bpm?: number; readonly ticks?: number }): void {
     const bpm = tempo.bpm ? tempo.bpm & 0xffff : this.currentTempo.bpm;
     const ticks = tempo.ticks ? tempo.ticks & 0xffff : this.currentTempo.ticks;
     this.currentTempo = { bpm, ticks };
   }
 
-  /** Resets tempo, octave and note length to those after a start; the current sound goes on. */
+  /** Resets tempo, octave and note length to those after a start; the current sound continues. */
   reset(): void {
     this.currentTempo = START_TEMPO;
     this.memory = START_MEMORY;
@@ -96,12 +96,13 @@ export class MusicPlayer {
   }
 
   /**
-   * Sounds one pitch at once. After its duration come silence and the articulation gap, then `isPlaying` ends.
+   * Sounds one pitch at once. Silence and the articulation gap follow its duration, then `isPlaying` ends.
    *
-   * @param hz whole Hz, 0 for silence. Less than 0, or more than 1 MHz, is no error on the device: the period becomes 0
-   *   µs (the argument is unsigned), and the pin stays with the music. What is heard then is not known; chosen: silence
+   * @param hz whole Hz, 0 for silence. Less than 0, or more than 1 MHz, is no error on the device: the period becomes
+   *   0 µs (the argument is unsigned), and the pin stays with the music. The resulting sound is not known; chosen:
+   *   silence
    * @param durationMs negative: until something else is played, or a stop
-   * @returns `null`, or the device's ValueError if the pin is held
+   * @returns `null`, or the device's ValueError if the pin is reserved
    */
   pitch(hz: number, durationMs: number, pin: Pin | null): string | null {
     const problem = this.begin(pin);

@@ -1,4 +1,4 @@
-/** How a phoneme is made. */
+/** Articulation of a phoneme. */
 export type PhonemeKind = 'vowel' | 'sonorant' | 'nasal' | 'fricative' | 'stop' | 'breath' | 'pause';
 
 /** A phoneme of the speech module: its length and the posture of mouth and throat. */
@@ -10,7 +10,7 @@ export interface Phoneme {
   readonly formants: readonly [number, number, number];
   /** The formants at the end, for a sound that glides. */
   readonly glide?: readonly [number, number, number];
-  /** How loud the voice is, 0 … 1. */
+  /** Loudness of the voice, 0 … 1. */
   readonly voice: number;
   /** Noise of breath or burst: loudness 0 … 1, centre and width in Hz. */
   readonly noise?: { readonly gain: number; readonly hz: number; readonly widthHz: number };
@@ -123,7 +123,7 @@ export const PHONEMES: Readonly<Record<string, Phoneme>> = {
   '?': pause(400),
 };
 
-/** Names that stand for two phonemes. */
+/** Names for pairs of phonemes. */
 export const PAIRS: Readonly<Record<string, readonly [string, string]>> = {
   UL: ['AX', 'LX'],
   UM: ['AX', 'M'],

@@ -64,7 +64,7 @@ function renderPart(part: EffectPart, oscillator: Oscillator, out: Float32Array)
     (change) => change !== null,
   );
   const next = changes.map(() => 0);
-  // The last step of a change falls on the end of the part: it is never heard.
+  // The last step of a change falls on the end of the part: it is inaudible.
   const dueAt = ({ steps }: Change, step: number): number =>
     step >= steps - 1 ? out.length : Math.floor((out.length / steps) * step);
   for (let i = 0; i < out.length;) {

@@ -6,7 +6,7 @@ import { utteranceUs, type SpeechSound, type Utterance } from './utterance';
 /** Samples a second of what `renderSpeech` makes. Chosen: up to 11 kHz, so that S is not F. */
 export const SPEECH_RATE = 22_050;
 
-/** Parameters are computed every so many samples (0.4 ms): with larger steps the glides crackle. */
+/** Number of samples between two updates of the parameters (0.4 ms): with larger steps the glides crackle. */
 const BLOCK = 8;
 const MIDDLE_SETTING = 128;
 
@@ -103,7 +103,7 @@ function mix(a: Posture, b: Posture, share: number): Posture {
   };
 }
 
-/** How long a sound leans into the previous one, in s. Chosen by spectrograms. */
+/** Duration of the transition from the previous sound, in s. Chosen by spectrograms. */
 const RAMP_S = { vowel: 0.045, sonorant: 0.06, nasal: 0.025, fricative: 0.025, stop: 0.03, breath: 0.03, pause: 0.03 };
 /** Parts of a stop: how long it is shut, how long it bursts; the rest is breath or nothing. */
 const SHUT_SHARE = 0.6;
@@ -178,13 +178,15 @@ function segmentsOfSound(
 /** Widths of the resonators in Hz, and the fixed upper formants. Klatt 1980, table I. */
 const WIDTHS_HZ = [60, 90, 150, 250, 300] as const;
 const UPPER_FORMANTS_HZ = [3500, 4500] as const;
-/** How fast the voice loses high frequencies. Chosen brighter than a human voice, for small loudspeakers. */
+/**
+ * Bandwidth of the voice: how soon high frequencies fade. Chosen brighter than a human voice, for small loudspeakers.
+ */
 const GLOTTIS_WIDTH_HZ = 500;
 /** Loudness of breath and of noise beside the voice's 1. Fitted: an S is half as loud as the vowel beside it. */
 const BREATH_GAIN = 0.6;
 const NOISE_GAIN = 3;
 
-/** Mouth and throat: keeps its resonances from block to block. */
+/** Mouth and throat: the state of its resonances carries over from block to block. */
 function createTract(): { sound(posture: Posture, hz: number, out: Float32Array): void } {
   const chance = createRng(1982);
   const glottis = createResonator();

@@ -13,7 +13,7 @@ export interface SampleBlock {
 export const CHUNK_SAMPLES = 32;
 
 /**
- * The output of samples: blocks that follow one another without a gap, as long as the next one comes in time.
+ * The output of samples: blocks that follow one another without a gap, as long as the next one arrives in time.
  *
  * When the last 32 samples of a block begin to sound the stream asks for the next block. A late block begins at once,
  * after a gap. Source of the double buffer: micropython-microbit-v2 modaudio.c. Left out: the mixer's own buffer, which
@@ -35,7 +35,7 @@ export class SampleStream {
     return this.askForMore !== null;
   }
 
-  /** Whether samples sound now. */
+  /** True while samples sound. */
   get isSounding(): boolean {
     return this.playing !== null;
   }
@@ -52,7 +52,7 @@ export class SampleStream {
     else this.begin(block, this.clock.nowUs);
   }
 
-  /** Says that nothing more will come; what has been handed over sounds to its end. */
+  /** Ends the input; the samples already handed over sound to their end. */
   close(): void {
     this.askForMore = null;
   }

@@ -5,8 +5,8 @@ import type { Utterance } from './utterance';
  * An event of the board's sound hardware. It is plain data: it can be logged and sent. The sound follows from the
  * events alone. `render-effect` and `render-speech` make samples of them, which a headless run never does.
  *
- * The device mixes four sources: a tone, an effect, samples and speech. Each goes on until it has ended, is replaced by
- * the next event of its kind, or is silenced.
+ * The device mixes four sources: a tone, an effect, samples and speech. Each continues until it has ended, is replaced
+ * by the next event of its kind, or is silenced.
  */
 export type SoundEvent = {
   /** When it happens, in µs since the start of the run. */

@@ -52,7 +52,7 @@ export class Sound {
     this.tellOutput();
   }
 
-  /** Whether an effect, samples or speech sound now. The tone is `MusicPlayer.frequencyHz`. */
+  /** True while an effect, samples or speech sound. The tone is `MusicPlayer.frequencyHz`. */
   get isSounding(): boolean {
     const { nowUs } = this.clock;
     return this.effectEndUs > nowUs || this.speechEndUs > nowUs || this.stream.isSounding;

@@ -9,7 +9,7 @@ export interface Voice {
   readonly speed: number;
   readonly mouth: number;
   readonly throat: number;
-  /** Singing keeps the pitch as it is written; speaking moves it as a sentence does. */
+  /** Singing uses the pitches as written; speaking varies them as in a sentence. */
   readonly sings: boolean;
 }
 
@@ -39,7 +39,7 @@ const ENDINGS: Readonly<Record<string, number>> = { '.': 0.78, '?': 1.35, ',': 1
 const ENDING_SOUNDS = 4;
 
 /**
- * Works out how a text of phonemes is spoken.
+ * Converts a text of phonemes to speech.
  *
  * @param text as `speech.pronounce` takes it: phonemes, stress marks 1 … 8 after a vowel, spaces, punctuation and, to
  *   sing, pitches such as `#115`

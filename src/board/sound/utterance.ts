@@ -8,7 +8,7 @@ export interface Utterance {
   readonly throat: number;
 }
 
-/** One phoneme as it is spoken. */
+/** One phoneme of spoken text. */
 export interface SpeechSound {
   /** Name in the table of phonemes, `IY`; a pause is a space. */
   readonly phoneme: string;

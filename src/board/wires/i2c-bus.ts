@@ -4,8 +4,8 @@ import type { Wire } from './wire';
 /** A chip on the bus. It acknowledges every byte; a chip that must not answer is detached. */
 export interface I2cTarget {
   /**
-   * Receives the bytes after the address of one write transfer; may be empty (an address probe). They may be a view of
-   * other memory: copy what you keep.
+   * Receives the bytes after the address of one write transfer; may be empty (an address probe). They may be a view
+   * of other memory: copy them to store them.
    */
   write(bytes: Uint8Array): void;
   /** Gives the bytes of one read transfer: exactly `count`, missing ones are read as 0xFF (the released bus). */
@@ -22,7 +22,7 @@ export interface I2cWires {
 export interface I2cTransfer {
   /** False if no chip has the address: the controller sees no acknowledge (rule I1). */
   readonly acknowledged: boolean;
-  /** How long the bus was busy, in whole µs; equals `transferUs`. */
+  /** Time for which the bus was busy, in whole µs; equals `transferUs`. */
   readonly durationUs: number;
   /** The bytes read; empty for a write. */
   readonly bytes: Uint8Array;
@@ -32,7 +32,7 @@ export interface I2cTransfer {
 export interface I2cOverhead {
   /** After every transfer. */
   readonly gapUs: number;
-  /** A write of no bytes that is acknowledged: the controller waits for a byte that never comes. */
+  /** A write of no bytes that is acknowledged: the controller waits for a byte that never arrives. */
   readonly probeUs: number;
 }
 
@@ -74,7 +74,7 @@ export class I2cBus {
     this.wires = null;
   }
 
-  /** Moves the bus to other wires; only the chips there are heard (rule I8). `null`: the wires after a start. */
+  /** Moves the bus to other wires; only the chips there receive it (rule I8). `null`: the wires after a start. */
   useWires(wires: I2cWires | null): void {
     this.wires = wires;
   }
@@ -110,7 +110,7 @@ export class I2cBus {
     return this.find(address) !== undefined;
   }
 
-  /** How long a transfer of the address byte and `byteCount` data bytes keeps the bus busy, in µs, rounded up. */
+  /** Time for which a transfer of the address byte and `byteCount` data bytes occupies the bus, in µs, rounded up. */
   transferUs(byteCount: number): number {
     return Math.ceil(((byteCount + 1) * BITS_PER_BYTE * 1_000_000) / this.frequencyHz) + this.overhead.gapUs;
   }

@@ -83,7 +83,7 @@ export class Pin {
     return null;
   }
 
-  /** Gives the pin back, whatever held it; its own end then drives nothing. */
+  /** Releases the pin from any use; its own end then drives nothing. */
   free(): void {
     this.currentMode = 'unused';
     this.become('nothing');

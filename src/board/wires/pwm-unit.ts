@@ -33,7 +33,7 @@ export class PwmUnit {
   }
 
   /**
-   * Changes the period of every channel; each keeps its duty (rule P2).
+   * Changes the period of every channel; their duties stay the same (rule P2).
    *
    * @param periodUs 1 … 262143 µs
    * @returns false, with nothing changed, if the hardware cannot do it
@@ -49,8 +49,8 @@ export class PwmUnit {
   }
 
   /**
-   * Puts a value on an output. The first four outputs get a channel each; every further one takes the channel that was
-   * given out longest ago, and the output that had it goes low (rule P4).
+   * Puts a value on an output. The first four outputs get a channel each; every further one takes the channel that
+   * was assigned longest ago, and the output that had it becomes low (rule P4).
    *
    * @param value 0 … 1023
    */

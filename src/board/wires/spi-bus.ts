@@ -16,9 +16,10 @@ export interface SpiTarget {
   /**
    * One byte each way at the same time.
    *
-   * @param sent what the controller sends
+   * @param sent the byte that the controller sends
    * @param mode clock polarity and phase, 0 … 3; a chip made for another mode behaves as its datasheet says
-   * @returns the byte that the chip sends meanwhile, or `null` if it leaves the wire alone (it is not selected)
+   * @returns the byte that the chip sends at the same time, or `null` if it leaves the wire alone (it is not
+   *   selected)
    */
   transfer(sent: number, mode: number): number | null;
 }
@@ -36,7 +37,7 @@ const START_HZ = 1_000_000; // NRF52SPI.cpp, constructor
 const BITS_PER_BYTE = 8;
 
 /**
- * The microcomputer's SPI controller. It is off until `init`; chips then hear it on its wires.
+ * The microcomputer's SPI controller. It is off until `init`; chips then receive it on its wires.
  *
  * A transfer happens at its end: let `transferUs` pass first, then call `transfer`. Its bits are not seen as levels on
  * the wires (rule Q2).

@@ -66,7 +66,7 @@ export class Uart {
     return this.received.length;
   }
 
-  /** Number of them that make up the next line with its newline; all of them if no newline has come yet. */
+  /** Number of them that make up the next line with its newline; all of them if there is no newline yet. */
   get lineLength(): number {
     const end = this.received.indexOf(0x0a);
     return end < 0 ? this.waiting : end + 1;

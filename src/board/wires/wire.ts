@@ -21,7 +21,7 @@ export interface SerialFrame {
   readonly baud: number;
 }
 
-/** What one end does to its wire. Rule ids: see SPEC.md. */
+/** The signal that one end drives its wire with. Rule ids: see SPEC.md. */
 type Drive =
   | { readonly kind: 'level'; readonly level: Level }
   | { readonly kind: 'analog'; readonly fraction: number }
@@ -137,7 +137,7 @@ export class Wire {
 
   /**
    * Receives the bytes of a one-wire LED stream (ws2812), most significant bit first as sent. They may be a view of
-   * other memory: copy what you keep.
+   * other memory: copy them to store them.
    */
   onStream(listener: (bytes: Uint8Array) => void): Stop {
     return attach(this.streamListeners, listener);
@@ -227,7 +227,7 @@ function attach<T>(listeners: Listeners<T>, tell: (news: T) => void): Stop {
   };
 }
 
-/** Notifies the present listeners; one that is stopped on the way hears nothing more (rule W10). */
+/** Notifies the present listeners; one that is stopped meanwhile is not notified any more (rule W10). */
 function tellAll<T>(listeners: Listeners<T>, news: T): void {
   for (const listener of [...listeners]) if (listeners.has(listener)) listener.tell(news);
 }

@@ -2,23 +2,23 @@ import type { Locks } from '../task/task';
 import type { Verdict } from '#simulation/task/verdict';
 import type { Carried, Project } from '#project/project';
 
-/** What a pupil hands in. */
+/** The work that a pupil hands in. */
 export interface HandIn {
   /** Program, course and settings as the pupil had them; without `handIn`. */
   readonly project: Project;
-  /** The course is the pupil's: in a program alone there is none. */
+  /** The course is the pupil's: a program alone has none. */
   readonly hasCourse: boolean;
-  /** What the pupil's page says; `null`: nothing, as in a program alone. */
+  /** The pupil's page's statement about the work; `null`: none, as for a program alone. */
   readonly said: Said | null;
-  /** What the pupil's page kept locked; left out: nobody knows. */
+  /** Locks that were in force on the pupil's page; left out: unknown. */
   readonly locks?: Locks;
-  /** Tells which course was handed out (`courseMark`); left out: nobody knows. */
+  /** Identifies the course that was handed out (`courseMark`); left out: unknown. */
   readonly mark?: string;
   /** It is a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
   readonly isEdited?: true;
 }
 
-/** What the pupil's page writes into a hand-in. It is told, and checked where it can be. */
+/** The data that the pupil's page writes into a hand-in. It is reported, and verified where possible. */
 export interface Said {
   /** Id of the task; empty: it has none. */
   readonly task: string;
@@ -28,13 +28,16 @@ export interface Said {
   readonly verdict: Verdict['state'];
   /** Number of runs. */
   readonly tries: number;
-  /** Fingerprint of the ways of the robots in the visible world, until the verdict; empty: there is none. */
+  /** Fingerprint of the robots' trails in the visible world, until the verdict; empty: none. */
   readonly hash: string;
-  /** What the page has noticed. */
+  /** Irregularities that the page has noticed. */
   readonly remarks: readonly SaidRemark[];
 }
 
-/** What a page notices: the course was changed, the hand has moved something, the program was written elsewhere. */
+/**
+ * Irregularities that a page notices: the course was changed, the hand has moved something, the program was written
+ * elsewhere.
+ */
 export const saidRemarks = ['course', 'hand', 'outside'] as const;
 export type SaidRemark = (typeof saidRemarks)[number];
 

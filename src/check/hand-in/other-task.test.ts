@@ -10,7 +10,7 @@ import { taskOf } from '../task/read-task';
 const open = taskWith(sceneWith([targetAt(600, 450)], { name: 'One second' }));
 const garage = sceneWith([targetAt(900, 450)], { name: 'Into the garage' });
 
-/** What a pupil's page says that would be told, were it said of this task. */
+/** Statement of a pupil's page that would lead to remarks if it were about this task. */
 const said = { version: 1, alias: 'Ada', verdict: 'passed', tries: 2, hash: 'abc', remarks: ['course', 'outside'] };
 const handedOut = (): Project => {
   const read = taskOf({ ...projectWith(garage), task: { version: 1, locks: { hand: true, course: true } } });

@@ -3,8 +3,9 @@ import type { ClassTask } from '../task/task';
 import type { HandIn } from './hand-in';
 
 /**
- * The name of the task that a hand-in was made for, if that is another one; `null`: it is this one, or nobody knows. An id
- * that both have decides, then the mark of the course that was handed out, then the ready course, then the course's name.
+ * The name of the task that a hand-in was made for, if that is another one; `null`: it is this one, or unknown. An id
+ * that both have decides, then the mark of the course that was handed out, then the ready course, then the course's
+ * name.
  */
 export function otherTask({ id, project: own }: ClassTask, { project, hasCourse, said, mark }: HandIn): string | null {
   if (!hasCourse) return null;

@@ -6,7 +6,7 @@ import { locksOf } from '../task/read-task';
 import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
 
-/** The hand-in of a project that a pupil has saved or sent, or why there is none. Never throws. */
+/** The hand-in of a project that a pupil has saved or sent, or the reason why it has none. Never throws. */
 export function handInOf(
   project: Project,
 ): { readonly handIn: HandIn } | { readonly problem: string; readonly isNewer: boolean } {
@@ -35,7 +35,7 @@ export const handInOfFiles = (files: readonly SourceFile[]): HandIn => ({
 });
 
 function saidIn(data: Carried, reader: Reader): Said {
-  // The series that the work is a part of tells the page the way back, and nothing of what is checked.
+  // The series of a task is for the page's navigation only; it has no part in the check.
   const { task, alias, verdict, tries, hash, remarks } = reader.fields(data, 'handIn', [
     ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series'],
   ]);

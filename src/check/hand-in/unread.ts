@@ -1,7 +1,7 @@
 /** Why something that was handed in cannot be read. */
 export interface Unread {
   readonly code: UnreadCode;
-  /** What the sentence about it names. */
+  /** Values for the sentence about it. */
   readonly params: Readonly<Record<string, string | number>>;
 }
 
@@ -31,7 +31,7 @@ export const unreadCodes = [
 ] as const;
 export type UnreadCode = (typeof unreadCodes)[number];
 
-/** What cannot be read, in the place of what was read. */
+/** Returns a read failure in the place of a hand-in. */
 export const unread = (code: UnreadCode, params: Unread['params'] = {}): { readonly problem: Unread } => ({
   problem: { code, params },
 });

@@ -3,7 +3,7 @@ import type { PythonText } from '#python/tree';
 /** Brackets within brackets. Chosen: more than MicroPython's own parser takes on the device. */
 const MOST_LEVELS = 400;
 
-/** Whether a program is nested so deeply that nobody reads it: then its tree is not looked at. */
+/** True if a program is nested too deeply to be legible: its tree is then not examined. */
 export function isTooDeep({ tree }: PythonText): boolean {
   let level = 0;
   let deepest = 0;

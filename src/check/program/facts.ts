@@ -11,13 +11,13 @@ export type Files = Readonly<Record<string, string>>;
 /** A fact of a program, or where it does not hold. */
 export interface FactFound {
   readonly holds: boolean;
-  /** What was found instead: the number of lines, the longest wait in ms; `null`: it is not there. */
+  /** The value found instead: the number of lines, the longest wait in ms; `null`: there is none. */
   readonly found: number | null;
   /** The line in `file` where it does not hold; `null`: nowhere in particular. */
   readonly line: number | null;
 }
 
-/** Decides a fact about a program from its syntax tree. Code with mistakes is read as far as it goes. */
+/** Decides a fact about a program from its syntax tree. Code with mistakes is read as far as possible. */
 export function findFact(fact: Fact, files: Files): FactFound {
   const programs = programsIn(files);
   switch (fact.type) {
@@ -34,7 +34,7 @@ export function findFact(fact: Fact, files: Files): FactFound {
   }
 }
 
-/** Whether there is no code at all. */
+/** True if there is no code at all. */
 export const isEmpty = (files: Files): boolean => programsIn(files).every((source) => codeLines(source) === 0);
 
 const found = (holds: boolean): FactFound => ({ holds, found: null, line: null });
@@ -69,7 +69,7 @@ function callsIn(source: PythonText, name: string): boolean {
   });
 }
 
-/** The names of `a.b.c`; what is no name in it is empty. */
+/** The names of `a.b.c`; parts of it other than names are empty. */
 function pathOf(source: PythonText, node: SyntaxNode): readonly string[] {
   if (node.name === 'VariableName') return [textOf(source, node)];
   const attribute = attributeOf(node);
@@ -79,13 +79,16 @@ function pathOf(source: PythonText, node: SyntaxNode): readonly string[] {
 
 type Aliases = ReadonlyMap<string, readonly string[]>;
 
-/** The names of `a.b.c` with what `a` stands for. */
+/** The names of `a.b.c`, with `a` resolved. */
 function fullPath(source: PythonText, node: SyntaxNode, others: Aliases): readonly string[] {
   const [first = '', ...rest] = pathOf(source, node);
   return [...(others.get(first) ?? [first]), ...rest];
 }
 
-/** What `from mbrobot import irLeft as left` calls `left`, and `wait = microbit.sleep` calls `wait`. */
+/**
+ * The names bound by imports and assignments: `left` by `from mbrobot import irLeft as left`, `wait` by `wait =
+ * microbit.sleep`.
+ */
 function aliasesIn(source: PythonText): Aliases {
   const aliases = new Map<string, readonly string[]>();
   source.tree.iterate({
@@ -118,7 +121,7 @@ function codeLines({ text, tree }: PythonText): number {
   return lines.size;
 }
 
-/** Tells the line of a place, from 1. */
+/** Returns a function from a place to its line, from 1. */
 function lineFinder(text: string): (place: number) => number {
   const starts = [0];
   for (let at = text.indexOf('\n'); at >= 0; at = text.indexOf('\n', at + 1)) starts.push(at + 1);
@@ -155,7 +158,7 @@ function delaysWithin(programs: readonly PythonText[], most: number): FactFound 
   return { holds, found: longest.ms, line: holds ? null : longest.line };
 }
 
-/** How long a call waits, if it is one that waits and its figure stands there. */
+/** Duration of a call that waits, if its value is known. */
 function waitOf(source: PythonText, call: SyntaxNode, others: Aliases, secondsHere: boolean): number | null {
   const { firstChild: callee } = call;
   const path = callee === null ? [] : fullPath(source, callee, others);
@@ -180,10 +183,10 @@ function sleepsInSeconds(source: PythonText): boolean {
   );
 }
 
-/** How many names may stand for names. */
+/** Longest chain of names that are followed to a value. */
 const MOST_NAMES = 20;
 
-/** The value of a number, of a name for one, or of a sum and the like of them; `null`: only a run would tell. */
+/** The value of a number, of a name for one, or of a sum and the like of them; `null`: known only at run time. */
 function numberOf(source: PythonText, node: SyntaxNode, names = 0): number | null {
   if (node.name === 'VariableName') return names < MOST_NAMES ? namedNumber(source, node, names + 1) : null;
   if (node.name === 'Number') return finite(Number(textOf(source, node).replaceAll('_', '')));
@@ -202,7 +205,7 @@ function numberOf(source: PythonText, node: SyntaxNode, names = 0): number | nul
   return Object.hasOwn(values, operator) ? finite(values[operator] ?? NaN) : null;
 }
 
-/** The number that a name was given last before it stands here; `null` if it is ever given something else. */
+/** The number last assigned to a name before it is used here; `null` if anything else is ever assigned to it. */
 function namedNumber(source: PythonText, node: SyntaxNode, names: number): number | null {
   const name = textOf(source, node);
   const isUpdated = ({ name: kind, firstChild }: SyntaxNode): boolean =>

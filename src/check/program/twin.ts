@@ -17,7 +17,7 @@ export function twinHash(files: Files): string {
 export const twinOfAll = (programs: readonly Files[]): string =>
   programs.length === 1 ? twinHash(programs[0] ?? {}) : hashOfText(programs.map(twinHash).join('\n'));
 
-/** The tree of a program as text, each name of its own by the place where it comes first. */
+/** The tree of a program as text, each name of its own replaced by the order of first occurrence. */
 function shapeOf(text: string): string {
   const source = parsePython(text);
   if (isTooDeep(source)) return text;

@@ -1,15 +1,15 @@
 import type { CheckResult, Remark } from '../result';
 
-/** What became of somebody's hand-in. */
+/** Result of one person's hand-in. */
 export interface NamedResult {
   /** Unlike the others. */
   readonly name: string;
   readonly result: CheckResult;
-  /** What the teacher has written to it; left out: nothing. */
+  /** The teacher's note on it; left out: none. */
   readonly note?: string;
 }
 
-/** What became of a class. */
+/** Results of a class. */
 export interface ClassResult {
   /** Name of the task. */
   readonly task: string;
@@ -17,7 +17,7 @@ export interface ClassResult {
   readonly handIns: readonly NamedResult[];
 }
 
-/** Puts the results of a class together: those with the same program are told. */
+/** Puts the results of a class together: those with the same program are marked. */
 export function classResult(task: string, handIns: readonly NamedResult[]): ClassResult {
   const byTwin = new Map<string, string[]>();
   for (const { name, result } of handIns)
@@ -53,7 +53,7 @@ export function otherTasks({ handIns }: ClassResult): readonly OtherTask[] {
   return [...counts].map(([task, count]) => ({ task, count })).toSorted((a, b) => b.count - a.count);
 }
 
-/** A class may share one program: so many names are told. */
+/** Maximum number of names listed, as a whole class may share one program. */
 const MOST_NAMES = 10;
 
 const twins = (names: readonly string[]): Remark => ({

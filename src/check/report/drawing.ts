@@ -8,7 +8,7 @@ import type { ClassTask } from '../task/task';
 import { courseOfWorld } from '../task/world-course';
 import { escaped } from './escaped';
 
-/** How the parts of a course look: colours that can be told apart in grey, too. */
+/** Styles of the parts of a course: colours that differ in grey, too. */
 const LINE = 'fill="none" stroke-linecap="round" stroke-linejoin="round"';
 const ZONE = 'fill="#2563b8" fill-opacity="0.11" stroke="#2563b8" stroke-width="6"';
 const FORBIDDEN = 'fill="#c3262b" fill-opacity="0.13" stroke="#c3262b" stroke-width="6"';
@@ -30,12 +30,12 @@ export class Drawings {
     );
   }
 
-  /** What all drawings refer to. */
+  /** Definitions that all drawings refer to. */
   shared(): string {
     return [...this.courses.values()].map(({ inside }, place) => `<g id="course-${place}">${inside}</g>`).join('');
   }
 
-  /** The way in a world over its course. */
+  /** The trail in a world over its course. */
   way(world: Pick<WorldResult, 'id' | 'trail'>, label: string): string {
     const course = this.courses.get(world.id);
     if (course === undefined) return '';
@@ -68,7 +68,7 @@ function lookOf(object: SceneObject): string {
   return `fill="${object.type === 'wall' || object.type === 'block' ? SOLID[object.type] : OTHER_SOLID}"`;
 }
 
-/** The way of a robot over the course, with a dot where it ended. */
+/** The trail of a robot over the course, with a dot at its end. */
 function wayDrawing({ trail }: Pick<WorldResult, 'trail'>, height: number): string {
   const lines = trail.map(
     (piece) =>

@@ -107,7 +107,7 @@ function rowOf(
   ].join('');
 }
 
-/** What a check asks, in words, with the picture that is to be shown. */
+/** The requirement of a check in words, with the picture that is to be shown. */
 function askedOf({ checks }: ClassTask, id: string, language: Language): string {
   const check = checks.find((one): one is Check => one.id === id);
   if (check === undefined) return escaped(id);

@@ -20,7 +20,7 @@ function wellFormed(xml: string): string {
 
 const task = taskWith(sceneWith([targetAt(600, 450)]));
 
-/** Three results: of a program that arrives, of one that does not, of something that is no program. */
+/** Three results: of a program that arrives, of one that does not, of something other than a program. */
 async function results(): Promise<readonly NamedResult[]> {
   return [
     { name: 'Anna', result: await checked(task, ahead(3000)) },

@@ -21,7 +21,7 @@ export function reasonText({ code, params: given, advice }: Reason, language: La
 export const unreadText = ({ code, params }: Unread, language: Language): string =>
   filledIn(words.unread[code][language], shownIn(params));
 
-/** A sentence about something that the teacher is told. */
+/** A sentence of a remark to the teacher. */
 export function remarkText({ code, params: said }: Remark, language: Language): string {
   const params = shownIn(said);
   const why = unreadCodes.find((one) => one === params['why']);
@@ -39,7 +39,7 @@ export const otherTaskTexts = (found: ClassResult, language: Language): readonly
 export const equalTexts = (worlds: readonly EqualWorlds[], language: Language): readonly string[] =>
   worlds.map(({ id, other }) => filledIn(words.report.equal[language], shownIn({ id, other })));
 
-/** What pupils have written turns no sentence around. */
+/** Makes invisible and reversing characters of pupils' texts visible, so that they cannot reverse a sentence. */
 const shownIn = (params: Reason['params']): Reason['params'] =>
   Object.fromEntries(
     Object.entries(params).map(([name, value]) => [name, typeof value === 'string' ? unseenShown(value) : value]),

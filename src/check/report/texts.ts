@@ -44,7 +44,7 @@ export function jsonOf(found: ClassResult, { checks: asked }: ClassTask, languag
 /** A simulated time as people read it. */
 export const secondsText = (ms: number): string => `${(ms / 1000).toFixed(1)} s`;
 
-/** Everything that speaks against a hand-in, each sentence once. */
+/** All reasons against a hand-in, each sentence once. */
 export function reasonsAgainst({ checks, worlds }: CheckResult, language: Language): readonly string[] {
   const reasons = [...worlds.map(({ reason }) => reason), ...checks.map(({ reason }) => reason)];
   return [...new Set(reasons.flatMap((reason) => (reason === null ? [] : [reasonText(reason, language)])))];
@@ -64,7 +64,7 @@ export function csvOf({ handIns }: ClassResult, language: Language): string {
     ...(hasNotes ? [say('note')] : []),
   ];
   const rows = handIns.map(({ name, result, note = '' }) => [
-    // Nobody has no points for what could not be read.
+    // A hand-in that could not be read has no points.
     ...(isUnread(result)
       ? [name, '', '', '']
       : [name, yes(result.passed), String(result.points), String(result.stars ?? '')]),
@@ -89,8 +89,8 @@ const idsOf = (lists: readonly (readonly { readonly id: string }[])[]): readonly
 ];
 
 /**
- * A text that a spreadsheet would take for a formula is kept from being one: also behind a sign that parts cells on computers
- * of other languages, or a line break.
+ * Defuses a text that a spreadsheet would take for a formula: also behind a sign that parts cells on computers of
+ * other languages, or a line break.
  */
 function cell(text: string): string {
   const isNumber = /^-?\d+(\.\d+)?$/.test(text);
@@ -98,7 +98,7 @@ function cell(text: string): string {
   return /[";,\t\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
 
-/** Where a cell begins, and what makes it a formula; some spreadsheets leave out spaces and quotes before it. */
+/** Beginning of a cell that makes it a formula; some spreadsheets leave out spaces and quotes before it. */
 const FORMULA = /(^|[;\t\r\n])((?:[^\S\t\r\n]|")*[=+\-@\uff1d\uff0b\uff0d\uff20])/g;
 
 /** The result of a class as JUnit's XML: a test case for each hand-in, its simulated time as time. */
@@ -118,5 +118,5 @@ export function junitOf(found: ClassResult, language: Language): string {
   return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites ${counts}>\n  <testsuite name="${escaped(task)}" ${counts}>\n${cases.join('')}  </testsuite>\n</testsuites>\n`;
 }
 
-/** Whether it is no hand-in at all. */
+/** True if it is not a hand-in at all. */
 export const isUnread = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'unreadable');

@@ -9,7 +9,7 @@ import type { Step } from './watcher';
 /** Simulated time between two looks at distances. Chosen: a robot at full speed drives less than a centimetre. */
 const LOOK_US = 20_000;
 
-/** How near the first robot came to the place that it had to reach next. */
+/** Measures how near the first robot came to the place that it had to reach next. */
 export class Approach {
   private readonly route: Route;
   private next: readonly Zone[] = [];
@@ -20,7 +20,7 @@ export class Approach {
     this.route = new Route(briefOf(course));
   }
 
-  /** Distance of the middle of the axle from the nearest of the places that were next, in mm; `null`: there is none. */
+  /** Distance of the middle of the axle from the nearest of the places that were next, in mm; `null`: none. */
   get nearestMm(): number | null {
     return this.nearest;
   }

@@ -5,7 +5,7 @@ import type { Reason } from '../result';
 import type { WorldVariant } from '../task/task';
 import type { RunCheck } from './watchers';
 
-/** How a run ended, as far as it tells why something was not reached. */
+/** End of a run, as far as it explains why something was not reached. */
 export interface RunEnd extends Pick<Simulation, 'ended'> {
   readonly hasMoved: boolean;
   /** The first device's program. */
@@ -31,16 +31,16 @@ export function causeOf(
   return awaited === undefined ? { code: 'unmoved', params: {} } : { code: 'waits', params: { name: awaited } };
 }
 
-/** Checks that a robot which stands cannot keep. */
+/** Checks that a motionless robot cannot pass. */
 const isOfWay = ({ type }: RunCheck): boolean => ['goals', 'stop', 'laps', 'checkpoints'].includes(type);
 
-/** What a program asks for that only somebody else can do. */
+/** Calls of a program that wait for a person. */
 const AWAITED = ['button_a', 'button_b', 'pin_logo', 'was_gesture', 'is_gesture', 'input'];
 
 const awaitedIn = (files: Files): string | undefined =>
   AWAITED.find((name) => findFact({ type: 'calls', name }, files).holds);
 
-/** How the program ended, if that is why something was not reached: not where something had failed before. */
+/** The end of the program, if that explains why something was not reached: not if something had failed before. */
 function endReason(ended: Simulation['ended'], files: Files, failedUs: number | null): Reason | null {
   if (ended === null || (failedUs !== null && failedUs < ended.timeUs)) return null;
   if (ended.exception !== null) {

@@ -5,21 +5,21 @@ import type { Reason, WorldResult } from '../result';
 import { watcherOf, type RunCheck } from './watchers';
 import type { Standing, Step, Watcher } from './watcher';
 
-/** A check and who watches for it. */
+/** A check and its watcher. */
 interface Watched {
   readonly check: RunCheck;
   readonly watcher: Watcher;
 }
 
-/** What became of a run's checks. */
+/** Result of a run's checks. */
 export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches'>;
 
 /** Why a check was not reached, if there is more to say than that (`causeOf`). */
 export type Cause = (check: RunCheck, failedUs: number | null) => Reason | null;
 
 /**
- * All that look at a run for a task's checks. They see each step of the world that the judge of the course sees, and with the
- * step in which everything is decided, or the time is over, they close their eyes: what comes later does not count.
+ * All watchers of a run for a task's checks. They see each step of the world that the judge of the course sees, up to
+ * the step in which everything is decided or the time is over: anything later does not count.
  */
 export class Judging {
   private readonly watched: readonly Watched[];
@@ -48,7 +48,7 @@ export class Judging {
 
   /** Look at the run: before the first step of the world, and after each. */
   step(run: Step): void {
-    // What is printed or sent comes between two steps, and may have been the last that was missing.
+    // Printed or sent data arrives between two steps, and may have been the last that was missing.
     if (run.nowUs > this.limitUs || (this.hasHeard && this.isDecided(this.lastUs))) this.end(run);
     this.hasHeard = false;
     if (this.isOver) return;
@@ -67,7 +67,7 @@ export class Judging {
     for (const { watcher } of this.watched) watcher.end?.(run);
   }
 
-  /** Only what somebody listens to is made. What is printed is never kept. */
+  /** Only outlets with a listener are made. Printed text is never stored. */
   outlets(nowUs: () => number): RunOutlets {
     const having = (name: 'print' | 'sound' | 'radio' | 'log'): readonly Watcher[] =>
       this.watched.flatMap(({ watcher }) => (watcher[name] === undefined ? [] : [watcher]));
@@ -112,14 +112,14 @@ export class Judging {
   outcome(cause: Cause, besides: Reason['params']): Outcome {
     const ends = this.watched.map(({ check, watcher }) => ({ check, watcher, ...watcher.standing() }));
     const reachedUs = this.reachedAt();
-    // Who has touched nothing because nothing was done has not kept a rule.
+    // Touching nothing because nothing was done does not count as passing.
     const counts =
       reachedUs !== null || !ends.some(({ check, state }) => check.needed && (state === 'open' || state === 'met'));
     const isHeld = ({ state }: Standing): boolean => state === 'met' || (state === 'held' && counts);
     const lacking = ends.filter((end) => end.check.needed && (end.state === 'open' || end.state === 'failed'));
     const failed = lacking.find(({ state }) => state === 'failed');
     const first = failed ?? lacking[0];
-    // What ended the run is why everything that was still to come did not.
+    // The cause of the run's end explains everything that was still open.
     const whyOpen = ({ check, watcher }: (typeof ends)[number]): Reason => {
       if (failed !== undefined) return cause(check, failed.atUs) ?? whyFailed(failed);
       const reason = cause(check, null) ?? watcher.reason();

@@ -39,7 +39,7 @@ export class Laps {
     }
   }
 
-  /** The zones that are next; `null`: there are none. */
+  /** The zones that are next; `null`: none. */
   private next(): readonly Zone[] | null {
     return this.groups[this.place] ?? (this.home && [this.home]);
   }

@@ -12,10 +12,13 @@ import { STILL_US, stillness } from './stillness';
 import { TrailKeeper } from './trail';
 import type { RunCheck } from './watchers';
 
-/** Simulated time between two looks at whether a run goes on. Chosen: some ms of wall time, few suspensions of the program. */
+/**
+ * Simulated time between two decisions on whether a run continues. Chosen: some ms of wall time, few suspensions of the
+ * program.
+ */
 const SLICE_US = 100_000;
 
-/** How long a run goes on. */
+/** Limits of a run's duration. */
 interface Course {
   readonly limitUs: number;
   readonly stillUs: number;

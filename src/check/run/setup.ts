@@ -19,10 +19,10 @@ type Problem = { readonly problem: string };
 const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
 
 /**
- * The run of a hand-in in a world: course, hardware and chance are the task's, only the programs are the pupil's. A device
- * that the pupil has not got runs what the task has for it.
+ * The run of a hand-in in a world: course, hardware and chance are the task's, only the programs are the pupil's. A
+ * device that the pupil lacks runs the task's program for it.
  *
- * @returns or why there is none, in an English sentence
+ * @returns the run, or the reason why there is none, in an English sentence
  */
 export function setupOf(task: ClassTask, handedIn: Project, world: WorldVariant): RunSetup | Problem {
   const course = courseOfWorld(task.project.scene, world);

@@ -1,9 +1,15 @@
 import type { Simulation } from '#simulation/simulation';
 
-/** So long a run must stand still after its program's end until it is over. Chosen: a robot that rolls out has stopped. */
+/**
+ * Time for which everything must be still after the program's end until a run is over. Chosen: a robot that rolls out
+ * has stopped.
+ */
 export const STILL_US = 500_000;
 
-/** Tells whether nothing more can happen: the programs have ended, nothing is set for later, nothing moves for so long. */
+/**
+ * Returns a function that is true if nothing more can happen: the programs have ended, no alarm is set, and nothing has
+ * moved for that long.
+ */
 export function stillness(simulation: Simulation, longUs = STILL_US): () => boolean {
   const canMove = simulation.scene.objects.some(({ type }) => type === 'mover');
   let [place, sinceUs] = ['', 0];

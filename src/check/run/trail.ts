@@ -5,13 +5,13 @@ import type { WorldResult } from '../result';
 /** Chosen: smooth in a drawing as large as a hand, 2 kB in a file. */
 const MOST_POINTS = 300;
 
-/** A point of a way, and the simulated time (ms) at which the robot was there. */
+/** A point of a trail, and the simulated time (ms) at which the robot was there. */
 interface Passed {
   readonly at: Point;
   readonly ms: number;
 }
 
-/** Takes down a way with a bounded number of points: the longer it gets, the farther they are apart. */
+/** Records a trail with a bounded number of points: the longer it becomes, the greater their spacing. */
 export class TrailKeeper {
   private pieces: Passed[][] = [[]];
   private count = 0;
@@ -33,7 +33,7 @@ export class TrailKeeper {
     if (this.count > MOST_POINTS) this.thin();
   }
 
-  /** The way so far, with its times. */
+  /** The trail so far, with its times. */
   way(): Pick<WorldResult, 'trail' | 'trailMs'> {
     const pieces = this.pieces.filter(({ length }) => length > 0);
     return {

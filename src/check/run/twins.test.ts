@@ -29,7 +29,7 @@ function randomCourse(rng: Rng, type: 'any-order' | 'round'): Scene {
   return sceneWith([...gates, ...(type === 'round' ? [zone('t', 'target', 0)] : []), ...walls]);
 }
 
-/** Drives a robot by chance, and returns what judge and checks say of the same way. */
+/** Drives a robot at random, and returns the verdicts of judge and checks on the same trail. */
 function drive(course: Scene, task: Partial<Task>, checks: readonly RunCheck[], rng: Rng) {
   const scene: Scene = { ...course, task: { ...course.task, ...task } };
   const hardware = chooseHardware({ scene, imports: new Set(), robot: 'maqueen-lite', board: AUTO });

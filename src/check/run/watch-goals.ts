@@ -26,7 +26,7 @@ export function watchGoals(course: Scene): Watcher {
   };
 }
 
-/** @param nearestMm how near the robot came to the next place, `null`: there is none */
+/** @param nearestMm smallest distance of the robot from the next place, `null`: there is none */
 function reasonOf(verdict: Verdict | null, nearestMm: number | null): Reason {
   if (verdict?.state === 'helped') return { code: 'helped', params: {} };
   const reached = reachedIn(verdict);
@@ -36,7 +36,7 @@ function reasonOf(verdict: Verdict | null, nearestMm: number | null): Reason {
   return { code: goalReason(reason), params: { by: by ?? '', ...reached, ...(reason === 'time' && near) } };
 }
 
-/** What was reached, and of how much. */
+/** Number of goals reached, and of all goals. */
 function reachedIn(verdict: Verdict | null): Reason['params'] {
   if (verdict === null) return { done: 0, of: 0 };
   const { checkpoints, targets, blocks } = verdict;

@@ -5,7 +5,7 @@ import type { LightColor, LightPlace } from '../task/task';
 import type { ReasonCode } from '../result';
 import { metAt, OPEN, type Standing, type Watcher } from './watcher';
 
-/** A watcher that waits until something comes once. */
+/** A watcher that waits for something to occur once. */
 function once(
   code: ReasonCode,
   params: Readonly<Record<string, string | number>>,
@@ -91,7 +91,7 @@ export function watchSound(hz: number | null): Watcher {
   }));
 }
 
-/** Watches what the program prints for a text, which may come in pieces. */
+/** Watches the program's output for a text, which may arrive in pieces. */
 export function watchConsole(text: string): Watcher {
   let tail = '';
   return once('console', { text }, (come) => ({
@@ -113,7 +113,7 @@ export function watchRadio(text: string): Watcher {
   }));
 }
 
-/** Watches the data log for so many rows that have a value in a column. */
+/** Watches the data log for this number of rows that have a value in a column. */
 export function watchLog(rows: number, column: string): Watcher {
   let count = 0;
   return once('log', { rows, column }, (come) => ({

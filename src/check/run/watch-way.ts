@@ -14,7 +14,7 @@ const placeOf = ({ xMm, yMm }: Pose): Vec => ({ x: xMm, y: yMm });
 const ofType = ({ objects }: Scene, type: Zone['type']): readonly Zone[] =>
   objects.filter((object): object is Zone => isZone(object) && object.type === type);
 
-/** Watches whether the robot stands still for so long, in a zone if the check or the course has one. */
+/** Watches whether the robot stands still for that long, in a zone if the check or the course has one. */
 export function watchStop(
   course: Scene,
   { seconds, zone }: { readonly seconds: number; readonly zone: string | null },
@@ -49,7 +49,7 @@ export function watchStop(
   };
 }
 
-/** Watches whether the robot comes to all checkpoints, whatever their order. */
+/** Watches whether the robot reaches all checkpoints, in any order. */
 export function watchCheckpoints(course: Scene): Watcher {
   const left = new Set(ofType(course, 'checkpoint'));
   const of = left.size;

@@ -3,11 +3,9 @@ import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 import type { Simulation } from '#simulation/simulation';
 import type { Reason } from '../result';
 
-/** What a watcher says about its check at some moment of the run. */
+/** State of a check at some moment of the run. */
 export interface Standing {
-  /**
-   * `open`: not reached yet. `held`: nothing speaks against it so far. `met`, `failed`: for good.
-   */
+  /** * `open`: not reached yet. `held`: not violated so far. `met`, `failed`: for good. */
   readonly state: 'open' | 'held' | 'met' | 'failed';
   /** Simulated time of the decision, or `null`. */
   readonly atUs: number | null;
@@ -16,7 +14,7 @@ export interface Standing {
 /** The run at a step of the world, after its judge has looked. Each thing is made when it is asked for. */
 export type Step = Pick<Simulation, 'nowUs' | 'pose' | 'verdict' | 'isJudged' | 'touches' | 'display' | 'lights'>;
 
-/** Looks at a run for one check. What it has no function for, nobody makes. */
+/** Watches a run for one check. Events without a handler are not produced. */
 export interface Watcher {
   standing(): Standing;
   /** Why the check does not hold, asked at the end of the run. */
@@ -27,7 +25,7 @@ export interface Watcher {
   end?(run: Step): void;
   /** After all others have looked at a step. @param reachedUs when all that is needed was reached; `null`: it is not yet */
   clock?(nowUs: number, reachedUs: number | null): void;
-  /** What the first device's program prints. */
+  /** Receives the output of the first device's program. */
   print?(text: string, timeUs: number): void;
   sound?(event: SoundEvent): void;
   radio?(packet: RadioPacket): void;
@@ -36,7 +34,7 @@ export interface Watcher {
 
 /** Not reached yet. */
 export const OPEN: Standing = { state: 'open', atUs: null };
-/** Nothing speaks against it so far. */
+/** Not violated so far. */
 export const HELD: Standing = { state: 'held', atUs: null };
 /** Reached. */
 export const metAt = (atUs: number): Standing => ({ state: 'met', atUs });

@@ -8,7 +8,7 @@ import type { Watcher } from './watcher';
 /** A check that a run decides. */
 export type RunCheck = Exclude<Check, Fact>;
 
-/** Who watches a run for a check. */
+/** Returns the watcher for a check. */
 export function watcherOf(check: RunCheck, course: Scene): Watcher {
   switch (check.type) {
     case 'goals':

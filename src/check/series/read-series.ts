@@ -1,6 +1,6 @@
 /**
- * Reads the file of a series, `parcours-series` version 1; `schemas/series.schema.json` describes it. What is wrong with the
- * series refuses it; what is wrong with one of its tasks is told in that task's place, and the others work.
+ * Reads the file of a series, `parcours-series` version 1; `schemas/series.schema.json` describes it. A mistake in
+ * the series itself refuses it; a mistake in one of its tasks is reported in that task's place, and the others work.
  */
 import { isRecord } from '#core/record';
 import { fnvOfText } from '#core/fnv';
@@ -15,10 +15,10 @@ import { freeTaskId, seriesLimits, type Series, type SeriesTask, type TaskSource
 /** The name of the format in a file. */
 export const SERIES_FORMAT = 'parcours-series';
 
-/** The version that this app writes, and the newest that it reads. A file of each version is kept in `kept/`. */
+/** The version that this app writes, and the newest that it reads. A file of each version is stored in `kept/`. */
 export const SERIES_VERSION = 1;
 
-/** What can be wrong with a series, besides what a project file has. */
+/** Mistakes of a series, in addition to those of a project file. */
 export type SeriesProblemCode = ProjectProblem['code'] | 'not-a-series';
 
 /** One thing that is wrong with a series as a whole. */
@@ -30,10 +30,10 @@ export interface SeriesProblem extends Omit<ProjectProblem, 'code'> {
 export type ReadSeries =
   { readonly series: Series } | { readonly problem: string; readonly problems: readonly SeriesProblem[] };
 
-/** Whether a JSON value says that it is a series, of any version. */
+/** True if a JSON value claims to be a series, of any version. */
 export const isSeriesFile = (value: unknown): value is Fields => formatOf(value) === SERIES_FORMAT;
 
-/** Whether a text seems to be the file of a series: only then it is worth reading. */
+/** True if a text seems to be the file of a series: only then it is worth parsing. */
 export const looksLikeSeries = (text: string): boolean => /^\ufeff?\s*\{[^{[]*"parcours-series"/.test(text);
 
 /** Reads the file of a series. Never throws. @param courses the ready courses, for links that name one */
@@ -81,20 +81,20 @@ function versionProblem(version: unknown): SeriesProblem {
   return { ...problem, params: { version: shown(version).slice(0, 20), known: SERIES_VERSION } };
 }
 
-/** For a series without an id, as somebody writes it by hand: the same as long as it says the same. */
+/** Id of a series without one, as in files written by hand: the same for the same contents. */
 const idOf = (title: string, tasks: readonly unknown[]): string =>
   `s${fnvOfText(JSON.stringify([title, tasks])).toString(36)}`;
 
-/** How much the links of one series may hold. */
+/** Remaining size for the links of one series. */
 export const roomForLinks = (): Room => ({ left: seriesLimits.linkedBytes });
 
-/** What links are read with. */
+/** Inputs for reading links. */
 interface Links {
   readonly courses: ReadyCourses;
   readonly room: Room;
 }
 
-/** The four ways of saying where a task is. */
+/** The four forms of saying where a task is. */
 const SOURCES = ['course', 'project', 'link', 'file'] as const;
 
 function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], links: Links): SeriesTask {
@@ -131,7 +131,7 @@ function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string
   return source === 'course' ? { kind: 'course', course: text } : { kind: 'file', file: text };
 }
 
-/** The task in a value that must be a project; a series in its place is told as one. */
+/** The task in a value that must be a project; a series in its place is reported as such. */
 export function projectIn(entry: unknown, value: unknown, at: string): TaskSource {
   if (isSeriesFile(value)) {
     const message = `${at}: is a series itself; a series holds tasks only. Add its tasks one by one.`;

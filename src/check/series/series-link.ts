@@ -4,8 +4,8 @@
  *     s=1.<base64url>   1: version of all that follows
  *     <base64url>       checksum of all that follows (`#core/sealed`), the file of the series, deflated
  *
- * Each task in it that is no ready course is a link to a project (`#project/link`), which is far shorter than its file. Only
- * A–Z a–z 0–9 - _ . = occur, which link detectors accept.
+ * Each task in it other than a ready course is a link to a project (`#project/link`), which is far shorter than its
+ * file. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
 import { packed, unpacked } from '#core/deflate';
 import { sealed, unsealed } from '#core/sealed';
@@ -27,10 +27,10 @@ export interface MadeSeriesLink {
   readonly withoutPictures: readonly number[];
 }
 
-/** What a link holds, or why it holds nothing. */
+/** Contents of a link, or the reason why it has none. */
 export type ReadSeriesLink = ReadSeries | { readonly fault: 'damaged' | 'newer' | 'too-large' };
 
-/** Whether the part of an address behind `#` says that it is a link to a series. */
+/** True if the part of an address behind `#` claims to be a link to a series. */
 export const isSeriesLink = (fragment: string): boolean => /^#?s=\d/.test(fragment);
 
 /** Makes the link of a series whose files are all read; `null`: it would be too long, hold too much, or is not whole. */

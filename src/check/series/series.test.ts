@@ -61,7 +61,7 @@ describe('the file of a series', () => {
         { id: '2', title: 'Zum Schluss', from: { kind: 'course', course: 'slalom' } },
       ],
     ]);
-    expect(id).toMatch(/^s[a-z0-9]+$/); // what was done is kept under it, as long as the series says the same
+    expect(id).toMatch(/^s[a-z0-9]+$/); // progress is stored under it, as long as the series has the same contents
     expect(withTasks({ course: 'closed-line' }, { course: 'slalom', title: 'Zum Schluss' }).id).toBe(id);
   });
 
@@ -151,7 +151,7 @@ describe('what pupils get of a series', () => {
 });
 
 describe('links that hold far too much', () => {
-  /** Sixty links of 60 kB each: three seconds and more for whoever opens them all. */
+  /** Sixty links of 60 kB each: three seconds and more to open them all. */
   const large = { ...teachersTask(), files: [{ name: 'main.py', text: 'x = 1\n'.repeat(10_000) }] };
   const link = linkOf(large, { courses: readyCourses, program: true })!.fragment;
   const others = 'Together the links of this series hold more than 1048576 bytes. Put this task in as a file.';

@@ -3,10 +3,10 @@ import type { Project } from '#project/project';
 
 /** Tasks in an order, which a teacher hands out together. */
 export interface Series {
-  /** What this browser has done of it is kept under this name: letters, digits, `_` and `-`. */
+  /** Key under which this browser stores the progress: letters, digits, `_` and `-`. */
   readonly id: string;
   readonly title: string;
-  /** What it is about; empty: nothing is said. */
+  /** Description; empty: none. */
   readonly text: string;
   readonly tasks: readonly SeriesTask[];
 }
@@ -15,12 +15,12 @@ export interface Series {
 export interface SeriesTask {
   /** Unlike the others of the series. It stays when the order changes. */
   readonly id: string;
-  /** What it is called in the series; empty: as its course is. */
+  /** Its title in the series; empty: the title of its course. */
   readonly title: string;
   readonly from: TaskSource;
 }
 
-/** Where a task is, or why it cannot be had. */
+/** Source of a task, or the reason why it is not available. */
 export type TaskSource =
   /** The id of a ready course, with its program. */
   | { readonly kind: 'course'; readonly course: string }
@@ -32,12 +32,12 @@ export type TaskSource =
 /** A task that cannot be read: it has a place in the series, and says so there. */
 export interface Unread {
   readonly kind: 'unread';
-  /** What it says in the file, so that nothing is lost when the series is saved again. */
+  /** Its value in the file, so that nothing is lost when the series is saved again. */
   readonly value: unknown;
   /** In English, with the place in the file. */
   readonly problem: string;
   readonly problems: readonly ProjectProblem[];
-  /** Why, in the words of whoever looked for its file. */
+  /** The reason, as worded by the code that looked for its file. */
   readonly said?: string;
 }
 
@@ -48,7 +48,7 @@ export const seriesLimits = {
   titleCharacters: 120,
   textCharacters: 2000,
   fileCharacters: 1000,
-  /** Of the whole file. */
+  /** Size of the whole file. */
   characters: 12_000_000,
   /**
    * Of all links together, as they are unpacked, which takes up to 5 µs a byte on a laptop (`#project/link`). Chosen: seconds at

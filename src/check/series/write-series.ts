@@ -43,7 +43,7 @@ export const seriesForPupils = (series: Series): Series => ({
   }),
 });
 
-/** What somebody has handed in is nobody else's. */
+/** Removes a pupil's hand-in, which belongs to that pupil alone. */
 function given(project: Project): Project {
   const { handIn: _, ...others } = withoutSecrets(project);
   return others;
@@ -59,9 +59,9 @@ export interface NamedText {
 export const SERIES_FILE = 'series.json';
 
 /**
- * A series as a folder for a web server: `series.json`, and a file for each task that is no ready course.
+ * A series as a folder for a web server: `series.json`, and a file for each task other than a ready course.
  *
- * @param nameOf what a task is called, for the name of its file
+ * @param nameOf title of a task, for the name of its file
  */
 export function seriesToFolder(series: Series, nameOf: (task: SeriesTask) => string): readonly NamedText[] {
   const files: NamedText[] = [];

@@ -3,7 +3,7 @@ import { filledIn } from '#core/words';
 import type { Check } from './task';
 import words from './words';
 
-/** What a check asks, in a few words; a picture is shown beside them (`ledDrawing`). */
+/** The requirement of a check, in a few words; a picture is shown beside them (`ledDrawing`). */
 export function checkText(check: Check, language: Language): string {
   const values = Object.entries(check).filter((entry): entry is [string, string | number] =>
     ['string', 'number'].includes(typeof entry[1]),

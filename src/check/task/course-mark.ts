@@ -8,8 +8,8 @@ function bareText({ background, task: { card: _, ...task }, ...scene }: Scene): 
   return serializeScene({ ...bare, background: background && { ...background, picture: '' } });
 }
 
-/** Whether two courses are the same to whoever drives in them. */
+/** True if two courses are the same for driving. */
 export const isSameCourse = (one: Scene, other: Scene): boolean => bareText(one) === bareText(other);
 
-/** Tells a course apart from what it becomes. */
+/** Fingerprint of a course, to detect changes. */
 export const courseMark = (scene: Scene): string => fnvOfText(bareText(scene)).toString(36);

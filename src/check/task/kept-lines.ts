@@ -1,7 +1,7 @@
 import { changedLines } from '#core/changed-lines';
 
 /**
- * Where lines that stay as they are have got to in a changed text. Neighbours stay neighbours: nothing comes between them.
+ * Finds locked lines in a changed text. Neighbouring lines must remain neighbours, without new lines between them.
  *
  * @param lines their numbers before, from 1
  * @returns their numbers now; `null`: one of them is not there any more

@@ -1,7 +1,7 @@
-/** Pixels of an LED and of the way from one to the next. */
+/** Size of an LED, distance between two, and side of the picture, in pixels. */
 const [LED, STEP, SIDE] = [3, 4, 5];
 
-/** A picture of the display as a small drawing to stand in a line of text. @param image as a check has it: rows of digits */
+/** A picture of the display as a small drawing for a line of text. @param image as a check has it: rows of digits */
 export function ledDrawing(image: string): string {
   const rows = image.split(':').map((row, y) =>
     Array.from(row, (digit, x) => {

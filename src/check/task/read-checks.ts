@@ -48,7 +48,7 @@ interface Kind {
   readonly read: (fields: Fields, path: string, reader: Reader) => CheckKind;
 }
 
-/** What each type of check says besides. */
+/** The fields of each type of check beyond the common ones. */
 const kinds: Readonly<Record<Type, Kind>> = {
   goals: { names: [], read: () => ({ type: 'goals' }) },
   stop: {

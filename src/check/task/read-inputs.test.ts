@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { projectWith, sceneWith, targetAt } from '../testing/tasks';
 import { taskOf } from './read-task';
 
-/** What is said of a task whose hidden world has this input. */
+/** The problem reported for a task whose hidden world has this input. */
 function problemWith(input: unknown): string {
   const worlds = [{ id: 'w', inputs: [input] }];
   const read = taskOf({ ...projectWith(sceneWith([targetAt(600, 450)])), task: { version: 1, worlds } });

@@ -30,10 +30,10 @@ export const TASK_VERSION = 1;
 export type ReadTask =
   { readonly task: ClassTask } | { readonly problem: string; readonly problems: readonly ProjectProblem[] };
 
-/** The check of a project that says nothing of a task: the goals of its course. */
+/** The check of a project without data of a task: the goals of its course. */
 const courseGoals: Check = { type: 'goals', id: 'goals', points: 1, needed: true };
 
-/** What a project without data of a task has. */
+/** The data of a task of a project that has none. */
 const NOTHING: Carried = { version: TASK_VERSION };
 
 /**
@@ -45,7 +45,7 @@ export function taskOf(project: Project): ReadTask {
   return 'task' in read && lacksGoals(read.task) ? refused('checks', NO_GOALS) : read;
 }
 
-/** Whether the goals of the course are asked for where it has none. */
+/** True if the goals of the course are required but it has none. */
 export const lacksGoals = ({ checks, project }: ClassTask): boolean =>
   checks.some(({ type }) => type === 'goals') && !hasTask(project.scene);
 
@@ -212,7 +212,7 @@ function solutionIn(
     : readFiles(fields['solution'], 'task.solution', reader);
 }
 
-/** What a task locks; nothing, where that cannot be read. */
+/** The locks of a task; none if they cannot be read. */
 export function locksOf(task: Carried): Locks {
   const reader = new Reader();
   const locks = locksIn(task['locks'], reader);

@@ -26,45 +26,47 @@ export interface ClassTask {
 }
 
 /**
- * A run without another limit ends after so many simulated seconds. Chosen: more than twice what a pupil who drives slowly
- * takes for the longest ready maze (127 s); a program that never ends costs seconds of wall time.
+ * A run without another limit ends after this many simulated seconds. Chosen: more than twice what a pupil who drives
+ * slowly takes for the longest ready maze (127 s); a program that never ends costs seconds of wall time.
  */
 const USUAL_SECONDS = 300;
 
-/** How many simulated seconds a run has where the task does not say it: those of the course, else `USUAL_SECONDS`. */
+/** Time limit of a run in simulated seconds if the task has none: that of the course, else `USUAL_SECONDS`. */
 export const usualSeconds = ({ task }: Pick<Scene, 'task'>): number => task.seconds ?? USUAL_SECONDS;
 
-/** How many simulated seconds a run of this task has. */
+/** Time limit of a run of this task in simulated seconds. */
 export const secondsOf = ({ seconds, project }: ClassTask): number => seconds ?? usualSeconds(project.scene);
 
 /** One of the conditions of a task. */
 export type Check = CheckKind & {
   /** Unlike the others of the task. */
   readonly id: string;
-  /** For those who keep it. */
+  /** Points for passing it. */
   readonly points: number;
   /** Without it the task is not passed; otherwise it only gives points. */
   readonly needed: boolean;
 };
 
-/** What a check asks for. */
+/** The requirement of a check. */
 export type CheckKind =
   /** The course's own goals and rules. */
   | { readonly type: 'goals' }
-  /** Stands still for so long, in the zone of this id; `null`: in any target, or anywhere in a course without targets. */
+  /**
+   * Stands still for that long, in the zone of this id; `null`: in any target, or anywhere in a course without targets.
+   */
   | { readonly type: 'stop'; readonly seconds: number; readonly zone: string | null }
   /** Rounds through all checkpoints in their order, and the targets. */
   | { readonly type: 'laps'; readonly count: number }
   /** All checkpoints, in any order. */
   | { readonly type: 'checkpoints' }
-  /** At most so many touches of walls, blocks, obstacles and the edge. */
+  /** At most this many touches of walls, blocks, obstacles and the edge. */
   | { readonly type: 'touches'; readonly most: number }
   /** All that has to be reached is reached within this simulated time. */
   | { readonly type: 'faster'; readonly seconds: number }
   | Shows
   | Fact;
 
-/** What the board or the robot must once show, sound, send or write. */
+/** Something that the board or the robot must once show, sound, send or write. */
 export type Shows =
   /** Rows of digits as in `Image('09090:…')`: which LEDs are lit counts, not how brightly. */
   | { readonly type: 'display'; readonly image: string }
@@ -76,7 +78,7 @@ export type Shows =
   | { readonly type: 'console'; readonly text: string }
   /** A packet with the text in it. */
   | { readonly type: 'radio'; readonly text: string }
-  /** So many rows in the data log, in which this column has a value; empty: any column. */
+  /** This many rows in the data log with a value in this column; empty: any column. */
   | { readonly type: 'log'; readonly rows: number; readonly column: string };
 
 /** Which of the lights. */
@@ -93,7 +95,7 @@ export type Fact =
   | { readonly type: 'loop' }
   /** It calls this function, or one of this object. */
   | { readonly type: 'calls'; readonly name: string }
-  /** It has at most so many lines; empty ones and comments do not count. */
+  /** It has at most this many lines; empty ones and comments do not count. */
   | { readonly type: 'lines'; readonly most: number }
   /** No `delay` or `sleep` is longer. */
   | { readonly type: 'delay'; readonly most: number };
@@ -111,16 +113,16 @@ export interface WorldVariant {
   readonly id: string;
   /** Pupils do not see it. */
   readonly hidden: boolean;
-  /** Where the first robot starts instead; `null`: as in the course. */
+  /** Start pose of the first robot; `null`: as in the course. */
   readonly start: { readonly at: Point; readonly heading: number } | null;
   /** `null`: the project's. */
   readonly seed: number | null;
   readonly reality: number | null;
-  /** What is different of the course. */
+  /** Changes to the course. */
   readonly edits: readonly SceneEdit[];
   /** Values that the board's sensors have from the start, by their ids. */
   readonly sensors: Readonly<Record<string, number | string>>;
-  /** What happens during the run. */
+  /** Inputs during the run. */
   readonly inputs: readonly InputEvent[];
 }
 
@@ -130,10 +132,13 @@ export const plainWorld: WorldVariant = {
   ...{ edits: [], sensors: {}, inputs: [] },
 };
 
-/** What people call a world: the visible one has a name in the data that is no word for them. */
+/** A world's name for people: the visible one's id is not a name. */
 export const worldName = ({ id }: Pick<WorldVariant, 'id'>): string => (id === plainWorld.id ? '1' : id);
 
-/** What a pupil's page leaves as it is: a help, no security. What matters is told when hand-ins are checked. */
+/**
+ * Parts of the work that a pupil's page protects from changes: a help, no security. Important ones are verified when
+ * hand-ins are checked.
+ */
 export interface Locks {
   /** The tools of the course editor that there are, by their ids; `null`: all. */
   readonly tools: readonly string[] | null;
@@ -164,7 +169,7 @@ export const taskLimits = {
   checks: 50,
   points: { min: 0, max: 1000 },
   worlds: 50,
-  /** Of a run. */
+  /** Duration of a run. */
   seconds: { min: 1, max: 3600 },
   laps: { min: 1, max: 100 },
   touches: { min: 0, max: 10_000 },
@@ -177,7 +182,7 @@ export const taskLimits = {
   edits: 200,
   sensors: 50,
   inputs: 10_000,
-  /** Of the course editor that stay. */
+  /** Numbers of tools left in the course editor and of locked lines. */
   tools: 50,
   lockedLines: 1000,
 } as const;
@@ -185,6 +190,6 @@ export const taskLimits = {
 /** The worlds that are added to the visible one. */
 export const hiddenWorlds = ({ worlds }: ClassTask): readonly WorldVariant[] => worlds.filter(({ hidden }) => hidden);
 
-/** Whether a check is decided by the program's text alone. */
+/** True if the program's text alone decides a check. */
 export const isFact = (check: Check): check is Check & Fact =>
   check.type === 'loop' || check.type === 'calls' || check.type === 'lines' || check.type === 'delay';

@@ -1,6 +1,9 @@
 import { lockNames, type Locks } from './task';
 
-/** Whether a pupil's page has left something free that the task locks. Lines are looked for in the program itself. */
+/**
+ * True if a pupil's page has left something unlocked that the task locks. Locked lines are looked for in the program
+ * itself.
+ */
 export function isUnlocked(wanted: Locks, theirs: Locks): boolean {
   const { tools } = wanted;
   // Where the whole course is locked, tools say nothing more.

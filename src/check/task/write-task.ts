@@ -51,11 +51,11 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }
 
-/** `null` stands for what is left out. */
+/** Leaves out fields that are `null`. */
 const said = (fields: object): object =>
   Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
 
-/** What is locked, and nothing of the rest. */
+/** The locks that are set, without the others. */
 const lockData = ({ tools, lines, speed, ...flags }: Locks): object => ({
   ...(tools !== null && { tools: tools.length === 0 ? true : tools }),
   ...Object.fromEntries(Object.entries(flags).filter(([, isLocked]) => isLocked)),

@@ -76,6 +76,6 @@ export function checkedProject(task: ClassTask, project: Project): Promise<Check
   return check(task, read.handIn, { firmware: firmware() });
 }
 
-/** Drives ahead for so many ms. */
+/** Drives ahead for this many ms. */
 export const ahead = (ms: number): string =>
   `from mbrobot import *\nsetSpeed(50)\nforward()\ndelay(${String(ms)})\nstop()\n`;

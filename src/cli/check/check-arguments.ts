@@ -4,7 +4,7 @@ import { shardOf, type Shard } from './shard';
 
 /** The request to `parcours check`. */
 export interface CheckOptions {
-  /** What is checked; `null`: the results in `folder` are joined, and nothing is run. */
+  /** The task and its hand-ins; `null`: the results in `folder` are joined, and nothing is run. */
   readonly work: {
     /** A task file, a project or a course, a link, the id of a ready course. */
     readonly task: string;
@@ -14,7 +14,7 @@ export interface CheckOptions {
     readonly jobs: number;
     readonly shard: Shard;
   } | null;
-  /** Where each result is kept, and looked for before anything is run; `null`: nowhere. */
+  /** Folder in which each result is stored, and looked up before anything is run; `null`: none. */
   readonly folder: string | null;
   /** Files for people and for other programs; `null`: not wanted. */
   readonly report: string | null;

@@ -22,7 +22,7 @@ import { ResultsFolder } from './results-folder';
 import { isInShard } from './shard';
 import { findHandIns } from './sources';
 
-/** Results as they come, in the order of the hand-ins, with the task that they are of. */
+/** Results in the order of the hand-ins, with their task. */
 interface Checked extends NamedTask {
   readonly results: readonly NamedResult[];
 }
@@ -142,12 +142,12 @@ const TELL_MS = 10_000;
 interface Running {
   readonly jobs: number;
   readonly folder: ResultsFolder | null;
-  /** Only reports draw ways: ten thousand of them would fill the memory. */
+  /** Only reports draw trails: ten thousand of them would fill the memory. */
   readonly keepsWays: boolean;
   readonly progress: Progress;
 }
 
-/** What comes out does not depend on which lane has checked it. */
+/** Checks all hand-ins. The results do not depend on the lane that has checked each. */
 async function checkAll(
   task: ClassTask,
   sources: readonly Source[],
@@ -165,7 +165,7 @@ async function checkAll(
   return results;
 }
 
-/** What the teacher is told of hidden worlds that hide nothing, by the task's model solution. */
+/** Remarks on hidden worlds that test nothing new, found with the task's model solution. */
 async function equalIn(task: ClassTask, start: StartThread, language: Language): Promise<readonly string[]> {
   if (task.solution === null || hiddenWorlds(task).length === 0) return [];
   const lane = new Lane(task, start, every);
@@ -195,7 +195,7 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
-/** What people call the task, as the page does: as its series does, a ready course by its title. */
+/** The title of the task, as on the page: as given in its series, or the title of its ready course. */
 const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
   id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
 

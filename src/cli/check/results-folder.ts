@@ -14,14 +14,17 @@ import { version } from '../../../package.json';
 import { reasonOf } from '../reason-of';
 import type { NamedTask } from './read-task';
 
-/** The task of a folder of results, and who has handed in, in order. */
+/** The task of a folder of results, and the names of those who have handed in, in order. */
 export interface FolderContents extends NamedTask {
   readonly names: readonly string[];
 }
 
 type Problem = { readonly problem: string };
 
-/** The task as a file that the page opens, too; who has handed in; and beside them a file for each result. */
+/**
+ * The task as a file that the page can open, the list of those who have handed in, and the folder of the results, one
+ * file each.
+ */
 const [TASK, LIST, RESULTS] = ['task.json', 'hand-ins.json', 'results'];
 
 /** A folder with a file for each result. Several processes may write into it: each file is written whole, or not at all. */
@@ -31,7 +34,7 @@ export class ResultsFolder {
     private readonly taskKey: string,
   ) {}
 
-  /** Opens a folder for a task and its hand-ins; makes it where there is none. */
+  /** Opens a folder for a task and its hand-ins; makes it if it does not exist. */
   static open(path: string, { name, title, task, names }: FolderContents): ResultsFolder | Problem {
     try {
       mkdirSync(join(path, RESULTS), { recursive: true });
@@ -65,7 +68,7 @@ export class ResultsFolder {
     }
   }
 
-  /** The list of those who have handed in, which is written anew. */
+  /** The file with the list of those who have handed in, which is rewritten. */
   static readonly listIn = (path: string): string => join(path, LIST);
 
   /** All its files. */
@@ -75,13 +78,13 @@ export class ResultsFolder {
     return [join(this.path, TASK), join(this.path, LIST), ...kept];
   }
 
-  /** The result of a hand-in, if it was kept by this version, for this task and this program; else `null`. */
+  /** The result of a hand-in, if one of this version, for this task and this program, is stored; else `null`. */
   find(name: string, key: string): CheckResult | null {
     const kept = this.kept(name);
     return kept !== null && kept.key === key ? kept.result : null;
   }
 
-  /** The result of somebody's hand-in, whatever it was; `null`: there is none, or of another version or task. */
+  /** The result of one person's hand-in, passed or not; `null`: none, or of another version or task. */
   latest(name: string): CheckResult | null {
     const kept = this.kept(name);
     return kept !== null && kept.taskKey === this.taskKey ? kept.result : null;
@@ -91,7 +94,7 @@ export class ResultsFolder {
     writeWhole(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
   }
 
-  /** What the result of a hand-in depends on. @param problem why it cannot be read */
+  /** Hash of everything that the result of a hand-in depends on. @param problem why it cannot be read */
   keyFor(content: Content): string {
     return 'problem' in content
       ? keyOf(this.taskKey, JSON.stringify(content.problem))
@@ -102,7 +105,7 @@ export class ResultsFolder {
     return join(this.path, RESULTS, `${keyOf(name).slice(0, 32)}.json`);
   }
 
-  /** What is damaged is not there. */
+  /** Reads a stored result; a damaged one counts as missing. */
   private kept(name: string): Kept | null {
     try {
       const kept: unknown = JSON.parse(readFileSync(this.fileOf(name), 'utf8'));
@@ -113,7 +116,7 @@ export class ResultsFolder {
   }
 }
 
-/** What a hand-in has besides what its project's file holds. */
+/** The fields of a hand-in that its project's file lacks. */
 const otherOf = ({ hasCourse, locks, mark, isEdited }: HandIn): string =>
   JSON.stringify([hasCourse, locks, mark, isEdited]);
 
@@ -148,7 +151,7 @@ const taskText = (task: ClassTask): string => projectToText(projectOfTask(task))
 
 const keyOf = (...parts: readonly string[]): string => createHash('sha256').update(JSON.stringify(parts)).digest('hex');
 
-/** Nobody reads a half of it. */
+/** Writes a file in one step, so that no reader sees half of it. */
 function writeWhole(path: string, text: string): void {
   const draft = `${path}.${process.pid}.tmp`;
   writeFileSync(draft, text);

@@ -20,7 +20,7 @@ export interface OpenedTask {
   readonly beside?: readonly string[];
 }
 
-/** A word of the command line in its parts: what stands behind the last `#` says which task of a series is meant. */
+/** A word of the command line in its parts: the part behind the last `#` selects a task of a series. */
 export interface TaskWord {
   /** A file, a link, the id of a ready course. */
   readonly where: string;
@@ -28,10 +28,10 @@ export interface TaskWord {
   readonly which: string;
 }
 
-/** An address that holds a series, or the part of it from `s=` on, and what stands behind it. */
+/** An address that holds a series, or the part of it from `s=` on, and the part behind it. */
 const LINK = /^((?:https?:\/\/[^#]*#|#)?s=\d[^#]*)(?:#(.*))?$/is;
 
-/** The parts of a word that is no link to a project: a file may have `#` in its name. */
+/** The parts of a word other than a link to a project: a file may have `#` in its name. */
 export function partsOf(word: string): TaskWord {
   const [, link, which = ''] = LINK.exec(word) ?? [];
   if (link !== undefined) return { where: link, which };
@@ -53,7 +53,7 @@ export async function taskInFile(path: string, series: Series, which: string): P
   return 'problem' in task ? task : { ...task, beside };
 }
 
-/** The page says so to people who have it open. */
+/** The advice to reload is for people with the page open. */
 export const withoutReload = (problem: string): string =>
   problem.replace(' Reload the page to update.', ' Update Parcours.');
 

@@ -12,7 +12,7 @@ const MOST_SHARDS = 100_000;
 
 type Variables = Readonly<Record<string, string | undefined>>;
 
-/** What systems that run the same command many times tell each of them: its number, from where they count, of how many. */
+/** Variables in which systems that run a command many times pass its number, the first number, and the count. */
 const systems: readonly {
   readonly index: string;
   readonly first: (variables: Variables) => number;
@@ -66,5 +66,5 @@ function shardOfJob(of: string | undefined, variables: Variables): Shard | { rea
 
 const isCount = (of: number): boolean => Number.isInteger(of) && of >= 1 && of <= MOST_SHARDS;
 
-/** Whether the thing at this place, from 0, belongs to a part. */
+/** True if the item at this place, from 0, belongs to a part. */
 export const isInShard = ({ place, of }: Shard, at: number): boolean => at % of === place - 1;

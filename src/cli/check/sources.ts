@@ -48,7 +48,7 @@ export async function findHandIns(
 /** Something given, and the files that it is read from. */
 type FilesGiven = Given & { readonly files: readonly string[] };
 
-/** Its name is the one that stands in it. */
+/** Its name is the one inside the link. */
 const linkAt = (address: string): FilesGiven => ({
   ...{ name: '', isTree: false, files: [] },
   sources: [linkSource({ name: '', address }, 0, readyCourse)],
@@ -68,7 +68,7 @@ async function givenAt(path: string, isAlone: boolean): Promise<FilesGiven | { r
   return { ...(await givenFile(opened, readyCourse, isAlone)), files: [path] };
 }
 
-/** All files of a folder, at any depth. An empty folder stays somebody's. */
+/** All files of a folder, at any depth. An empty folder still counts as a hand-in. */
 function filesIn(path: string): readonly TreeFile[] {
   const found: TreeFile[] = [];
   const names = (own: string): readonly string[] => {
@@ -93,7 +93,7 @@ function filesIn(path: string): readonly TreeFile[] {
   return found;
 }
 
-/** A link that leads nowhere is none: whoever reads it says so. */
+/** True for a folder. A broken link is none: the code that reads it reports it. */
 function isFolder(path: string): boolean {
   try {
     return statSync(path).isDirectory();
@@ -118,7 +118,7 @@ const treeFile = (from: string, path: string): TreeFile => ({
   },
 });
 
-/** What is not there has no bytes: whoever reads it says so. */
+/** Size of a file; 0 if it does not exist: the code that reads it reports that. */
 function sizeOf(path: string): number {
   try {
     return statSync(path).size;

@@ -51,7 +51,7 @@ function readTables(path: string): Read {
   return parsed;
 }
 
-/** Runs the programs of these tables on the simulated board that they come from. */
+/** Runs the programs of these tables on the simulation of their board. */
 async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
   const found: ProbeTable[] = [];
   for (const { program, machine } of tables) {

@@ -7,7 +7,7 @@ export interface Difference {
   /** `null`: the row is missing there. */
   readonly board: string | null;
   readonly here: string | null;
-  /** How much more it is here than on the board, as a share; `null` for words, and where one is missing or 0. */
+  /** Excess of the value here over the board's, as a share; `null` for words, and if one is missing or 0. */
   readonly more: number | null;
 }
 

@@ -1,4 +1,4 @@
-/** The probes as somebody with a board uses them: run, saved, compared. */
+/** The probes as used with a real board: run, saved, compared. */
 import { existsSync, readdirSync, statSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parcours, useFolder } from '../testing/parcours';

@@ -13,7 +13,7 @@ export interface Probe {
   readonly source: string;
   /** Id of the robot that it asks, or `none`. */
   readonly robot: string;
-  /** Where the project keeps what its rows tell: by patterns of ids, the first that fits. */
+  /** The source files with the project's values for its rows: by patterns of ids, the first that fits. */
   readonly tells: readonly { readonly id: RegExp; readonly file: string }[];
 }
 
@@ -57,6 +57,6 @@ export const probes: Readonly<Record<string, Probe | undefined>> = {
   callibot: { source: callibot, robot: 'callibot', tells: always('src/robots/callibot') },
 };
 
-/** Where the project keeps what a row tells. */
+/** The source file with the project's value for a row. */
 export const keptIn = (program: string, id: string): string =>
   probes[program]?.tells.find((tell) => tell.id.test(id))?.file ?? COSTS;

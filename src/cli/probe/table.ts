@@ -1,11 +1,11 @@
 /**
- * The tables that the probes of `docs/hardware/probe` print, as they stand in the saved output of a board:
+ * The tables that the probes of `docs/hardware/probe` print, as in the saved output of a board:
  *
  *     probe;begin;<program>;<version>;<machine>
  *     probe;row;<unit>;<id>;<value>          value: the rest of the line
  *     probe;end;<program>;<number of rows>
  *
- * Other lines (greetings, prompts) are passed over.
+ * Other lines (greetings, prompts) are ignored.
  */
 export interface ProbeTable {
   readonly program: string;
@@ -21,7 +21,7 @@ export interface ProbeRow {
   readonly value: string;
 }
 
-/** What values are: µs, ms, bytes, things that are counted, or words. */
+/** Units of values: µs, ms, bytes, counts, or words. */
 export const UNITS = ['us', 'ms', 'bytes', 'items', 'calls', 'text'] as const;
 export type Unit = (typeof UNITS)[number];
 

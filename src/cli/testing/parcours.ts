@@ -31,6 +31,6 @@ export function parcours(...args: string[]): { code: number | null; out: string;
   return { code: status, out: stdout, err: stderr };
 }
 
-/** What `--json` printed. */
+/** The line printed by `--json`. */
 export const lastLine = (text: string): Report & { console: string } =>
   JSON.parse(text.trimEnd().split('\n').at(-1) ?? '') as Report & { console: string };

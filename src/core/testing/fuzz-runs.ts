@@ -1,2 +1,2 @@
-/** How many random cases a fuzz test tries: 1,000, or what `npm run fuzz` says. */
+/** Number of random cases per fuzz test: 1,000, or as set by `npm run fuzz`. */
 export const fuzzRuns = Number(process.env['FUZZ_RUNS'] ?? 1_000);

@@ -1,4 +1,4 @@
-/** What stands in the flash memory of a micro:bit V2, and so in its file MY_DATA.HTM. */
+/** Contents of a micro:bit V2's flash memory, and hence of its file MY_DATA.HTM. */
 export interface MicrobitPage {
   /** The rows as the board writes them: a line of names whenever they change. */
   readonly csv: string;
@@ -15,7 +15,7 @@ const DATA_AT = 0x2000;
 const JOURNAL_AT = 0x1000;
 const UNUSED = 0xff;
 
-/** How the page begins, shortened: its script names the mark of the log as well (MicroBitLog.cpp, header). */
+/** Beginning of the page, shortened: its script names the mark of the log as well (MicroBitLog.cpp, header). */
 const HEAD =
   '<!doctype html><meta charset=utf-8><script>let csv="";window.dl={load:function(){let o=document.documentElement.' +
   'outerHTML.split("FS_START")[2];if(/^UBIT_LOG_FS_V_002/.test(o)){csv=o.substr(parseInt(o.substr(29,10),16)-2048)}}}' +
