@@ -7,7 +7,7 @@ import type { RunParts } from '../run/parts';
 import type { RobotStarts } from './others/use-starts';
 import type { WorkParts } from '../work/model/parts';
 
-/** What the arena shows and what the hand does in it: it changes the run, never the course. */
+/** The scene that the arena shows and the actions of the hand, which change the run, never the course. */
 export function useArenaRun(
   { run, work, hand }: Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>,
   starts: Readonly<ShallowRef<RobotStarts>> = shallowRef([]),
@@ -31,13 +31,13 @@ export function useArenaRun(
     return { ...object, at: [pose.xMm, pose.yMm], angle: pose.headingDeg };
   }
 
-  /** The last picture of a stopped run would hide what the hand does. */
+  /** The last picture of a stopped run would hide the hand's changes. */
   function prepare(): void {
     if (run.snapshot.value !== null) void run.reset();
   }
 
   function placeRobot(pose: PlacedPose): void {
-    if (run.past.value !== null) return; // nobody moves anything in the past
+    if (run.past.value !== null) return; // nothing can be moved while looking back
     if (run.isActive.value) {
       run.input({ type: 'place', pose });
       return;

@@ -19,7 +19,7 @@ async function arena() {
   const { told, keydown } = useExplore({ ...page, robot: () => maqueenLite, crosshair: () => crosshair }, (at) =>
     shown.push(at),
   );
-  /** Presses a key; what the arena then says. */
+  /** Presses a key and returns the text that the arena announces. */
   const press = async (key: string, more: KeyboardEventInit = {}): Promise<string> => {
     const event = new KeyboardEvent('keydown', { key, cancelable: true, ...more });
     keydown(event);

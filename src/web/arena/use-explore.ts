@@ -5,14 +5,16 @@ import type { Vec } from '#core/geometry';
 import type { Told } from '../narration/explore';
 import type { Explored, ExplorerNow } from '../narration/explore-now';
 
-/** Keys of the arena: N (Shift+N for backwards) steps through the things in the course, O tells what is around. */
+/**
+ * Keys of the arena: N (Shift+N for backwards) steps through the things in the course, O describes the surroundings.
+ */
 export interface Explore {
   /** The last answer; `count` distinguishes it from the one before. */
   readonly told: Readonly<ShallowRef<{ readonly count: number; readonly words: string }>>;
   readonly keydown: (event: KeyboardEvent) => void;
 }
 
-/** @param show shows the place (world mm) that is told of */
+/** @param show shows the place (world mm) of the announced thing */
 export function useExplore(explored: Explored, show: (atMm: Vec) => void): Explore {
   const told = shallowRef({ count: 0, words: '' });
   let explorer: ExplorerNow | null = null;

@@ -2,7 +2,9 @@ import { onBeforeUnmount, onMounted, shallowRef, watch, type ShallowRef } from '
 import type { ArenaRobot } from './model/arena-model';
 import { summaryOf, type ArenaSummary } from './picture/arranged';
 
-/** How often the text about the robot changes at most, in ms: a screen reader must be able to finish a sentence. */
+/**
+ * Shortest time between changes of the text about the robot, in ms: a screen reader must be able to finish a sentence.
+ */
 const RENEW_MS = 1000;
 
 /** The figures about the robot as text needs them, renewed at most once a second. */

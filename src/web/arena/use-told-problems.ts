@@ -5,13 +5,15 @@ import type { WorkParts } from '../work/model/parts';
 
 type Around = Pick<WorkParts, 'work'> & Pick<CourseEditorParts, 'editor'>;
 
-/** Who is told of what is not right with the course. */
+/** When and how problems of the course are shown. */
 export function useToldProblems({ work, editor }: Around): {
   /** The course was changed, or a tool for it is chosen. */
   readonly hasEdited: ComputedRef<boolean>;
-  /** Also true for a course of somebody's own that was only opened. Ready courses are checked before they come here. */
+  /**
+   * Also true for a user's own course that was only opened. Ready-made courses are checked before they are published.
+   */
   readonly isTold: ComputedRef<boolean>;
-  /** To who only opened it, it is told by a sign alone. */
+  /** True for a course that was only opened: a sign is all that is shown. */
   readonly isQuiet: ComputedRef<boolean>;
 } {
   const hasEdited = computed(() => work.canUndo.value || work.canRedo.value || editor.tool.value !== 'hand');

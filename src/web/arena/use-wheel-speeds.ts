@@ -13,7 +13,7 @@ export interface WheelSpeeds {
 const WINDOW_US = 250_000;
 
 /**
- * How fast the wheels turn, from how far they have turned; `null` before a run.
+ * Speeds of the wheels, derived from their rotation; `null` before a run.
  *
  * @param radiiMm of the real robot's wheels
  */

@@ -7,7 +7,7 @@ import { CheckRun } from './check-run';
 const task = taskWith(sceneWith([targetAt(700, 450)]));
 const project = (text: string) => ({ ...task.project, files: [{ name: 'main.py', text }] });
 
-/** Threads that answer at once: whoever writes `forward` passes. */
+/** Threads that answer immediately: a program with `forward` passes. */
 function running() {
   const asked: string[] = [];
   const start: StartThread = (heard) => ({

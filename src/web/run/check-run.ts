@@ -10,9 +10,9 @@ import { every, startThread } from './check-thread';
 import { compileFirmware } from './worker/firmware';
 import { troubleKey, type TroubleKey } from './worker/firmware-trouble';
 
-/** What a check needs of the page. */
+/** The page's services that a check uses. */
 export interface CheckPorts {
-  /** How threads for a task are started. Rejects without the VM. */
+  /** Gives a function that starts threads for a task. Rejects without the VM. */
   starter(task: ClassTask): Promise<StartThread>;
   readonly every: Every;
 }
@@ -20,19 +20,19 @@ export interface CheckPorts {
 /** Threads in workers of their own. */
 const inWorkers: CheckPorts = { starter: async (task) => startThread(task, await compileFirmware()), every };
 
-/** One project that is checked as a hand-in of a task, as often as it has changed: a model solution, or what a pupil has. */
+/** Checks one project as a hand-in of a task, again whenever it changes: a model solution, or a pupil's own work. */
 export class CheckRun {
   /** `null`: nothing is checked, or it is not over yet. */
   readonly result: ShallowRef<CheckResult | null> = shallowRef(null);
   readonly isRunning = shallowRef(false);
-  /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
+  /** Reason for which nothing can be checked: there is no VM, or no worker; `null`: checking is possible. */
   readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
   private lane: Lane | null = null;
   private turn = 0;
 
   constructor(private readonly ports: CheckPorts = inWorkers) {}
 
-  /** Checks a project; `null`: there is none. What was running is of no more interest. */
+  /** Checks a project; `null`: there is none. A check in progress is dropped. */
   async run(task: ClassTask, project: Project | null): Promise<void> {
     this.stop();
     this.result.value = null;

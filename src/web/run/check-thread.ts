@@ -39,10 +39,10 @@ export const every: Every = (ms, act) => {
   return () => clearInterval(timer);
 };
 
-/** Most workers at once. Chosen: a class of 24 is done in a second or two, and each takes 20 MB. */
+/** Maximum number of workers at a time. Chosen: a class of 24 is done in a second or two, and each takes 20 MB. */
 const MOST_LANES = 8;
 
-/** How many workers check side by side; from three cores on one is left for the page. */
+/** Number of workers that check side by side; with three or more cores one is left for the page. */
 export function laneCount(cores: number = navigator.hardwareConcurrency): number {
   const free = cores > 2 ? cores - 1 : cores;
   return Math.max(1, Math.min(free, MOST_LANES));

@@ -4,34 +4,34 @@ import type { DeviceLog } from '#device-log/device-log';
 import { emptyLog, withLogEvents, type LogTable } from '#simulation/log-table';
 import type { TimedLogEvent } from '#simulation/outlets';
 
-/** What a real board has logged, and the file it is from. */
+/** The log of a real board, and the file it was read from. */
 export interface OpenedLog {
   readonly file: string;
   readonly log: DeviceLog;
 }
 
-/** What a simulated board has logged. */
+/** The log of a simulated board. */
 interface BoardLog {
   readonly table: LogTable;
   readonly isFull: boolean;
 }
 
-/** The boards' data logs as the page keeps them: every row, because a device's own memory already limits it. */
+/** The boards' data logs as the page stores them: every row, because a device's own memory already limits it. */
 export class DataLogModel {
-  /** Of the device that is shown. */
+  /** Table of the device that is shown. */
   readonly table: ComputedRef<LogTable> = computed(() => this.boards.value[this.shown()]?.table ?? emptyLog);
   readonly isFull = computed(() => this.boards.value[this.shown()]?.isFull ?? false);
   /** By the place of the device. */
   private readonly boards: ShallowRef<Readonly<Record<number, BoardLog>>> = shallowRef({});
   /** The log of a real board that is open beside the simulated one; no run changes it. */
   readonly device = shallowRef<OpenedLog | null>(null);
-  /** Whether both are being looked at. */
+  /** True while both are compared. */
   readonly isCompared = shallowRef(false);
 
   /** @param shown place of the device that is shown */
   constructor(private readonly shown: () => number = () => 0) {}
 
-  /** Adds what a device has logged. */
+  /** Adds the logged events of a device. */
   take(events: readonly TimedLogEvent[], device = 0): void {
     if (events.length === 0) return;
     const { table = emptyLog, isFull: wasFull = false } = this.boards.value[device] ?? {};

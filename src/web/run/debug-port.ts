@@ -5,15 +5,15 @@ import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { ToRun } from './run-client';
 import type { FromWorker } from './worker/protocol';
 
-/** Break points of each device, by its place. */
+/** Breakpoints of each device, by its place. */
 export type PointsOfDevices = readonly (readonly BreakPoint[])[];
 
 type Held = Extract<FromWorker, { type: 'held' }>;
 type Told = Extract<FromWorker, { type: 'variables' }>;
 
-/** What of a run is a debugger's: where it stops, and what its variables are then. */
+/** The debugger's side of a run: its breakpoints and steps, and the variables at a stop. */
 export class DebugPort {
-  /** Where a break point or a step has stopped the run last; `null`: not yet. */
+  /** Where a breakpoint or a step last paused the run; `null`: not yet. */
   readonly held: ShallowRef<Held | null> = shallowRef(null);
   /** The answer to `inspect`; `null`: there was none yet. */
   readonly told: ShallowRef<Told | null> = shallowRef(null);
@@ -22,13 +22,13 @@ export class DebugPort {
   /** @param run its phase, and how it gets messages */
   constructor(private readonly run: { readonly phase: ShallowRef<RunPhase>; send(message: ToRun): unknown }) {}
 
-  /** Where this run and the next ones stop from now on. */
+  /** Sets the breakpoints of this run and the next ones. */
   stopAt(points: PointsOfDevices): void {
     this.points = points;
     this.tellPoints();
   }
 
-  /** Lets a device of a paused run make a step by lines; then the run stands again. */
+  /** Makes a device of a paused run step by lines; then the run is paused again. */
   step(step: LineStep, device: number): void {
     const { phase } = this.run;
     if (phase.value !== 'paused') return;
@@ -36,7 +36,7 @@ export class DebugPort {
     phase.value = 'running';
   }
 
-  /** Asks for the variables of a device. */
+  /** Requests the variables of a device. */
   inspect(device: number): void {
     this.run.send({ type: 'inspect', device });
   }

@@ -33,7 +33,7 @@ function pageWithRuns(): { page: TestPage; runs: EarlierRuns; here: () => Parame
 
 const tape = (bytes: number) => ({ type: 'tape', piece: new Uint8Array(bytes), thinSinceUs: null }) as const;
 
-/** A run that comes to this, with so many bytes of tape. */
+/** Drives a run that ends with this verdict and so many bytes of tape. */
 async function drive(page: TestPage, seconds: number, came: Verdict | null = null, bytes = 100): Promise<void> {
   await startRun(page);
   page.say(tape(bytes));

@@ -7,10 +7,10 @@ import type { Verdict } from '#simulation/task/verdict';
 import type { Recording } from './recording';
 import type { Ended } from '#simulation/simulation';
 
-/** Which earlier run drives along. */
+/** The choice of the earlier run that is shown as a ghost. */
 export type GhostWish = 'none' | 'last' | 'best' | 'opened';
 
-/** Most runs that are kept. Chosen: the last, the best and one that was opened, on two courses. */
+/** Maximum number of runs in the list. Chosen: the last, the best and one that was opened, on two courses. */
 const MOST_RUNS = 6;
 /** Most bytes of all their tapes together. Chosen: three hours of one device; a usual run takes 20 kB a minute. */
 const MOST_BYTES = 4_000_000;
@@ -22,30 +22,30 @@ interface RunNow {
   readonly endings: Readonly<Ref<readonly (Ended | null)[]>>;
 }
 
-/** What is kept of a run that is over. */
+/** The stored part of a finished run. */
 export interface EarlierRun {
   /** Its number on this page, as the console has it. */
   readonly number: number;
-  /** It came with a link or a file. */
+  /** True if it was opened from a link or a file. */
   readonly isOpened: boolean;
-  /** Its moments. The last ones may still be on their way. */
+  /** Its moments. The last ones may still be in transit. */
   readonly recording: Recording;
   readonly scene: Scene;
   /** Ids of the robots, by the place of their device; `null`: a board alone. */
   readonly robots: readonly (string | null)[];
   readonly verdict: Verdict | null;
-  /** How long it took: to the verdict if it was passed, else to the end of the program, else until it was left. */
+  /** Its duration: to the verdict if it was passed, else to the end of the program, else until it was left. */
   readonly tookUs: number;
 }
 
-/** Where a ghost is to drive: the course, and the robots by the place of their device. */
+/** The course on which a ghost is to drive, and the robots by the place of their device. */
 export type GhostCourse = Pick<EarlierRun, 'scene' | 'robots'>;
 
-/** The runs of this visit that are over. Begins with what the page shows now. */
+/** The finished runs of this visit. Begins with the run on the page. */
 export class EarlierRuns {
   /** Oldest first. */
   readonly all: ShallowRef<readonly EarlierRun[]> = shallowRef([]);
-  /** Whose ghost is to be seen. Whoever opens a run and then starts one wants to race against it. */
+  /** The chosen ghost. Opening a run and then starting one means racing against it. */
   readonly wish: ShallowRef<GhostWish> = shallowRef('none');
   private last: Snapshot | null = null;
 
@@ -54,14 +54,14 @@ export class EarlierRuns {
     private readonly run: RunNow,
     private readonly number: () => number,
   ) {
-    // Not the scope of whoever has made it: it lives as long as the run.
+    // Not the scope of its creator: it lives as long as the run.
     effectScope(true).run(() => {
       watch(run.present, (present) => (this.last = present ?? this.last), { flush: 'sync', immediate: true });
       watch(run.recording, (_, left) => this.keep(left), { flush: 'sync' });
     });
   }
 
-  /** The runs that can be chosen on a course with these robots; missing: there is none. */
+  /** The runs that can be chosen on a course with these robots; a missing entry: there is none. */
   choices(course: GhostCourse): Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>> {
     const fitting = this.all.value.filter((run) => run.recording.count.value > 0 && isOn(run, course));
     const own = fitting.filter(({ isOpened }) => !isOpened);
@@ -88,7 +88,7 @@ export class EarlierRuns {
   }
 }
 
-/** Whether a run was driven on this course, by these robots. What the course is called, and its task, makes no other one. */
+/** True if a run was driven on this course, by these robots. The name and the task of the course do not matter. */
 function isOn(run: EarlierRun, { scene, robots }: GhostCourse): boolean {
   return isSame(run.robots, robots) && (run.scene === scene || isSame(arenaOf(run.scene), arenaOf(scene)));
 }
@@ -98,7 +98,7 @@ const arenaOf = ({ size, background, objects, robot: { at, heading, scale } }: S
   ...[at, heading, scale],
 ];
 
-/** The run that has passed soonest, or else has come farthest; `undefined` where there is no task. */
+/** The run that passed fastest, or else got farthest; `undefined` if there is no task. */
 function bestOf(runs: readonly EarlierRun[]): EarlierRun | undefined {
   return runs.filter(({ verdict }) => verdict !== null).reduce<EarlierRun | undefined>(better, undefined);
 }
@@ -111,7 +111,7 @@ function better(one: EarlierRun | undefined, other: EarlierRun): EarlierRun {
   return (of[at] ?? 0) < (to[at] ?? 0) ? other : one;
 }
 
-/** What counts, the most important first; more is better. */
+/** The criteria of a run's merit, the most important first; more is better. */
 function meritOf({ verdict, tookUs }: EarlierRun): readonly number[] {
   if (verdict === null) return [];
   const { state, stars, checkpoints, targets, blocks } = verdict;
@@ -120,7 +120,7 @@ function meritOf({ verdict, tookUs }: EarlierRun): readonly number[] {
   return [Number(isPassed), stars ?? 0, done, isPassed ? -tookUs : 0];
 }
 
-/** Without the oldest runs, as far as there are too many: the best on each course and what was opened last go last. */
+/** Removes the oldest runs if there are too many: the best on each course and the last opened one are removed last. */
 function fewer(runs: readonly EarlierRun[]): readonly EarlierRun[] {
   let kept = runs;
   while (kept.length > 1 && (kept.length > MOST_RUNS || bytesOf(kept) > MOST_BYTES)) {

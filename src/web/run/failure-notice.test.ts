@@ -11,7 +11,7 @@ const callibot = findRobot('callibot');
 const mover: Mover = { type: 'mover', id: 'm', at: [900, 600], to: [900, 800], size: [50, 50], angle: 0, speed: 100, spiked: false }; // prettier-ignore
 const startAt = (x: number, y: number): Scene => ({ ...empty, robot: { ...empty.robot, at: [x, y], heading: 90 } });
 
-/** What the simulation says about this start, and what the page makes of it. */
+/** The page's notice for the simulation's complaint about this start. */
 function noticeAt(scene: Scene) {
   const checked = checkRun(soloRun({ scene, files: {}, robot: 'callibot', board: 'auto', seed: 1, reality: 0 }));
   if (!('problem' in checked)) throw new Error('The robot has room there.');

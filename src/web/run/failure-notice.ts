@@ -8,10 +8,10 @@ import type { Notice } from '../page/notices';
 import words from './words';
 
 /**
- * What the page says about a run that could not begin: what is wrong with the course in the pupil's language, anything
- * else in those of the simulation.
+ * The page's notice about a run that could not begin: a problem of the course in the pupil's language, anything else in
+ * the words of the simulation.
  *
- * @param message what the simulation says
+ * @param message text of the simulation
  */
 export function failureNotice(message: string, hardware: Pick<Hardware, 'robot'> | null, scene: Scene): Notice {
   const robot = hardware?.robot ?? null;

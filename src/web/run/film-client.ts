@@ -3,7 +3,7 @@ import type { FromFilm, Pixels, ToFilm } from './worker/film';
 
 export type { Pixels } from './worker/film';
 
-/** Pictures that may be on their way at once: while one is written, the next is painted. */
+/** Maximum number of pictures in transit: while one is written, the next is painted. */
 const MOST_WAITING = 2;
 
 /** A film in the making, in a worker of its own. */

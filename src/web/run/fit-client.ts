@@ -6,7 +6,7 @@ import type { Fit, FitAnswer, FitRequest } from './worker/fit';
 export type { Fit } from './worker/fit';
 
 /**
- * Fits a robot of this type to what was measured, in a worker of its own.
+ * Fits a robot of this type to measurements, in a worker of its own.
  *
  * @param signal ends the worker: the promise then never settles
  * @throws Error (as a rejection) when worker or VM cannot be loaded

@@ -2,8 +2,8 @@ import type { BoardType } from '#board/boards/board-type';
 import type { InputEvent } from '#simulation/input';
 
 /**
- * What was set by hand or by a host and holds for every run, without touch pads that this board lacks: a run would
- * refuse to start with them.
+ * The inputs set by hand or by a host for every run, without touch pads that this board lacks: with them a run would
+ * refuse to start.
  */
 export function fittingInputs(inputs: readonly InputEvent[], { pins }: BoardType): InputEvent[] {
   const pads = pins.flatMap(({ name, touch }) => (touch === null ? [] : [name.replace('_logo', 'Logo')]));

@@ -3,7 +3,7 @@ import { shallowRef } from 'vue';
 import { touchedBy, type Step } from '#scene/history';
 import type { PlacedPose } from '#simulation/input';
 
-/** Where the hand put robot and blocks while no run goes on; a reset, and every start, puts them back. */
+/** Poses that the hand gave robot and blocks while there is no run; a reset, and every start, discards them. */
 export type Hand = ReturnType<typeof createHand>;
 
 /** Makes a hand that has moved nothing yet. */
@@ -18,7 +18,7 @@ export function createHand() {
       pose.value = null;
       blocks.value = {};
     },
-    /** Whatever was changed in the course goes back to where the course has it. */
+    /** Everything that was changed in the course returns to its pose there. */
     letGo: (step: Step): void => {
       const { objects, robot } = touchedBy(step);
       if (robot) pose.value = null;

@@ -7,7 +7,7 @@ export type { Instant, Look, LookWish, WhyWish } from './worker/look/protocol';
 /** The worker of `worker/worker.ts`, which can do more than look. */
 type LookPort = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>;
 
-/** What the client needs to look into a run. */
+/** The services that the client uses. */
 export interface LookClientOptions {
   readonly createWorker: () => LookPort;
   readonly firmware: () => Promise<WebAssembly.Module>;
@@ -15,13 +15,13 @@ export interface LookClientOptions {
   readonly setup: RunSetup;
 }
 
-/** Somebody who waits for an answer. */
+/** A request that waits for an answer. */
 interface Waiting {
   readonly ask: number;
   readonly settle: (found: FromLooker | null) => void;
 }
 
-/** Looks into a run that has been, in a worker of its own. The newest wish wins. */
+/** Inspects a past run, in a worker of its own. The newest request wins. */
 export class LookClient {
   private readonly worker: Promise<LookPort>;
   private readonly waiting = new Map<'look' | 'why', Waiting>();
@@ -29,20 +29,20 @@ export class LookClient {
 
   constructor(options: LookClientOptions) {
     this.worker = this.open(options);
-    this.worker.catch(() => undefined); // whoever asks hears of it
+    this.worker.catch(() => undefined); // every request is rejected with it
   }
 
   /**
-   * Looks at a moment of the run.
+   * Inspects a moment of the run.
    *
-   * @returns `null`: there is no such moment, a newer wish has overtaken this one, or nothing can be seen
+   * @returns `null`: there is no such moment, a newer request has replaced this one, or nothing can be seen
    */
   async look(wish: LookWish): Promise<Look | null> {
     const found = await this.ask('look', (ask) => ({ type: 'look', ask, wish }));
     return found?.type === 'looked' ? found.look : null;
   }
 
-  /** Which lines have set what. @returns `null` as with `look` */
+  /** Finds the lines that caused an output. @returns `null` as with `look` */
   async why(wish: WhyWish): Promise<readonly Cause[] | null> {
     const found = await this.ask('why', (ask) => ({ type: 'why', ask, wish }));
     return found?.type === 'caused' ? found.causes : null;

@@ -4,13 +4,13 @@ import type { Snapshot } from '#simulation/snapshot';
 import type { Asked, Recording } from './recording';
 import type { WhyAsked } from './why-asked';
 
-/** The one way into the past of a run, and out of it. */
+/** The only way to start and end looking back at a run. */
 export class LookPort {
   private readonly moment: ShallowRef<Snapshot | null> = shallowRef(null);
-  /** The moment that is looked at instead of now; `null`: nobody looks back. */
+  /** The moment shown instead of the present; `null`: the page shows the present. */
   readonly past: Readonly<ShallowRef<Snapshot | null>> = this.moment;
 
-  /** @param hold lets time stand still, and has the newest moments brought to the recording */
+  /** @param hold pauses simulated time, and requests the newest moments for the recording */
   constructor(
     private readonly run: Readonly<{ present: ShallowRef<Snapshot | null>; recording: ShallowRef<Recording> }>,
     private readonly hold: () => void,
@@ -22,19 +22,22 @@ export class LookPort {
     this.moment.value ??= this.run.present.value;
   }
 
-  /** Looks back at a moment. @param exact the moment itself, where it is known better than on the tape; it is shown at once */
+  /**
+   * Looks back at a moment. @param exact the moment itself, if it is known better than on the tape; it is shown
+   * immediately
+   */
   at(timeUs: number, exact?: Snapshot): void {
     this.back();
     if (exact !== undefined) this.moment.value = exact;
     this.run.recording.value.ask({ timeUs, ...(exact && { exact }) });
   }
 
-  /** Shows another moment to those who look back; where nobody does, nothing happens. */
+  /** Shows another moment while looking back; otherwise does nothing. */
   show(moment: Snapshot): void {
     if (this.past.value !== null) this.moment.value = moment;
   }
 
-  /** Asks for the lines behind something that is seen in a moment. */
+  /** Asks for the lines that caused something visible at a moment. */
   why(question: WhyAsked): void {
     if (this.past.value === null) this.back();
     this.run.recording.value.askWhy(question);
@@ -46,7 +49,10 @@ export class LookPort {
     this.run.recording.value.ask(null);
   }
 
-  /** Another run begins. @param shown what is shown until it has caught up @param asked the moment to go to meanwhile */
+  /**
+   * Another run begins. @param shown the moment shown until it has caught up @param asked the moment to go to in the
+   * meantime
+   */
   begin(shown: Snapshot | null = null, asked: Asked | null = null): void {
     this.moment.value = shown;
     this.run.recording.value.ask(asked);

@@ -6,7 +6,7 @@ import type { SensorsModel } from './sensors-model';
 import type { SoundPlayer } from './sound/sound-player';
 import { part } from '../page/part';
 
-/** The run, what reaches into it and what comes out of it. */
+/** The run, its inputs and its outputs. */
 export interface RunParts {
   readonly run: RunModel;
   readonly sensors: SensorsModel;

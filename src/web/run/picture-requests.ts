@@ -1,13 +1,13 @@
-/** What the requests reach. */
+/** The surroundings of the requests. */
 export interface RequestPorts {
   readonly isActive: () => boolean;
-  /** Asks for a picture. */
+  /** Requests a picture. */
   readonly ask: () => void;
   /** Called with every animation frame of a run. */
   readonly onFrame: () => void;
 }
 
-/** Asks for one picture per animation frame, as long as something happens in a run. */
+/** Requests one picture per animation frame, as long as something happens in a run. */
 export class PictureRequests {
   private isAsked = false;
   private rests = false;
@@ -34,12 +34,12 @@ export class PictureRequests {
     next();
   }
 
-  /** The picture that was asked for is there. */
+  /** The requested picture has arrived. */
   came(): void {
     this.isAsked = false;
   }
 
-  /** While nothing happens in the run, none are asked for. */
+  /** While nothing happens in the run, none are requested. */
   rest(rests: boolean): void {
     if (rests === this.rests) return;
     this.rests = rests;

@@ -21,7 +21,7 @@ export interface RadioEntry {
   readonly isLost?: true;
 }
 
-/** Most packets that are kept. Chosen: more than anyone reads, few enough to draw. */
+/** Maximum number of packets in the list. Chosen: more than anyone reads, few enough to draw. */
 export const RADIO_ENTRIES = 200;
 
 /**
@@ -32,7 +32,7 @@ export const USUAL_TEXT_BYTES = 29;
 /** The same for `radio.config(length=251)`, the longest there is. */
 export const MOST_TEXT_BYTES = 248;
 
-/** What goes over the air in this run: what the program sent, and what was sent to it by hand. */
+/** The radio traffic of this run: packets sent by the program, and those sent to it by hand. */
 export class RadioModel {
   readonly entries: ShallowRef<readonly RadioEntry[]> = shallowRef([]);
   /** Older packets have been dropped. */
@@ -41,7 +41,7 @@ export class RadioModel {
 
   constructor(private readonly run: Pick<RunModel, 'input' | 'nowUs'>) {}
 
-  /** Adds packets of a device's program. @param dropped number of packets before these that were not kept */
+  /** Adds packets of a device's program. @param dropped number of earlier packets that were lost */
   take(packets: readonly RadioPacket[], dropped: number, device = 0): void {
     if (dropped > 0) this.isCut.value = true;
     if (packets.length === 0) return;
@@ -62,7 +62,7 @@ export class RadioModel {
 
   private add(news: readonly Omit<RadioEntry, 'id'>[]): void {
     const all = [...this.entries.value, ...news.map((entry) => ({ ...entry, id: this.nextId++ }))];
-    all.sort((one, other) => one.timeUs - other.timeUs); // each device's packets come by themselves
+    all.sort((one, other) => one.timeUs - other.timeUs); // each device's packets arrive separately
     if (all.length > RADIO_ENTRIES) this.isCut.value = true;
     this.entries.value = all.slice(-RADIO_ENTRIES);
   }

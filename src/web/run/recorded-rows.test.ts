@@ -4,7 +4,7 @@ import { RowWriter } from '#tape/rows/row-writer';
 import { Recording } from './recording';
 import { RecordedRows } from './recorded-rows';
 
-/** A recording whose tape comes in pieces, each with one of these moments. */
+/** A recording whose tape arrives in pieces, each with one of these moments. */
 function recordingOf(...timesUs: readonly number[]): Recording {
   const recording = new Recording(null);
   const writer = new RowWriter();

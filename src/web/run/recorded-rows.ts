@@ -3,15 +3,15 @@ import type { Chunk } from '#tape/rows/chunk';
 import { Rows } from '#tape/rows/rows';
 import type { Recording } from './recording';
 
-/** Who hears of what is unpacked. */
+/** Receives the unpacked moments. */
 export interface RowsHearing {
-  /** Another recording is asked for than before, or it has other pieces. */
+  /** Another recording is requested than before, or its pieces have been replaced. */
   begin?(recording: Recording): void;
   /** A piece of it is unpacked. */
   chunk?(chunk: Chunk): void;
 }
 
-/** The moments of the recording that was asked for last; each of its pieces is unpacked once, as it comes. */
+/** The moments of the recording requested last; each of its pieces is unpacked once, as it arrives. */
 export class RecordedRows {
   private pieces: Recording['pieces'] | null = null;
   private rows = new Rows<Snapshot>();
@@ -19,7 +19,7 @@ export class RecordedRows {
 
   constructor(private readonly hearing: RowsHearing = {}) {}
 
-  /** The moments of a recording as far as they have come. */
+  /** The moments of a recording that have arrived so far. */
   of(recording: Recording): Rows<Snapshot> {
     if (recording.pieces !== this.pieces) {
       this.pieces = recording.pieces;

@@ -6,10 +6,10 @@ import type { Snapshot } from '#simulation/snapshot';
 import type { WhyAsked } from './why-asked';
 import type { FromWorker, Output } from './worker/protocol';
 
-/** Most pieces of output that are kept. Chosen: a line every 20 ms for ten minutes and more. */
+/** Maximum number of pieces of output in the recording. Chosen: a line every 20 ms for ten minutes and more. */
 const MOST_OUTPUT = 40_000;
 
-/** A moment that is asked for. */
+/** A requested moment. */
 export interface Asked {
   readonly timeUs: number;
   /** The moment itself, where it is known better than on the tape. */
@@ -20,43 +20,43 @@ export interface Asked {
 export interface BroughtTape {
   readonly pieces: readonly Uint8Array[];
   readonly untilUs: number;
-  /** How its file says until when it goes. */
+  /** The end of the run according to its file. */
   readonly ends: { readonly untilUs: number; readonly untilProgramEnds: boolean };
 }
 
-/** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
+/** The recording of a run: enough to show any of its moments again, and to repeat it up to one. */
 export class Recording {
-  /** Changes with each piece of the tape that comes, and when others take the place of thin ones. */
+  /** Changes with each new piece of the tape, and when thin ones are replaced. */
   readonly count = shallowRef(0);
   /**
-   * The pieces, packed as they came: nothing is unpacked before somebody looks back. It is another list when others have
-   * taken the place of thin ones: whoever has read some of them begins anew.
+   * The pieces, packed as they arrived: they are unpacked only for looking back. A new list replaces it when thin
+   * pieces were replaced: readers of the old one start over.
    */
   pieces: readonly Uint8Array[] = [];
-  /** Of each piece: the time since which moments are missing, because it is thin; `null`: none are. */
+  /** For each piece: the time from which moments are missing, because it is thin; `null`: none are missing. */
   thinSince: readonly (number | null)[] = [];
-  /** How many pieces there were, and until when, when all that was done to the run was told. */
+  /** Number of pieces, and their end, at the last report of all inputs to the run. */
   told = { pieces: 0, untilUs: 0 };
-  /** What the programs have printed, oldest first, as it came; the oldest half goes when it is too much. */
+  /** The output of the programs, oldest first, as it arrived; when there is too much, the oldest half is dropped. */
   output: readonly Output[] = [];
   /** Pieces of output that are gone. */
   outputGone = 0;
   private readonly asking: ShallowRef<Asked | null> = shallowRef(null);
-  /** A moment that somebody has asked to see: the time line goes there. `null`: it is there. */
+  /** The requested moment, which the time line goes to. `null`: it has arrived there. */
   readonly asked: Readonly<ShallowRef<Asked | null>> = this.asking;
   private readonly question: ShallowRef<WhyAsked | null> = shallowRef(null);
-  /** What somebody wants to know the line of; `null`: nothing. */
+  /** The pending question for a line; `null`: none. */
   readonly why: Readonly<ShallowRef<WhyAsked | null>> = this.question;
-  /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
+  /** All inputs to the run up to the last request for the tape; `null`: they were never reported. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
   private readonly leftRun: ShallowRef<Recording | null>;
-  /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */
+  /** The run that this one branched off from: its events after the branching moment. `null`: none. */
   readonly ghost: Readonly<ShallowRef<Recording | null>>;
 
   /**
    * @param setup of the run; `null`: there is none
-   * @param left the run that this one has left
-   * @param brought it was recorded before, maybe by somebody else, and is looked at from its beginning on: its tape
+   * @param left the run that this one branched off from
+   * @param brought the tape of a run recorded earlier, maybe elsewhere, which is shown from its beginning
    */
   constructor(
     readonly setup: RunSetup | null,
@@ -77,12 +77,12 @@ export class Recording {
     return this.setup !== null && this.inputs.value !== null;
   }
 
-  /** Asks for a moment; `null`: it is there, or nobody wants it any more. */
+  /** Requests a moment; `null`: it is there, or no longer wanted. */
   ask(moment: Asked | null): void {
     this.asking.value = moment;
   }
 
-  /** Asks for the lines behind something; `null`: nobody asks any more. */
+  /** Asks for the lines that caused something; `null`: the question is withdrawn. */
   askWhy(question: WhyAsked | null): void {
     this.question.value = question;
   }
@@ -92,7 +92,7 @@ export class Recording {
     this.leftRun.value = null;
   }
 
-  /** What the run's worker says of its tape. */
+  /** Handles the worker's messages about the tape. */
   hear(message: FromWorker): void {
     if (message.type === 'tape' && !this.brought) this.add(message.piece, message.thinSinceUs);
     if (message.type !== 'inputs') return;

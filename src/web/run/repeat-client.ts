@@ -3,13 +3,13 @@ import type { Repeated, RepeatAnswer, RepeatRequest } from './worker/look/repeat
 
 export type { Repeated } from './worker/look/repeat';
 
-/** What of a request the page says. */
+/** The page's part of a request. */
 export type RepeatWish = Pick<RepeatRequest, 'setup' | 'untilUs' | 'untilProgramEnds' | 'momentsSinceUs'>;
 
 /**
- * Runs a kept run again to its end, in a worker of its own.
+ * Repeats a recorded run to its end, in a worker of its own.
  *
- * @param tell hears how far it is, as simulated time, about ten times a second
+ * @param tell receives the progress, as simulated time, about ten times a second
  * @param signal ends the worker
  * @throws Error (as a rejection) when it was ended, the run cannot be made, or the VM cannot be loaded
  */

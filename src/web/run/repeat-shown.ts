@@ -2,14 +2,14 @@ import type { PageParts } from '../page/parts';
 import type { RunParts } from './parts';
 import { repeatInWorker, type Repeated, type RepeatWish } from './repeat-client';
 
-/** What takes no longer is not talked about, in ms. */
+/** Shorter waits are not announced, in ms. */
 const PATIENCE_MS = 500;
-/** The share is said again after so much more, in percent, or after so long, in ms: a message lives for twelve seconds. */
+/** The share is announced again after this many percent, or after this many ms: a message lives for twelve seconds. */
 const NEWS_PERCENT = 10;
 const NEWS_MS = 5000;
 
 /**
- * Runs a kept run again to its end. If that takes long, a message says how far it is, and offers to give it up.
+ * Repeats a recorded run to its end. If that takes long, a message shows the progress and offers to give up.
  *
  * @param say the message at this share, in percent
  * @returns `null`: it was given up

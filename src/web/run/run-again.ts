@@ -4,10 +4,10 @@ import type { BroughtTape } from './recording';
 import type { RunModel } from './run-model';
 
 /**
- * The run goes on from one of its moments: it is run again up to there, with all that was done until then, as fast as
- * it can.
+ * Continues the run from one of its moments: it is repeated up to there, with all its inputs until then, as fast as
+ * possible.
  *
- * @param paused whether it stands there at first
+ * @param paused whether it is paused there at first
  */
 export function goOn(run: RunModel, fromUs: number, paused = false): Promise<void> {
   const { setup, inputs } = run.recording.value;
@@ -17,22 +17,22 @@ export function goOn(run: RunModel, fromUs: number, paused = false): Promise<voi
   return run.begin({ kept, paused, catchUpUs: fromUs, left: run.recording.value, shown });
 }
 
-/** A run that was kept, and how it is looked at. */
+/** A recorded run, and the moment to show. */
 export interface RunAgain {
   readonly kept: RunSetup;
   readonly untilUs: number;
   readonly ends: BroughtTape['ends'];
-  /** What it showed at its beginning. */
+  /** Its first picture. */
   readonly first: Snapshot;
   /** All of its moments, up to `untilUs`. */
   readonly pieces: readonly Uint8Array[];
-  /** The moment from which it is looked at. */
+  /** The moment at which looking back starts. */
   readonly atUs: number;
 }
 
 /**
- * A run that was kept is looked back at from a moment. Meanwhile it is run again as fast as it can, and stands still at its
- * end: from there it could go on.
+ * Looks back at a moment of a recorded run. In the meantime the run is repeated as fast as possible and paused at its
+ * end, from where it could continue.
  */
 export function showAgain(run: RunModel, { kept, first, atUs, ...tape }: RunAgain): Promise<void> {
   const { untilUs } = tape;

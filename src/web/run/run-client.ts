@@ -29,7 +29,7 @@ export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
 /** A worker whose run is left gives the rest of its tape within this time, in ms, or not at all. Chosen: it may be in the midst of a slice. */
 const TAPE_ANSWER_MS = 300;
 
-/** How fast a run begins. */
+/** The speed and pause with which a run begins. */
 export type Pace = Pick<Extract<ToWorker, { type: 'run' }>, 'speed' | 'paused' | 'catchUpUs'>;
 
 /** Maximum number of messages that wait for their run's VM. Chosen: more than anyone causes by hand in that time. */
@@ -37,16 +37,16 @@ const MOST_EARLY = 1000;
 
 const NO_WORKER = 'The worker could not be loaded.';
 
-/** How a run came to its end: by itself, or because its worker gave no answer. */
+/** The end of a run: either regular, or forced because its worker gave no answer. */
 export type StopResult = 'stopped' | 'killed';
 
 /**
  * The page's end of the runs: one worker per run, a fresh one always ready for the next, and the means to end one that
- * does not answer. Whatever a program does, it does to a worker that is thrown away.
+ * does not answer. A program affects only its worker, which is thrown away afterwards.
  */
 export class RunClient {
   private current: WorkerPort | null = null;
-  /** Whether the current run has begun; before that there is nothing to ask it for. */
+  /** True once the current run has begun; before that it cannot answer anything. */
   private hasBegun = false;
   private spare: WorkerPort | null = null;
   /** For the messages of the current run's worker. */
@@ -54,7 +54,7 @@ export class RunClient {
   private onStopped: (() => void) | null = null;
   /** Messages sent to a run whose VM is still loading; `null` without such a run. */
   private early: ToRun[] | null = null;
-  /** Counts starts and stops, so that a start which waited for the VM can tell that it is no longer wanted. */
+  /** Counts starts and stops, so that a start that waited for the VM can detect that it is no longer wanted. */
   private turn = 0;
 
   constructor(private readonly options: ClientOptions) {}
@@ -82,7 +82,7 @@ export class RunClient {
   /**
    * A run is about to start; the previous one, if any, is dropped. Messages from now on are for the new one.
    *
-   * @param hearEnd hears what the previous one still says: the rest of its tape, as far as it comes soon
+   * @param hearEnd receives the last messages of the previous one: the rest of its tape, if it arrives soon
    */
   expect(hearEnd: (message: FromWorker) => void): void {
     this.leave(hearEnd);
@@ -92,8 +92,8 @@ export class RunClient {
   }
 
   /**
-   * Starts the run that was expected, in the ready worker, and passes on in order what was sent to it meanwhile.
-   * Nothing starts when it was stopped before the VM was there.
+   * Starts the expected run in the ready worker, and passes on, in order, the messages sent to it in the meantime.
+   * Nothing starts if it was stopped before the VM was loaded.
    *
    * @throws Error (as a rejection) when the VM or the worker cannot be loaded
    */
@@ -102,7 +102,7 @@ export class RunClient {
     await this.warmUp();
     await this.options.firmware(); // a worker that is still being prepared gets its VM first
     if (turn !== this.turn) return;
-    await this.warmUp(); // replaces one that failed meanwhile
+    await this.warmUp(); // replaces one that has failed since
     if (turn !== this.turn) return;
     const worker = this.spare;
     if (worker === null) throw new Error(NO_WORKER);
@@ -155,7 +155,7 @@ export class RunClient {
     });
   }
 
-  /** The run is over for the page. Its worker gives what it has of the tape, then it is ended. */
+  /** The run is over for the page. Its worker hands over the rest of the tape, then it is ended. */
   private leave(hearEnd: (message: FromWorker) => void): void {
     const worker = this.current;
     if (worker === null || !this.hasBegun || this.onStopped !== null) return;
@@ -169,7 +169,7 @@ export class RunClient {
     worker.postMessage({ type: 'tape' });
   }
 
-  /** Ends the run at once, without telling anyone. */
+  /** Ends the run immediately, without notifying anyone. */
   drop(): void {
     const worker = this.current;
     this.current = null;

@@ -226,7 +226,7 @@ describe('a run that is looked back at', () => {
   };
   const shows = (timeUs: number): FromWorker => ({ type: 'snapshot', snapshot: { timeUs } as Snapshot, trails: [] });
   const press = (timeUs: number): InputEvent => ({ timeUs, action: { type: 'interrupt' } });
-  /** A run at 3 s, at which somebody has pressed something after 1 and after 2 s. */
+  /** A run at 3 s, with inputs at 1 and at 2 s. */
   async function atThreeSeconds(
     host: Partial<RunHost> = {},
   ): Promise<{ run: RunModel; say: (message: FromWorker) => void }> {

@@ -15,25 +15,25 @@ import { Trails } from './trails';
 import type { FromWorker, Output, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions, type ToRun } from './run-client';
 
-/** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
+/** A run is called busy when it has sent nothing for this long, in ms: it is inside one long call. */
 const BUSY_AFTER_MS = 1000;
 
-/** So long the VM may take before that is told, in ms. Chosen: a slow school network needs less. */
+/** Time the VM may take to load before a notice is shown, in ms. Chosen: a slow school network needs less. */
 const SLOW_MS = 10_000;
 
-/** The same work; where it takes long, that is told. */
+/** Returns the same promise; if it takes long, a notice is shown. */
 function patiently(work: Promise<void>, tell: () => unknown): Promise<void> {
   const timer = setTimeout(tell, SLOW_MS);
   return work.finally(() => clearTimeout(timer));
 }
 
-/** What a run needs of the app around it. */
+/** The app around a run. */
 export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
-  /** The set-up of a run that starts now. @param kept that of a run that was kept, and is to be run again */
+  /** Set-up of a run that starts now. @param kept set-up of a recorded run that is to be repeated */
   setup(kept?: RunSetup): RunSetup;
   /** Place of the device whose board and program are shown. Left out: the first. */
   device?(): number;
-  /** Whether nobody may do that; left out: all may be done. */
+  /** True if this action is forbidden; left out: all are allowed. */
   refuses?(action: InputAction): boolean;
   /** Something was done to a board, whether a run takes it or not. */
   onInput(action: InputAction, device: number): void;
@@ -42,37 +42,37 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onEnded(ended: Ended, device: number): void;
   /** The program runs again from its start: Ctrl-D at the REPL. */
   onRestarted(device: number): void;
-  /** What sounded, was sent by radio and was logged. */
+  /** New sounds, radio packets and log rows. */
   onEvents(events: RunEvents, device: number): void;
   /** The VM could not be loaded. @param why see `troubleOf` */
   onUnavailable(why: unknown): void;
   /** The VM lets wait for itself. */
   onSlow?(): void;
   onFailed(message: string): void;
-  /** The run did not take an input; it goes on without it. */
+  /** The run rejected an input and continues without it. */
   onRefused(message: string): void;
   onKilled(): void;
 }
 
-/** How a run begins. */
+/** The start of a run. */
 export interface Beginning {
-  /** Of a run that has been and is to be run again; left out: a new one. */
+  /** Set-up of an earlier run that is to be repeated; left out: a new one. */
   readonly kept?: RunSetup;
   readonly paused: boolean;
   /** Until this simulated time it runs as fast as it can. */
   readonly catchUpUs?: number;
   /** The run that is left for this one. */
   readonly left?: Recording | null;
-  /** It was recorded before: when it has come there, it is looked at from its beginning on. */
+  /** A recorded tape: once the run has reached its end, it is shown from its beginning. */
   readonly brought?: BroughtTape | null;
   /** The moment that is shown until the run has caught up. */
   readonly shown?: Snapshot | null;
-  /** The moment that is asked for meanwhile. */
+  /** The moment requested in the meantime. */
   readonly asked?: Asked;
 }
 
 /**
- * The run as the page sees it. Reading costs nothing; every command goes to the worker and comes back as a change here.
+ * The run as the page sees it. Reading costs nothing; every command is sent to the worker and returns as a change here.
  */
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
@@ -83,9 +83,9 @@ export class RunModel {
     this.pause();
     this.client.send({ type: 'tape' });
   });
-  /** The moment that is looked at instead of now; `null`: nobody looks back. Only `look` changes it. */
+  /** The moment shown instead of the present; `null`: the page shows the present. Only `look` changes it. */
   readonly past = this.look.past;
-  /** What is to be seen: the run now, or as it was. */
+  /** The visible state: the present of the run, or a past moment. */
   readonly snapshot: ComputedRef<Snapshot | null> = computed(() => this.past.value ?? this.present.value);
   /** The same as the device that is shown has it: its board, its program and its robot in the first one's place. */
   readonly shown: ComputedRef<Snapshot | null> = computed(() => {
@@ -95,33 +95,36 @@ export class RunModel {
   });
   /** The paths that the robots have taken; their contents change with `snapshot`. */
   readonly trails = new Trails();
-  /** How each device's program has ended, by its place; missing before there is a run. */
+  /** End of each device's program, by its place; missing before there is a run. */
   readonly endings: ShallowRef<readonly (Ended | null)[]> = shallowRef([]);
-  /** How the program of the device that is shown has ended. */
+  /** End of the program of the device that is shown. */
   readonly ended: ComputedRef<Ended | null> = computed(() => this.endings.value[this.device] ?? null);
   readonly nowUs = computed(() => this.snapshot.value?.timeUs ?? 0);
-  /** What is kept of the run to look back. */
+  /** The recording of the run for looking back. */
   readonly recording: ShallowRef<Recording> = shallowRef(new Recording(null));
-  /** The runs before this one; `null`: none was worth keeping yet. */
+  /** The runs before this one; `null`: none was worth recording yet. */
   readonly earlier: ShallowRef<EarlierRuns | null> = shallowRef(null);
   /** Simulated seconds per wall second reached lately; `null` while unknown. */
   readonly achieved: ShallowRef<number | null> = shallowRef(null);
   readonly isBusy = shallowRef(false);
-  /** What every Run button does instead of starting, for a host that brings its program first; `null`: it starts. */
+  /**
+   * Replaces the start for every Run button, for a host that sends its program first; `null`: the button starts the
+   * run.
+   */
   readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
   readonly isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(this.phase.value));
   /** All programs have ended. */
   readonly hasEnded = computed(() => this.endings.value.length > 0 && !this.endings.value.includes(null));
-  /** So they have, and the world goes on. */
+  /** All programs have ended, and the world keeps running. */
   readonly isOver = computed(() => this.isActive.value && this.hasEnded.value);
-  /** The program stands in `input()`: only the person can go on. */
+  /** The program waits in `input()`: only the user can continue it. */
   readonly isWaitingForInput = computed(
     () =>
       (this.phase.value === 'running' || this.phase.value === 'paused') &&
       this.ended.value === null &&
       this.shown.value?.awaitsInput === true,
   );
-  /** Where it stops, and what the program's variables are then. */
+  /** Breakpoints, steps and the program's variables at a stop. */
   readonly debug = new DebugPort({ phase: this.phase, send: (message) => this.send(message) });
   private speed: Speed = 1;
   private heardMs = 0;
@@ -146,7 +149,7 @@ export class RunModel {
     });
   }
 
-  /** How workers are made, and the VM for them: for others who run something. */
+  /** Makes workers, and the VM for them: for other parts that run something. */
   get engine(): Pick<RunHost, 'createWorker' | 'firmware'> {
     return this.host;
   }
@@ -156,7 +159,7 @@ export class RunModel {
     this.client.warmUp().catch(() => undefined);
   }
 
-  /** For every Run button: runs the program, or asks a host that sends the program first. */
+  /** For every Run button: runs the program, or asks the host to send the program first. */
   press(): void {
     if (this.ask.value === null) void this.start();
     else this.ask.value();
@@ -167,7 +170,7 @@ export class RunModel {
     return this.begin({ paused });
   }
 
-  /** Starts a new run in one of all ways. */
+  /** Starts a new run in any of the possible ways. */
   async begin({ kept, paused, catchUpUs = 0, left = null, brought = null, ...look }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
@@ -269,15 +272,14 @@ export class RunModel {
   }
 
   /**
-   * Does something to the run from outside; if the run is still starting, at its first moment. Without a run nothing
-   * happens.
+   * Sends an input to the run; if the run is still starting, at its first moment. Without a run nothing happens.
    *
-   * @param device its place; left out: the one that is shown, and for a packet by radio all of them
-   * @returns whether it may be done at all
+   * @param device its place; left out: the one that is shown, and for a radio packet all of them
+   * @returns whether the action is allowed at all
    */
   input(action: InputAction, device?: number): boolean {
     if (this.host.refuses?.(action) === true) return false;
-    this.look.leave(); // what is done, is done now
+    this.look.leave(); // inputs affect the present
     this.host.onInput(action, device ?? this.device);
     const place = device ?? (action.type === 'radio' ? null : this.device);
     const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
@@ -359,7 +361,7 @@ export class RunModel {
     }
   }
 
-  /** The run has come to the moment from which it was to go on: now it is shown, and heard. */
+  /** The run has reached the moment from which it was to continue: from now on it is shown and heard. */
   private endCatchingUp(nowUs: number): void {
     if (this.catchUpUs === 0 || nowUs < this.catchUpUs) return;
     this.catchUpUs = 0;

@@ -4,12 +4,12 @@ import type { InputEvent } from '#simulation/input';
 
 import type { RunModel } from './run-model';
 
-/** What was set by hand, by sensor id; everything else is as the board has it at its start. */
+/** Values set by hand, by sensor id; everything else is as at the board's start. */
 type Wishes = Readonly<Record<string, number>>;
 
-/** A hand on the sensors of a board: what it set holds for this run and the ones to come, until it is taken back. */
+/** Sensor values of a board set by hand: they hold for this run and the next ones, until they are reset. */
 export class SensorsModel {
-  /** What was set on the device that is shown. */
+  /** Values set on the device that is shown. */
   readonly wishes: ComputedRef<Wishes> = computed(() => this.all.value[this.run.device] ?? {});
   /** By the place of the device. */
   private readonly all: ShallowRef<Readonly<Record<number, Wishes>>> = shallowRef({});
@@ -28,7 +28,7 @@ export class SensorsModel {
     this.run.input({ type: 'sensor', id: 'gesture', value: name });
   }
 
-  /** Back to what the board feels at its start. @param starts the value there, by sensor id */
+  /** Resets to the board's values at its start. @param starts the value there, by sensor id */
   reset(starts: ReadonlyMap<string, number>): void {
     for (const id of Object.keys(this.wishes.value)) {
       const value = starts.get(id);
@@ -37,7 +37,7 @@ export class SensorsModel {
     this.put(this.run.device, {});
   }
 
-  /** What a run has to be given for a device at its start. */
+  /** The inputs of a run for a device at its start. */
   startInputs(device = 0): readonly InputEvent[] {
     return Object.entries(this.all.value[device] ?? {}).map(([id, value]) => ({
       timeUs: 0,

@@ -18,7 +18,7 @@ export function factorText(factor: number): string {
   return numberText(factor, shownLanguage(), decimals);
 }
 
-/** The machine does not keep up: more than a tenth below the chosen speed. */
+/** True if the machine is too slow: more than a tenth below the chosen speed. */
 export function isTooSlow(speed: Speed, achieved: number | null): boolean {
   return speed !== 'max' && achieved !== null && achieved < speed * 0.9;
 }

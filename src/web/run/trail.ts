@@ -1,4 +1,6 @@
-/** Maximum number of points kept. Chosen: with one every 4 mm that is 260 m, a quarter of an hour at full speed, in 512 kB. */
+/**
+ * Maximum number of points. Chosen: with one every 4 mm that is 260 m, a quarter of an hour at full speed, in 512 kB.
+ */
 const MOST_POINTS = 65_536;
 
 /** The robot's path in a run, oldest point first; grows with the run and forgets its oldest quarter when it is full. */
@@ -10,11 +12,11 @@ export class Trail {
   generation = 0;
   /** Number of points, those that are not to be seen included. */
   private kept = 0;
-  /** When there were how many points; one for each time some came. */
+  /** Number of points at each time when some were added. */
   private ages: { readonly timeUs: number; readonly points: number }[] = [];
   private untilUs: number | null = null;
 
-  /** Adds points as they come with a snapshot: x and y alternately. */
+  /** Adds points in the form of a snapshot: x and y alternately. */
   add(xyMm: readonly number[], timeUs = 0): void {
     const added = Math.min(xyMm.length / 2, MOST_POINTS / 2);
     if (added === 0) return;

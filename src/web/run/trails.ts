@@ -18,7 +18,7 @@ export class Trails {
     return trail;
   }
 
-  /** Adds points as they come with a snapshot, for each device: x and y alternately. */
+  /** Adds points in the form of a snapshot, for each device: x and y alternately. */
   add(xyMm: readonly (readonly number[])[], timeUs: number): void {
     xyMm.forEach((points, device) => this.of(device).add(points, timeUs));
   }

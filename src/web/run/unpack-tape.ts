@@ -6,20 +6,20 @@ import { addWays } from './ways-of-tape';
 /** Longest stretch of work without a rest, in ms of wall time: half a frame. */
 const SLICE_MS = 8;
 
-/** The moments of a run, and the ways of its robots by the place of their device. */
+/** The moments of a run, and the trails of its robots by the place of their device. */
 export interface RunTape {
   readonly rows: Rows<Snapshot>;
   readonly trails: Trails;
 }
 
-/** What becomes of the pieces of a tape while they are unpacked. */
+/** The options of unpacking. */
 export interface Unpacking {
   readonly into: RunTape;
-  /** Number of devices of the run, asked for with each piece. */
+  /** Number of devices of the run, read with each piece. */
   readonly devices: () => number;
-  /** Looked at before each piece: whether anybody still wants them. */
+  /** Called before each piece: false if they are no longer wanted. */
   readonly isWanted: () => boolean;
-  /** So far they are there: called before each rest, and at the end. */
+  /** Some are ready: called before each rest, and at the end. */
   readonly onSome?: () => void;
 }
 
@@ -27,9 +27,9 @@ export interface Unpacking {
 export const emptyTape = (): RunTape => ({ rows: new Rows<Snapshot>(), trails: new Trails() });
 
 /**
- * Unpacks the pieces of a tape in small slices, the oldest first, so that the page stands still for nobody.
+ * Unpacks the pieces of a tape in small slices, the oldest first, so that the page never freezes.
  *
- * @returns whether all are there; if not, nobody wanted them any more
+ * @returns true if all are unpacked, false if they were no longer wanted
  */
 export async function unpackTape(pieces: readonly Uint8Array[], unpacking: Unpacking): Promise<boolean> {
   const { into, devices, isWanted, onSome } = unpacking;

@@ -5,7 +5,9 @@ import type { Trails } from './trails';
 /** A step between two moments that no robot drives: the hand has carried it. Chosen: 2 m/s, in mm. */
 const CARRIED_MM = 40;
 
-/** Adds the ways of the robots within a piece of a tape to their trails. @param devices how many the run has */
+/**
+ * Adds the paths of the robots within a piece of a tape to their trails. @param devices number of devices in the run
+ */
 export function addWays(chunk: Chunk, devices: number, trails: Trails): void {
   const ways = Array.from({ length: devices }, (_, place) => wayIn(chunk, place === 0 ? [] : ['others', place - 1]));
   for (const [at, timeUs] of (timesOf(chunk) ?? []).entries())
@@ -15,7 +17,7 @@ export function addWays(chunk: Chunk, devices: number, trails: Trails): void {
     );
 }
 
-/** What a robot adds to its way at one moment of a piece, as `Trails` takes it. */
+/** The points that a robot adds to its trail at one moment of a piece, as `Trails` takes them. */
 function wayIn(chunk: Chunk, device: readonly Key[]): (at: number) => readonly number[] {
   const xs = leavesAt(chunk, [...device, 'robot', 'pose', 'xMm']);
   const ys = leavesAt(chunk, [...device, 'robot', 'pose', 'yMm']);

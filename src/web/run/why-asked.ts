@@ -1,18 +1,18 @@
 import type { Output } from '#simulation/causes/output';
 
-/** Somebody wants to know which line has made something so. */
+/** A question for the line that caused something. */
 export interface WhyAsked {
   /**
-   * What it is about: an output, the robot and what drives it, all that there is, or a line in the console, by how many
-   * lines of the device with the same time come before it.
+   * Its subject: an output, the robot and its actuators, everything there is, or a line in the console, given by the
+   * number of the device's lines with the same time before it.
    */
   readonly about: Output | 'robot' | 'all' | { readonly printed: number };
   /** Place of its device. */
   readonly device: number;
-  /** The moment that is meant. */
+  /** The moment in question. */
   readonly timeUs: number;
-  /** Where on the page somebody has pointed, in CSS px; left out: nowhere. */
+  /** Place on the page that was pointed at, in CSS px; left out: none. */
   readonly atPx?: { readonly x: number; readonly y: number };
-  /** How far to the sides of it the answer stays away, in CSS px. */
+  /** Distance to its sides at which the answer must be, in CSS px. */
   readonly besidePx?: number;
 }

@@ -5,18 +5,18 @@ import { keepInside } from './hand-gesture';
 import { isNear, isSameThing, type HeldThing } from './held-thing';
 import { robotRadiusMm, targetAt, type RobotShape, type Target } from './hit-test';
 
-/** What lies in the arena; read afresh each time. */
+/** The things in the arena; read afresh each time. */
 export interface ThingPorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
-  /** As the run or the course says, not as the hand holds it. A newer snapshot brings a new `pose` object. */
+  /** According to the run or the course, not to the hand that holds it. A newer snapshot brings a new `pose` object. */
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
   /** Wall time in ms. */
   readonly nowMs: () => number;
 }
 
-/** What was put down, until the run has processed it. */
+/** A thing that was put down, until the run has processed it. */
 interface PutDown {
   readonly thing: HeldThing;
   readonly pose: Pose;
@@ -24,10 +24,10 @@ interface PutDown {
   readonly atMs: number;
 }
 
-/** Snapshots in transit when the hand let go may still show the old place: for this long they are ignored. */
+/** Snapshots in transit when the hand lets go may still show the old place: they are ignored for this long. */
 const SETTLE_MS = 250;
 
-/** How near counts, in CSS px: a finger's target is 44 px wide. */
+/** Distance that counts as a hit, in CSS px: a finger's target is 44 px wide. */
 const REACH_PX = { touch: { slop: 10, touch: 22 }, mouse: { slop: 2, touch: 12 } };
 
 /** The robot and the blocks as a hand finds them: where they are, how large, and which of them is at a point. */
@@ -36,18 +36,20 @@ export class ArenaThings {
 
   constructor(private readonly ports: ThingPorts) {}
 
-  /** Where the run, or the course, has the thing; `null`: it is not there. */
+  /** Pose of a thing in the run, or in the course; `null`: it is not there. */
   sourcePose(thing: HeldThing): Pose | null {
     if (thing.kind === 'robot') return this.ports.robot()?.pose ?? null;
     return this.block(thing)?.pose ?? null;
   }
 
-  /** The thing stands at `pose` from now on; the run hears of it a moment later. */
+  /** The thing is at `pose` from now on; the run learns of it a moment later. */
   putDown(thing: HeldThing, pose: Pose): void {
     this.put = { thing, pose, before: this.sourcePose(thing), atMs: this.ports.nowMs() };
   }
 
-  /** Where to show a thing that nobody holds: where it was just put down, or else at `pose`, where the run has it. */
+  /**
+   * Pose at which to show a thing that is not held: where it was just put down, or else `pose`, its place in the run.
+   */
   settledPose(thing: HeldThing, pose: Pose): Pose {
     const { put } = this;
     if (put === null || !isSameThing(put.thing, thing)) return pose;
@@ -58,11 +60,11 @@ export class ArenaThings {
   }
 
   /**
-   * What is at a point of the canvas.
+   * Finds the thing at a point of the canvas.
    *
    * @param at in CSS px
    * @param touch by a finger, which reaches further
-   * @param shown where things are shown, and the knob of the ring, in CSS px
+   * @param shown the poses at which things are shown, and the knob of the ring, in CSS px
    */
   targetAt(
     at: Vec,
@@ -85,17 +87,17 @@ export class ArenaThings {
     );
   }
 
-  /** How far behind the pointer a thing trails at least, in mm: about half of it. */
+  /** Least distance at which a thing trails behind the pointer, in mm: about half of its size. */
   armMm(thing: HeldThing): number {
     const robot = this.ports.robot();
     if (thing.kind === 'robot') return robot === null ? 0 : 0.5 * robotRadiusMm(robot);
     return 1.4 * this.blockMargin(thing);
   }
 
-  /** The pose, kept inside the arena. */
+  /** The pose, moved into the arena if necessary. */
   inside(thing: HeldThing, pose: Pose): Pose {
     const robot = this.ports.robot();
-    // Chosen: 0.6 of the radius is about the robot's narrow side, so it can stand along a wall.
+    // Chosen: 0.6 of the radius is about the robot's narrow side, so it can be placed along a wall.
     const margin = thing.kind === 'robot' && robot !== null ? 0.6 * robotRadiusMm(robot) : this.blockMargin(thing);
     return keepInside(pose, this.ports.arena(), margin);
   }

@@ -56,7 +56,7 @@ export function drawRing(context: CanvasRenderingContext2D, view: View, ring: Ri
   context.restore();
 }
 
-/** Draws where a held thing is: its place in cm, or its heading in degrees while it is turned. */
+/** Labels a held thing with its place in cm, or with its heading in degrees while it is turned. */
 export function drawHeldPose(
   context: CanvasRenderingContext2D,
   view: View,

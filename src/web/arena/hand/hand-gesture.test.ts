@@ -47,7 +47,7 @@ describe('a gesture', () => {
 });
 
 describe('a thing that is pulled', () => {
-  /** Pulls a thing at 100 | 100 that is held there and led to these places; returns where it is then. */
+  /** Drags a thing at (100, 100), held at `heldAt`, to these places; returns its final place. */
   function pulled(heldAt: { x: number; y: number }, ...places: { x: number; y: number }[]) {
     let now = { pose, grip: gripBody(pose, heldAt, 30) };
     for (const place of places) if (now.grip.kind === 'move') now = pulledPose(now.grip, now.pose, place);

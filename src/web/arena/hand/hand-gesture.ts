@@ -3,14 +3,14 @@ import type { Pose, Vec } from '#core/geometry';
 import type { PlacedPose } from '#simulation/input';
 import type { ArenaSize } from '../view/view-transform';
 
-/** How the hand holds a thing. */
+/** The hand's grip on a thing. */
 export type Grip =
   /**
-   * By its body: the pointer keeps its place on it. `offsetMm` leads from the pointer to the thing's origin; `pointMm` is
-   * where the pointer is.
+   * By its body: the pointer stays on the same point of it. `offsetMm` leads from the pointer to the thing's origin;
+   * `pointMm` is the place of the pointer.
    */
   | { readonly kind: 'move'; readonly offsetMm: Vec; readonly pointMm: Vec; readonly armMm: number }
-  /** By the ring: the thing looks to the pointer. `offsetRad` is what its heading was off at the start. */
+  /** By the ring: the thing faces the pointer. `offsetRad` is the difference of its heading at the start. */
   | { readonly kind: 'turn'; readonly offsetRad: number };
 
 /** Movement of the robot per key press: mm, and with Shift. Chosen: a ruler's mark, and the smallest whole step. */
@@ -20,20 +20,20 @@ const NUDGE_MM = { coarse: 10, fine: 1 };
 const NUDGE_RAD = { coarse: Math.PI / 12, fine: Math.PI / 180 };
 
 /**
- * Takes hold of a thing by its body.
+ * Grips a thing by its body.
  *
- * @param armMm how far behind the pointer the thing trails at least, see `pulledPose`
+ * @param armMm least distance at which the thing trails behind the pointer, see `pulledPose`
  */
 export function gripBody(pose: Pose, pointMm: Vec, armMm = 0): Grip {
   return { kind: 'move', offsetMm: { x: pose.xMm - pointMm.x, y: pose.yMm - pointMm.y }, pointMm, armMm };
 }
 
-/** Takes hold of the ring around a thing. */
+/** Grips the ring around a thing. */
 export function gripRing(pose: Pose, pointMm: Vec): Grip {
   return { kind: 'turn', offsetRad: pose.headingRad - bearing(pose, pointMm) };
 }
 
-/** Where the thing is when the pointer that holds it is at `pointMm`. */
+/** Pose of the thing when the pointer that holds it is at `pointMm`. */
 export function heldPose(grip: Grip, pose: Pose, pointMm: Vec): Pose {
   switch (grip.kind) {
     case 'move':
@@ -45,10 +45,12 @@ export function heldPose(grip: Grip, pose: Pose, pointMm: Vec): Pose {
   }
 }
 
-/** Nearer to its middle than this, in mm, a thing is taken hold of as if by its front. */
+/** Nearer to its middle than this, in mm, a thing counts as held by its front. */
 const MIDDLE_MM = 4;
 
-/** The longest step that is pulled at once, in parts of the arm: a jump of the pointer must not turn a thing over. */
+/**
+ * The longest step that is pulled at a time, as a share of the arm: a jump of the pointer must not turn a thing over.
+ */
 const STEP = 0.25;
 
 /** The outcome of pulling a thing. */
@@ -129,7 +131,9 @@ export function wheelTurnedHeading(headingRad: number, deltaPx: number): number 
   return headingRad - (Math.max(-300, Math.min(300, deltaPx)) / 100) * NUDGE_RAD.coarse;
 }
 
-/** Keeps the origin of a thing at least `marginMm` from the edge of the arena (its middle, when that is too narrow). */
+/**
+ * Moves the origin of a thing to at least `marginMm` from the edge of the arena (to its middle if that is too narrow).
+ */
 export function keepInside(pose: Pose, arena: ArenaSize, marginMm: number): Pose {
   const clamp = (value: number, size: number): number => {
     const margin = Math.min(marginMm, size / 2);

@@ -3,7 +3,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { PlacedBlock } from '../model/arena-model';
 import { Hand, ringRadiusPx, type HandPorts } from './hand';
 
-/** A view of 1 px per mm: the arena of 1000 × 800 mm fills the canvas, y goes down on it. */
+/** A view of 1 px per mm: the arena of 1000 × 800 mm fills the canvas, whose y axis points down. */
 const px = (x: number, y: number): Vec => ({ x, y: 800 - y });
 const outlineMm = [
   [
@@ -46,7 +46,7 @@ describe('the hand', () => {
   it('picks up the robot at the first touch and carries it 100 mm to the right, held where it was touched', () => {
     const { hand, placed, down } = handOverArena();
     down(px(520, 410));
-    hand.pointerMove(1, px(620, 410), true); // with Shift it keeps its heading
+    hand.pointerMove(1, px(620, 410), true); // with Shift the heading does not change
     hand.tick();
     expect(placed).toEqual(['robot 600 400 0°']);
     expect(hand.held).toEqual({ thing: { kind: 'robot' }, turning: false });

@@ -15,10 +15,10 @@ import { isNear, isSameThing, toVec, type HeldThing } from './held-thing';
 import { robotRadiusMm, type RobotShape, type Target } from './hit-test';
 import { toMm, toPx, type View } from '../view/view-transform';
 
-/** What the hand sees and does. */
+/** Everything the hand reads and changes. */
 export interface HandPorts extends PicturePorts, ThingPorts {
   readonly place: (thing: HeldThing, pose: Pose) => void;
-  /** Whether nothing may be taken; who tries is told. Left out: all may. */
+  /** True if nothing may be taken; an attempt shows why. Left out: everything may. */
   readonly refuses?: () => boolean;
   /** Called when the picture has changed. */
   readonly changed: () => void;
@@ -31,7 +31,7 @@ export interface Press {
   readonly at: Vec;
   /** A finger, which needs larger targets than a mouse or a pen. */
   readonly touch: boolean;
-  /** Moves the picture whatever is under it (the middle button). */
+  /** Moves the picture regardless of the thing under the pointer (the middle button). */
   readonly pansOnly: boolean;
 }
 
@@ -42,7 +42,7 @@ interface Hold {
   readonly startPose: Pose;
   grip: Grip;
   pose: Pose;
-  /** The second finger on the floor, which turns what the first one holds. */
+  /** The second finger on the floor, which turns the thing held by the first one. */
   twist: { readonly pointer: number; readonly from: readonly [Vec, Vec]; readonly headingRad: number } | null;
   moved: boolean;
 }
@@ -64,31 +64,31 @@ export class Hand {
     this.things = new ArenaThings(ports);
   }
 
-  /** What is held, and by what. */
+  /** The held thing, and whether it is being turned. */
   get held(): { readonly thing: HeldThing; readonly turning: boolean } | null {
     if (this.hold === null) return null;
     return { thing: this.hold.thing, turning: this.hold.grip.kind === 'turn' || this.hold.twist !== null };
   }
 
-  /** Whether the ring around the robot shows. */
+  /** True if the ring around the robot is shown. */
   get ringShows(): boolean {
     if (this.ports.robot() === null) return false;
     return this.selected || this.focused || this.hoverRing || this.hold?.thing.kind === 'robot';
   }
 
-  /** The CSS cursor for what is under the pointer. */
+  /** The CSS cursor for the thing under the pointer. */
   get cursor(): string {
     if (this.hold !== null) return 'grabbing';
     return this.hover.kind === 'floor' ? 'default' : 'grab';
   }
 
-  /** Where to show the thing: in the hand, where it was just put down, or else where the run says. */
+  /** Pose at which to show the thing: in the hand, where it was just put down, or else its place in the run. */
   poseOf(thing: HeldThing, pose: Pose): Pose {
     if (this.hold !== null && isSameThing(this.hold.thing, thing)) return this.hold.pose;
     return this.things.settledPose(thing, pose);
   }
 
-  /** A finger or button goes down. */
+  /** Handles a finger or button that is pressed. */
   pointerDown(press: Press): void {
     this.pointers.set(press.id, press.at);
     const hold = this.hold;
@@ -104,9 +104,9 @@ export class Hand {
   }
 
   /**
-   * A pointer moves, pressed or not. What it holds turns into the direction of the drag.
+   * Handles a pointer that moves, pressed or not. The thing it holds turns into the direction of the drag.
    *
-   * @param keepsHeading it only moves (the Shift key)
+   * @param keepsHeading the thing only moves (the Shift key)
    */
   pointerMove(id: number, at: Vec, keepsHeading = false): void {
     const before = this.pointers.get(id);
@@ -119,7 +119,7 @@ export class Hand {
     else movePicture(this.ports, before, at, [...this.pointers].find(([other]) => other !== id)?.[1]);
   }
 
-  /** A finger or button goes up, or the browser takes the pointer away. */
+  /** Handles a finger or button that is released, and a pointer that the browser has cancelled. */
   pointerUp(id: number): void {
     this.pointers.delete(id);
     const hold = this.hold;
@@ -138,7 +138,7 @@ export class Hand {
     this.ports.changed();
   }
 
-  /** Lets go of everything, so that a tool can take over. */
+  /** Releases everything, so that a tool can take over. */
   release(): void {
     this.letGo();
     this.pointers.clear();
@@ -150,9 +150,9 @@ export class Hand {
   }
 
   /**
-   * The wheel turns what is held.
+   * The wheel turns the held thing.
    *
-   * @returns whether it was used
+   * @returns whether the event was used
    */
   wheel(deltaPx: number): boolean {
     const hold = this.hold;
@@ -164,9 +164,9 @@ export class Hand {
   }
 
   /**
-   * A key goes down: arrows, Q and E move the robot (or what is held), Escape puts back what is held.
+   * Handles a key that is pressed: arrows, Q and E move the robot (or the held thing), Escape puts the held thing back.
    *
-   * @returns whether it was used
+   * @returns whether the key was used
    */
   keyDown(key: string, fine: boolean): boolean {
     if (key === 'Escape') return this.putBack();
@@ -193,12 +193,12 @@ export class Hand {
     return true;
   }
 
-  /** A key goes up: what the keyboard holds is let go. */
+  /** Handles a key that is released: a thing held by the keyboard is released. */
   keyUp(): void {
     if (this.hold?.pointer === null) this.letGo();
   }
 
-  /** Whether the arena has the focus. */
+  /** Notes whether the arena has the focus. */
   focus(focused: boolean): void {
     this.focused = focused;
     if (!focused) {
@@ -209,8 +209,8 @@ export class Hand {
   }
 
   /**
-   * Call it once per frame while something is held: reports its place if it was moved, or if the run has carried it
-   * off.
+   * To be called once per frame while something is held: reports its place if it was moved, or if the run has carried
+   * it off.
    */
   tick(): void {
     const hold = this.hold;
@@ -221,7 +221,7 @@ export class Hand {
     this.ports.place(hold.thing, hold.pose);
   }
 
-  /** Where the knob of the ring is, in CSS px, or `null` while the ring is hidden. */
+  /** Place of the ring's knob, in CSS px; `null` while the ring is hidden. */
   knobPx(): Vec | null {
     const robot = this.ports.robot();
     if (robot === null || !this.ringShows) return null;
@@ -315,7 +315,7 @@ export class Hand {
     this.ports.changed();
   }
 
-  /** After something else has moved what a pointer holds: the pointer keeps holding it where it is now. */
+  /** Adjusts the grip after something else has moved the held thing: the pointer holds it at its new place. */
   private regrip(hold: Hold, byBody = hold.grip.kind === 'move'): void {
     const anchor = hold.pointer === null ? undefined : this.pointers.get(hold.pointer);
     if (anchor === undefined || !byBody) return;

@@ -1,24 +1,24 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { PlacedBlock } from '../model/arena-model';
 
-/** What lies under a pointer. */
+/** The thing under a pointer. */
 export type Target =
   | { readonly kind: 'ring' }
   | { readonly kind: 'robot' }
   | { readonly kind: 'block'; readonly id: string }
   | { readonly kind: 'floor' };
 
-/** What hit-testing needs to know about the robot. */
+/** The robot as hit-testing sees it. */
 export interface RobotShape {
   readonly pose: Pose;
   /** Convex parts in the robot's frame, mm, counter-clockwise. */
   readonly outlineMm: readonly (readonly Vec[])[];
   readonly scale: number;
-  /** How far ahead of the origin what hangs on it ends, in mm of the real robot; left out: nothing does. */
+  /** Distance from the origin to the front end of its attachments, in mm of the real robot; left out: it has none. */
   readonly frontMm?: number;
 }
 
-/** What can be pointed at. */
+/** The things that can be pointed at. */
 export interface Things {
   readonly robot: RobotShape | null;
   /** The knob of the ring in world mm, when the ring shows. */
@@ -26,7 +26,7 @@ export interface Things {
   readonly blocks: readonly PlacedBlock[];
 }
 
-/** How near counts as on it, in mm: beside a thing, and around the knob or the middle of a small thing. */
+/** Distances that count as a hit, in mm: beside a thing, and around the knob or the middle of a small thing. */
 export interface Reach {
   readonly slopMm: number;
   readonly touchMm: number;
@@ -52,7 +52,7 @@ export function robotRadiusMm(robot: Pick<RobotShape, 'outlineMm' | 'scale'>): n
   return radius * robot.scale;
 }
 
-/** A place in a thing's own frame. */
+/** Converts a place to a thing's own frame. */
 export function toLocal(pose: Pose, pointMm: Vec): Vec {
   const dx = pointMm.x - pose.xMm;
   const dy = pointMm.y - pose.yMm;
@@ -75,7 +75,7 @@ function isOnBlock(pointMm: Vec, block: PlacedBlock, reach: Reach): boolean {
   return Math.abs(local.x) <= halfX && Math.abs(local.y) <= halfY;
 }
 
-/** Whether a point lies in a convex polygon (counter-clockwise), or within `slop` of each edge's line. */
+/** True if a point lies in a convex polygon (counter-clockwise), or within `slop` of each edge's line. */
 function isInConvex(point: Vec, polygon: readonly Vec[], slop: number): boolean {
   return polygon.every((from, i) => {
     const to = polygon[(i + 1) % polygon.length] ?? from;

@@ -8,7 +8,7 @@ import type { ArenaView } from '../view/use-arena-view';
 import type { ArenaSize } from '../view/view-transform';
 import { wheelGesture, wheelPx } from '../view/wheel-gesture';
 
-/** What the hand acts on. */
+/** The surroundings of the hand. */
 export interface HandPlace {
   readonly picture: ArenaView;
   readonly arena: () => ArenaSize;
@@ -17,7 +17,7 @@ export interface HandPlace {
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
   readonly place: (thing: HeldThing, pose: Pose) => void;
-  /** Whether nothing may be taken. */
+  /** True if nothing may be taken. */
   readonly refuses?: (() => boolean) | undefined;
   readonly redraw: () => void;
 }
@@ -114,7 +114,7 @@ function pointerHandlers(
   };
 }
 
-/** The wheel turns what the hand holds; else it zooms and moves the picture. */
+/** The wheel turns the thing in the hand; otherwise it zooms and moves the picture. */
 function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
   event.preventDefault();
   if (hand.held !== null) {
@@ -126,7 +126,10 @@ function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
   else picture.panBy(gesture.byPx);
 }
 
-/** What is looked at of a key. Shift+1 is another sign on each keyboard, and a plus on some, which zooms in there. */
+/**
+ * The relevant part of a key's event. Shift+1 is another character on each keyboard, and a plus on some, which zooms
+ * in.
+ */
 export type ZoomKey = Pick<KeyboardEvent, 'key' | 'code' | 'shiftKey'>;
 
 function zoomKey(

@@ -8,7 +8,7 @@ import { boxAround, roomyWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
-/** Where blocks are shown, and how. */
+/** The view and the pixel ratio in which blocks are shown. */
 export interface SpriteFrame {
   readonly view: View;
   readonly canvas: CanvasSize;
@@ -36,7 +36,7 @@ interface Shown {
   readonly frame: SpriteFrame;
 }
 
-/** @param host the element for the little canvases: over the blocks that lie still */
+/** @param host the element for the little canvases: above the layer of blocks at rest */
 export function createBlockSprites(host: () => HTMLElement | null): BlockSprites {
   const all = new Map<string, Shown>();
   return {
@@ -73,7 +73,7 @@ const isSameFrame = (one: SpriteFrame, other: SpriteFrame): boolean =>
   one.palette === other.palette &&
   one.arena === other.arena;
 
-/** Where the canvas of a block lies; the same object as before while the block has room on it. */
+/** Place of a block's canvas; the same object as before while the block has room on it. */
 function blockWindow({ pose, sizeMm }: PlacedBlock, frame: SpriteFrame, before: Shown | undefined): PxBox {
   const { view, ratio } = frame;
   const size = [sizeMm.x, sizeMm.y] as const;

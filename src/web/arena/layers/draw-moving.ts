@@ -28,10 +28,10 @@ export interface MovingScene {
   readonly cone: UltrasonicState | null;
   /** Overlays that are shown with the things themselves. */
   readonly overlay: OverlayPicture | null;
-  /** Simulated time for the cone's arcs, or `null` to keep them still. */
+  /** Simulated time for the cone's arcs, or `null` to freeze them. */
   readonly breathUs: number | null;
   readonly ring: Ring | null;
-  /** What the hand holds, with a label `distancePx` away from it. */
+  /** The pose of the held thing, with a label `distancePx` away from it. */
   readonly label: { readonly pose: Pose; readonly turning: boolean; readonly distancePx: number } | null;
 }
 
@@ -49,7 +49,7 @@ export interface MovingParts {
   readonly breathUs: number | null;
 }
 
-/** Puts together what is to be drawn: the run's state, with what the hand holds where the hand is. */
+/** Puts together the moving scene: the run's state, with the held thing under the hand. */
 export function movingScene(parts: MovingParts, view: View): MovingScene {
   const { hand, painting, scale } = parts;
   const blocks = parts.now.blocks.map((block) => {
@@ -93,7 +93,7 @@ export function drawBlocks(
 }
 
 /**
- * Draws what moves all the time: cone, robot, what the hand holds, ring. Called for every frame.
+ * Draws everything that moves all the time: cone, robot, held thing, ring. Called for every frame.
  *
  * @param context draws in CSS px
  * @param ratio canvas pixels per CSS px
@@ -139,7 +139,7 @@ export function drawMoving(
 /** Room around a label, in px: half of the widest one, "123.4 | 123.4 cm". */
 const LABEL_PX = 80;
 
-/** Where `drawMoving` draws, in CSS px; larger than needed rather than smaller. */
+/** The area in which `drawMoving` draws, in CSS px; too large rather than too small. */
 export function movingBox(scene: MovingScene, view: View): PxBox {
   const boxes: PxBox[] = [...(scene.overlay?.boxes ?? [])];
   const at = (pose: Pose): Vec => toPx(view, { x: pose.xMm, y: pose.yMm });

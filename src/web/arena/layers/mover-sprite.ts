@@ -25,12 +25,12 @@ export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: n
   };
 }
 
-/** Where a picture lies: its middle in px, and how far it is turned from its start, counter-clockwise. */
+/** Place of a picture: its middle in px, and its rotation from its start, counter-clockwise. */
 export interface SpritePlace extends Vec {
   readonly turnedRad: number;
 }
 
-/** Where the picture of an obstacle lies when it is at a pose; without one it is at its start. */
+/** Place of the picture of an obstacle at a pose; without one, at its start. */
 export function spritePlace(view: View, mover: Mover, pose: Pose | null): SpritePlace {
   const start = placedBox(mover).pose;
   const { xMm, yMm, headingRad } = pose ?? start;
@@ -39,7 +39,7 @@ export function spritePlace(view: View, mover: Mover, pose: Pose | null): Sprite
 
 /**
  * The part of the canvas that a moving obstacle passes, on whole pixels, as far as it is in sight. A canvas there never
- * moves: one that does has the browser sort all layers of the page for each picture.
+ * moves: moving one makes the browser sort all layers of the page for each picture.
  *
  * @param ratio canvas pixels per CSS px
  */

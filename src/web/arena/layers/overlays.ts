@@ -30,7 +30,7 @@ export interface ShownRobot {
   readonly held: boolean;
 }
 
-/** What a picture is made of. */
+/** Everything the overlays are drawn from. */
 export interface OverlayParts {
   readonly options: ArenaOptions;
   readonly robot: ShownRobot | null;
@@ -53,9 +53,9 @@ export interface LightsOnRobot {
   readonly colors: readonly Rgb[];
 }
 
-/** What is drawn under and over the robot, in CSS px. */
+/** The parts of the picture under and over the robot, in CSS px. */
 export interface OverlayPicture {
-  /** Where. */
+  /** The areas in which it draws. */
   readonly boxes: readonly PxBox[];
   under(context: CanvasRenderingContext2D): void;
   over(context: CanvasRenderingContext2D): void;
@@ -128,11 +128,11 @@ function tailOf(points: Vec[], { now, held }: ShownRobot, view: View): Vec[] {
   return points.length === 0 || held ? points : [...points, toPx(view, { x: now.pose.xMm, y: now.pose.yMm })];
 }
 
-/** Distance between lights on rings and sticks by Adafruit, in mm; what would not fit on the robot is drawn smaller. */
+/** Distance between lights on rings and sticks by Adafruit, in mm; a chain too long for the robot is drawn smaller. */
 const UNIT_MM = 7.7;
 const WIDEST_MM = 92;
 
-/** Where a chain lies on the robot, in the world, and its size in mm. */
+/** Place of a chain on the robot, in the world, and its size in mm. */
 export function placeOf(form: LightForm, count: number, { now, look, scale }: Omit<ShownRobot, 'held'>) {
   const xs = look.body.outlineMm.flat().map(({ x }) => x);
   const middle = ((Math.min(...xs) + Math.max(...xs)) / 2) * scale;
@@ -165,7 +165,7 @@ function drawChain(
   context.restore();
 }
 
-/** Drawn boards of chains, kept for a while: zooming and driving ask for the same ones again and again. */
+/** Cache of drawn boards of chains: zooming and driving request the same ones again and again. */
 function createBoardShelf() {
   const made = createShelf<LightBoard>(12);
   return {

@@ -11,7 +11,7 @@ import { createStillCache } from '../picture/still-cache';
 import type { ArenaView } from '../view/use-arena-view';
 import { useLayer } from '../view/use-layer';
 
-/** What the layer of blocks shows. */
+/** Sources of the layer of blocks. */
 export interface BlockSources {
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   /** Over the canvas: blocks that have moved lately are put here. */
@@ -23,13 +23,13 @@ export interface BlockSources {
 
 /** The layer of the blocks that nothing holds. */
 export interface BlocksLayer {
-  /** Asks for the layer to be painted: the view has changed. */
+  /** Requests a repaint of the layer: the view has changed. */
   draw(): void;
   /** Shows the blocks of a new picture. */
   update(scene: MovingScene): void;
 }
 
-/** From this number of blocks on, resting ones are kept as a picture. Chosen: fewer are painted in 2 ms. */
+/** From this number of blocks on, those at rest are cached as a picture. Chosen: fewer are painted in 2 ms. */
 const MANY = 40;
 
 /** At most this many blocks have a canvas of their own. Chosen: far more would cost as much as painting all. */
@@ -82,10 +82,10 @@ export function useBlocksLayer(sources: BlockSources): BlocksLayer {
   };
 }
 
-/** Pictures in a row in which a block must lie still to count as lying. */
+/** Consecutive pictures without movement after which a block counts as at rest. */
 const LIES_AFTER = 30;
 
-/** Parts blocks that have moved lately from those that lie; asked once per picture. */
+/** Separates blocks that have moved recently from those at rest; to be called once per picture. */
 export function createRestless() {
   let before = new Map<string, PlacedBlock>();
   const stirred = new Map<string, number>();

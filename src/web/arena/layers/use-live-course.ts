@@ -5,9 +5,9 @@ import type { RobotStart, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import { liveScene, type LiveScene } from '../picture/live-scene';
 
-/** What a course and a run of it are shown from. */
+/** Sources of the picture of a course and its run. */
 export interface LiveCourseSources {
-  /** As it is to be shown without a run: where the hand has put things. */
+  /** As shown without a run: with the things where the hand has put them. */
   readonly shown: () => Scene;
   /** The document. */
   readonly course: () => Scene;
@@ -16,7 +16,7 @@ export interface LiveCourseSources {
   readonly newest: () => Snapshot | null;
 }
 
-/** What of the course is in the run; the same object as long as neither of them changes. */
+/** The parts of the course that are in the run; the same object as long as neither of them changes. */
 export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene> {
   const hasRun = computed(() => sources.newest() !== null);
   return computed(() => {
@@ -28,7 +28,7 @@ export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene
 /** A robot nearer to its start than this is at its start: mm, rad. Chosen: its outline would only double its rim. */
 const NEAR = { mm: 4, rad: 0.05 };
 
-/** Where the robot starts, if it stands elsewhere now: then its outline is drawn there. */
+/** Start of the robot if it is elsewhere now: its outline is drawn there. */
 export function startElsewhere(start: RobotStart, now: Pose | null): RobotStart | null {
   if (now === null) return null;
   const apart = Math.hypot(now.xMm - start.at[0], now.yMm - start.at[1]);

@@ -5,7 +5,7 @@ import type { MovingScene } from './draw-moving';
 import type { OverlayParts, OverlayPicture, Overlays } from './overlays';
 import type { Trail } from '../../run/trail';
 
-/** What the overlays are made of. */
+/** Sources of the overlays. */
 export interface OverlaySources {
   readonly options: () => ArenaOptions;
   readonly newest: () => Snapshot | null;
@@ -13,7 +13,7 @@ export interface OverlaySources {
   /** There only while the trail is to be seen. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly place: () => Pick<OverlayParts, 'view' | 'canvas' | 'ratio' | 'palette'>;
-  /** Called when the code for them has come. */
+  /** Called when the code for them has been loaded. */
   readonly ready: () => void;
 }
 
@@ -33,7 +33,7 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
         overlays.value ??= createOverlays();
         sources.ready();
       },
-      () => undefined, // no connection just now: asked again with the next switch
+      () => undefined, // no connection at the moment: fetched with the next switch
     );
   };
   watch(sources.options, () => isWanted() && overlays.value === null && fetch(), { immediate: true });

@@ -18,7 +18,7 @@ export interface StillSources {
   readonly picture: ArenaView;
   readonly palette: () => Palette;
   readonly live: () => LiveScene;
-  /** Where the robot starts, if it is elsewhere now. */
+  /** Start of the robot, if it is elsewhere now. */
   readonly start: () => RobotStart | null;
   /** Convex parts of the robot at scale 1 in its own frame, mm. */
   readonly footprint: () => readonly (readonly Vec[])[];
@@ -27,14 +27,16 @@ export interface StillSources {
   readonly verdict: () => Verdict | null;
 }
 
-/** The layer of what stands still. */
+/** The layer of everything that does not move. */
 export interface StillLayer {
   readonly draw: () => void;
   /** The drawing of zones, obstacles, words and the background, once a course has needed it. */
   readonly kinds: Readonly<ShallowRef<SceneKinds | null>>;
 }
 
-/** Keeps the picture of what stands still up to date; fetches the drawing of rarer things when a course has any. */
+/**
+ * Redraws everything that does not move when it changes; loads the drawing code of rarer things when a course has any.
+ */
 export function useStillLayer(sources: StillSources): StillLayer {
   const { picture } = sources;
   const ratio = (): number => picture.ratio.value;
@@ -65,7 +67,7 @@ export function useStillLayer(sources: StillSources): StillLayer {
   return { draw, kinds };
 }
 
-/** What of a verdict shows in the picture: text, so that it is the same as long as it says the same. */
+/** The parts of a verdict shown in the picture: as text, which is equal as long as they are. */
 function progressOf(verdict: Verdict | null): string {
   if (verdict === null) return '';
   const { checkpoints, targets, blocks } = verdict;
@@ -76,7 +78,7 @@ function withoutHidden(scene: Scene, hidden: ReadonlySet<string>): Scene {
   return hidden.size === 0 ? scene : { ...scene, objects: scene.objects.filter(({ id }) => !hidden.has(id)) };
 }
 
-/** Whether a course has anything that `scene-kinds.ts` draws. */
+/** True if a course has anything that `scene-kinds.ts` draws. */
 const needsKinds = ({ scene, waiting, size }: LiveScene): boolean =>
   size !== null || scene.background !== null || [...scene.objects, ...waiting].some(isRare);
 
@@ -89,14 +91,14 @@ function useKinds(needed: () => boolean, redraw: () => void): ShallowRef<SceneKi
   const fetch = (): void => {
     import('../picture/scene-kinds').then(
       ({ createSceneKinds }) => (kinds.value ??= createSceneKinds(redraw)),
-      () => undefined, // no connection just now: asked again with the next course
+      () => undefined, // no connection at the moment: fetched with the next course
     );
   };
   watch(isNeeded, (is) => is && kinds.value === null && fetch(), { immediate: true });
   return kinds;
 }
 
-/** Keeps pictures of many lines and walls while the view moves; sharpens them when it stands still. */
+/** Caches pictures of many lines and walls while the view moves; sharpens them when it rests. */
 function useKeptPicture(redraw: () => void) {
   const caches = { lines: createStillCache<SceneObject>(), standing: createStillCache<SceneObject>() };
   const rest = useViewRest(redraw);

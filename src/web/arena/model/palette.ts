@@ -24,7 +24,7 @@ export interface Palette {
   readonly wall: string;
   readonly wallLight: string;
   readonly wallInk: string;
-  /** A target, its ground and what is written on it. */
+  /** A target, its ground and its label. */
   readonly target: string;
   readonly targetFill: string;
   readonly checkpoint: string;

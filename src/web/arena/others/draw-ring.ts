@@ -31,7 +31,7 @@ const shownName = ({ name, radiusPx }: DeviceRing): string =>
   window.innerWidth < 600 || radiusPx < SMALL_PX ? '' : name;
 const SMALL_PX = 16;
 
-/** Where the name's pill lies; at the upper edge of the picture below the ring. */
+/** Place of the name's pill; below the ring at the upper edge of the picture. */
 export function nameBox(ring: DeviceRing): PxBox {
   const { middle, radiusPx } = ring;
   const width = pillOf(ring, 1).width;
@@ -40,7 +40,7 @@ export function nameBox(ring: DeviceRing): PxBox {
   return { left: middle.x - width / 2, top, width, height: NAME_PX };
 }
 
-/** Where the robot is, in px. */
+/** Place of the robot, in px. */
 export const bodyBox = ({ middle, radiusPx }: DeviceRing): PxBox => ({
   left: middle.x - radiusPx,
   top: middle.y - radiusPx,
@@ -48,7 +48,7 @@ export const bodyBox = ({ middle, radiusPx }: DeviceRing): PxBox => ({
   height: 2 * radiusPx,
 });
 
-/** Where `drawDeviceRing` draws, in px. */
+/** The areas in which `drawDeviceRing` draws, in px. */
 function ringBoxes(ring: DeviceRing): readonly PxBox[] {
   const { middle, radiusPx } = ring;
   const side = 2 * radiusPx + 8;

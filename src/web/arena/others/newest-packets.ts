@@ -1,6 +1,6 @@
 import type { RadioEntry } from '../../run/radio-model';
 
-/** How long a packet is to be seen, in simulated time. Chosen: long enough to read a word. */
+/** Time for which a packet is shown, in simulated µs. Chosen: long enough to read a word. */
 const SEEN_US = 800_000;
 
 /** The last packet of each device's program, if it was sent a moment ago. */

@@ -26,7 +26,7 @@ export interface Around {
   readonly radiusMm: number;
 }
 
-/** The circle around the middle of a robot's body, which lies ahead of its axle. */
+/** The circle around the middle of a robot's body, which is ahead of its axle. */
 export function circleAround(pose: Pose, body: RobotLook['body'], scale: number): Around {
   const { x, y, radius } = ownCircle(body);
   const [cos, sin] = [Math.cos(pose.headingRad), Math.sin(pose.headingRad)];
@@ -38,7 +38,7 @@ export function circleAround(pose: Pose, body: RobotLook['body'], scale: number)
 
 const circles = new WeakMap<RobotLook['body'], ReturnType<typeof measured>>();
 
-/** The circle in the robot's own frame, in mm; measured once, as it is asked for many times a frame. */
+/** The circle in the robot's own frame, in mm; measured once, as it is needed many times a frame. */
 function ownCircle(body: RobotLook['body']): ReturnType<typeof measured> {
   const circle = circles.get(body) ?? measured(body);
   circles.set(body, circle);

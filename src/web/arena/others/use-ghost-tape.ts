@@ -8,7 +8,7 @@ export interface GhostTape extends RunTape {
   isWhole: boolean;
 }
 
-/** The tape whose pieces these are, as far as it is unpacked; it triggers as more comes. */
+/** The unpacked part of a tape with these pieces; triggers as more is unpacked. */
 export function useGhostTape(
   pieces: () => readonly Uint8Array[],
   devices: () => number,

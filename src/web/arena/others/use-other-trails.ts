@@ -7,28 +7,27 @@ import type { ArenaView } from '../view/use-arena-view';
 import type { ArenaSize } from '../view/view-transform';
 import type { Trail } from '../../run/trail';
 
-/** The newest piece of a trail, which the canvas does not show yet, in px; empty where there is none. */
+/** The newest piece of a trail, which the canvas does not show yet, in px; may be empty. */
 export interface Tail {
   readonly pointsPx: readonly Vec[];
   readonly palette: Palette;
 }
 
-/** What the trails are made of. */
+/** Sources of the trails. */
 export interface OtherTrailSources {
   /** There only while trails are to be seen. */
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly picture: () => ArenaView;
   readonly arena: () => ArenaSize;
   readonly palette: () => Palette;
-  /** The trails that are to be seen, each with its place and with its colour as `deviceColor` takes it. */
+  /** The visible trails, each with its place and with its colour as `deviceColor` takes it. */
   readonly trails: () => readonly { readonly place: number; readonly color: number; readonly trail: Trail }[];
 }
 
 /**
- * The trails of the devices that are not shown, on one canvas. Whoever asks for a tail sees to it that the canvas is not
- * too old.
+ * The trails of the devices that are not shown, on one canvas. Requesting a tail repaints the canvas if it is too old.
  *
- * @returns the tail of a device's trail
+ * @returns a function that gives the tail of a device's trail
  */
 export function useOtherTrails(sources: OtherTrailSources): (place: number) => Tail | null {
   const layer = createTrailLayer();
@@ -51,7 +50,10 @@ export function useOtherTrails(sources: OtherTrailSources): (place: number) => T
   };
 }
 
-/** Palettes with the trace in a device's colour. The same object comes back: another one repaints all the trails. */
+/**
+ * Palettes with the trace in a device's colour. The same object is returned each time: another one repaints all the
+ * trails.
+ */
 function coloredPalettes(): (palette: Palette, color: number) => Palette {
   const made = new Map<Palette, Map<number, Palette>>();
   return (palette, color) => {

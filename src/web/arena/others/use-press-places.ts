@@ -18,12 +18,12 @@ export function deviceAt(
   return hit?.place ?? null;
 }
 
-/** What `usePressPlaces` needs to know. */
+/** Inputs of `usePressPlaces`. */
 interface Pressed {
-  /** An element that lies exactly over the picture, within that which gets its presses. */
+  /** An element exactly above the picture, inside the element that receives its presses. */
   readonly cover: Readonly<ShallowRef<HTMLElement | null>>;
   readonly rings: () => readonly DeviceRing[];
-  /** Whether a robot itself counts as well as its name. */
+  /** True if a press on the robot itself counts as one on its name. */
   readonly body: (ring: DeviceRing) => boolean;
   readonly choose: (place: number) => void;
 }

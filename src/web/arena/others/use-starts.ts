@@ -4,10 +4,13 @@ import type { RobotStart } from '#scene/scene';
 import { runSetup } from '../../work/run-setup';
 import type { WorkParts } from '../../work/model/parts';
 
-/** Where the robot of each device starts, by its place; `null` without a robot, and nothing for a run that cannot be. */
+/** Start of the robot of each device, by its place; `null` without a robot, and empty for an impossible run. */
 export type RobotStarts = readonly (RobotStart | null)[];
 
-/** The starts of several devices. What finds them is fetched with the second device; one device's is the course's. */
+/**
+ * The starts of several devices. The code that finds them is loaded with the second device; one device has the start of
+ * the course.
+ */
 export function useStarts(parts: WorkParts): Readonly<ShallowRef<RobotStarts>> {
   const { work, settings } = parts;
   const starts = shallowRef<RobotStarts>([]);
@@ -18,7 +21,7 @@ export function useStarts(parts: WorkParts): Readonly<ShallowRef<RobotStarts>> {
     }
     const asked = work.work.value;
     const { fitDevices } = await import('#simulation/fit-devices');
-    if (asked !== work.work.value) return; // it has changed again: asked anew
+    if (asked !== work.work.value) return; // it has changed again: compute it once more
     const fitted = fitDevices(runSetup(parts, () => []));
     const found =
       'problem' in fitted ? [] : fitted.devices.map(({ hardware, start }) => (hardware.robot === null ? null : start));
@@ -26,7 +29,7 @@ export function useStarts(parts: WorkParts): Readonly<ShallowRef<RobotStarts>> {
   }
   watch(
     [work.work, settings.current],
-    () => void find().catch(() => undefined), // without a connection the next change asks again
+    () => void find().catch(() => undefined), // without a connection the next change tries again
     { immediate: true },
   );
   return starts;

@@ -1,5 +1,5 @@
 /**
- * Draws the attachments on a robot's servos, from the drawings of `#attachments/drawings`. Loaded late.
+ * Draws the attachments on a robot's servos, from the drawings of `#attachments/drawings`. Loaded on demand.
  *
  * Forks and shovels go under blocks, so they are drawn before the robot, and the blocks on them once more; everything
  * else is drawn over the robot's front. The shadow shows height: it moves away from the lifted thing, which itself is
@@ -27,7 +27,7 @@ export interface PaintedRobot {
   readonly held: boolean;
 }
 
-/** What is drawn into. */
+/** The canvas to draw on, and its view. */
 interface Canvas {
   readonly context: CanvasRenderingContext2D;
   readonly view: View;
@@ -41,7 +41,10 @@ const FORK = 'fork';
 /** A fork below this height has blocks that it does not carry on top of it, not under it. */
 const LOW_MM = 12;
 
-/** How far a shadow lies from what throws it, per mm of height, down and (less) to the right; as for the robot itself. */
+/**
+ * Distance of a shadow from the thing that casts it, per mm of height, down and (less) to the right; as for the robot
+ * itself.
+ */
 const SHADOW_PER_MM = 0.4;
 const SHADOW_RIGHT = 0.4;
 const RESTING_HEIGHT_MM = 5;
@@ -97,7 +100,7 @@ export function drawForks(
 ): void {
   const canvas = { context, view, ratio };
   const attachments = painted.robot.state.attachments;
-  // What a claw beside a lift holds is on the lift as well.
+  // A block held by a claw beside a lift is on the lift as well.
   const isHolding = attachments.some((attachment) => attachment.isHolding);
   for (const { attachment, parts } of frontOf(painted)) {
     if (attachment.heightMm > 0) drawParts(canvas, painted, attachment, parts, ['shadow']);
@@ -232,12 +235,12 @@ interface Area {
   readonly aside: number;
 }
 
-/** Where the middle of a block on a fork can be. */
+/** The area in which the middle of a block on a fork can be. */
 const CARRIED: Area = { fromX: 0, toX: 62, aside: 36 };
-/** And where it is near enough to lie over the fork's edge. */
+/** The area in which it may overlap the fork's edge. */
 const NEAR: Area = { fromX: -20, toX: 120, aside: 80 };
 
-/** Whether the middle of a block lies in an area ahead of an attachment. */
+/** True if the middle of a block is in an area ahead of an attachment. */
 function isOver({ atMm }: AttachmentState, area: Area, { robot, scale }: PaintedRobot, { pose }: PlacedBlock): boolean {
   const { xMm, yMm, headingRad } = robot.pose;
   const dx = (pose.xMm - xMm) / scale;

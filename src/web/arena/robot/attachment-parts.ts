@@ -3,14 +3,14 @@ import type { Vec } from '#core/geometry';
 import { readRobotDrawing, type Box, type RobotDrawing } from './robot-drawing';
 import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
 
-/** A part of a drawing that is drawn by itself. */
+/** A part of a drawing that is drawn separately. */
 export interface AttachmentPart {
   /** Id of its group. */
   readonly id: string;
   /** A document with this part alone. */
   readonly svg: string;
   readonly viewBox: Box;
-  /** What it turns about, in drawing units. */
+  /** Its centre of rotation, in drawing units. */
   readonly pivot: Vec;
   /** Its default rotation, counter-clockwise. */
   readonly restRad: number;

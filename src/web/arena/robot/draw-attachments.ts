@@ -28,10 +28,15 @@ export function attachmentPainter(state: RobotState, painting: RobotPainting): P
   return painter;
 }
 
-/** From the mount to the far edge of what an attachment may carry, with its shadow, in mm of the real robot. Chosen generously. */
+/**
+ * From the mount to the far edge of anything an attachment may carry, with its shadow, in mm of the real robot. Chosen
+ * generously.
+ */
 const REACH_MM = 130;
 
-/** How far from the robot's origin its attachments are painted, in mm of the real robot; 0 without any. */
+/**
+ * Distance from the robot's origin within which its attachments are painted, in mm of the real robot; 0 without any.
+ */
 export function attachmentReachMm(state: RobotState): number {
   return Math.max(0, ...state.attachments.map(({ atMm }) => Math.hypot(atMm.x, atMm.y) + REACH_MM));
 }

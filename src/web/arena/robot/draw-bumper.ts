@@ -34,10 +34,10 @@ function bumperOf(painting: RobotPainting): Bumper | null {
   return made;
 }
 
-/** A half of the bumper as it is to be drawn. */
+/** A half of the bumper in its current state. */
 export interface BumperSprite {
   readonly sprite: RobotSprite;
-  /** How far it is pushed towards the axle, in drawing units (mm). */
+  /** Travel of the half towards the axle, in drawing units (mm). */
   readonly pushedMm: number;
 }
 

@@ -10,13 +10,13 @@ import { toPx, type CanvasSize, type View } from '../view/view-transform';
 /** Room for the label, in px. */
 const LABEL_PX = 52;
 
-/** The radius as it is labelled: `r = 15 cm`; below 10 cm with a decimal. */
+/** Formats the radius for its label: `r = 15 cm`; below 10 cm with a decimal. */
 export function radiusLabel(radiusMm: number): string {
   const cm = radiusMm < 99.5 ? Math.round(radiusMm) / 10 : Math.round(radiusMm / 10);
   return `r = ${numberText(cm, shownLanguage())} cm`;
 }
 
-/** Where it is drawn, in px. */
+/** The area in which it is drawn, in px. */
 export function centreBox(centre: RotationCentre, pose: Pose, view: View): PxBox {
   return unionOf([
     boxAround(toPx(view, centre.atMm), LABEL_PX),

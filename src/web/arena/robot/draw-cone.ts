@@ -5,10 +5,10 @@ import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 
-/** How far the fan is drawn when nothing is in range, in mm; it fades out there. */
+/** Length of the fan when nothing is in range, in mm; it fades out there. */
 const OPEN_REACH_MM = 450;
 
-/** How far the fan fades out behind what it meets, in mm. */
+/** Distance over which the fan fades out behind an obstacle, in mm. */
 const BEYOND_MM = 130;
 
 /** Arcs follow each other at this distance, in mm. */
@@ -22,14 +22,14 @@ export function distanceLabel(distanceMm: number): string {
   return `${String(Math.round(distanceMm / 10))} cm`;
 }
 
-/** Where the label goes: beside the cone's axis at the hit point, on the side that is higher on the screen. */
+/** Place of the label: beside the cone's axis at the hit point, on the side that is higher on the screen. */
 export function labelPlace(hitPx: Vec, headingRad: number): Vec {
   const side = { x: Math.sin(headingRad), y: Math.cos(headingRad) }; // right of the axis, y down
   const up = side.y <= 0 ? 1 : -1;
   return { x: hitPx.x + side.x * up * 34, y: hitPx.y + side.y * up * 30 };
 }
 
-/** Where the fan is drawn, in CSS px. */
+/** The area of the fan, in CSS px. */
 export function coneBox(cone: UltrasonicState, view: View): PxBox {
   const from = toPx(view, cone.fromMm);
   const radius = fanMm(cone) * view.pxPerMm;
@@ -39,7 +39,7 @@ export function coneBox(cone: UltrasonicState, view: View): PxBox {
   return unionOf([from, ...rim].map((point) => boxAround(point, sag)));
 }
 
-/** How far the fan is drawn, in mm. */
+/** Length of the fan, in mm. */
 function fanMm(cone: UltrasonicState): number {
   return cone.distanceMm === null ? OPEN_REACH_MM : cone.distanceMm + BEYOND_MM;
 }
@@ -47,7 +47,7 @@ function fanMm(cone: UltrasonicState): number {
 /**
  * Draws the ultrasonic fan with its arcs.
  *
- * @param breathUs simulated time, which moves the arcs, or `null` to keep them still
+ * @param breathUs simulated time, which moves the arcs, or `null` to freeze them
  */
 export function drawCone(
   context: CanvasRenderingContext2D,
@@ -112,7 +112,7 @@ function drawArcs(
   context.lineCap = 'butt';
 }
 
-/** Draws where the sensor's nearest echo comes from, and how far that is. Nothing when nothing is in range. */
+/** Draws the point of the sensor's nearest echo, and its distance. Nothing when nothing is in range. */
 export function drawHit(
   context: CanvasRenderingContext2D,
   view: View,

@@ -10,7 +10,7 @@ import type { RobotPainting } from './robot-painting';
 const robot = robotAtStart(defaultScene(), { attachments: [], bumper: null });
 const dark = Array.from({ length: 25 }, () => 0);
 
-/** What the kept picture of a robot's body depends on. */
+/** The values that the cached picture of a robot's body depends on. */
 function keptBy(state: Partial<ArenaRobot['state']>, display = dark): unknown {
   const viewBox = { x: -40, y: -50, width: 80, height: 100 };
   const draw = vi.fn();

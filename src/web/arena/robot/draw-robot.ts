@@ -11,7 +11,7 @@ import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import type { RobotSprite } from './robot-sprite';
 import { toPx, type View } from '../view/view-transform';
 
-/** How the robot is to be shown. */
+/** The appearance of the robot. */
 export interface RobotAppearance {
   /** 25 levels 0 … 9. */
   readonly display: ArrayLike<number>;
@@ -21,7 +21,7 @@ export interface RobotAppearance {
   readonly held: boolean;
 }
 
-/** How far from the robot's origin its picture reaches, light and shadow included, in mm of the real robot. */
+/** Radius of the robot's picture around its origin, light and shadow included, in mm of the real robot. */
 export function paintedRadiusMm(drawing: RobotDrawing): number {
   const { x, y, width, height } = drawing.viewBox;
   const corner = Math.hypot(Math.max(-x, x + width), Math.max(-y, y + height));
@@ -77,7 +77,7 @@ export function drawRobot(
 
 const HERE: Vec = { x: 0, y: 0 };
 
-/** Everything that shines: glows cost as much as all the rest of a robot, so they are kept with its body. */
+/** Everything that shines: glows cost as much as the rest of a robot, so they are cached with its body. */
 const lightsOf = ({ state }: ArenaRobot, display: ArrayLike<number>): readonly unknown[] => [
   ...state.rgb.flat(),
   ...state.lineSensors.map(({ bright }) => bright),
@@ -86,7 +86,7 @@ const lightsOf = ({ state }: ArenaRobot, display: ArrayLike<number>): readonly u
   ...Array.from(display),
 ];
 
-/** Shadows lie a little to the right and below, however the robot is turned. */
+/** Shadows fall a little to the right and below, at any heading of the robot. */
 function drawShadows(
   context: CanvasRenderingContext2D,
   enter: (context: CanvasRenderingContext2D, shift: Vec) => void,

@@ -42,14 +42,14 @@ export interface SpotLabel {
   readonly bright: boolean;
 }
 
-/** Where a row of readings may be. */
+/** The surroundings that a row of readings must fit into. */
 export interface LabelRow {
-  /** How far ahead of and behind its axle the robot ends, at its size. */
+  /** Distances from its axle to the robot's front and back, at its size. */
   readonly frontMm: number;
   readonly backMm: number;
-  /** What is in sight, px: readings outside it would be lost. */
+  /** The visible area, px: readings outside it would be lost. */
   readonly sight: PxBox;
-  /** Where the label of a distance stands near, px: readings ahead must not lie under it. `null`: nowhere. */
+  /** Place of the label of a distance, px: readings ahead must not be covered by it. `null`: there is none. */
   readonly hit: Vec | null;
 }
 
@@ -114,7 +114,7 @@ function rowPlaces(
   return back.nearer <= NEARER_PX || back.nearer < front.nearer ? back.places : front.places;
 }
 
-/** How far a row of labels must move so that all of them are in sight. */
+/** Shift of a row of labels that brings all of them into sight. */
 function intoSight(middles: readonly Vec[], width: number, sight: PxBox): Vec {
   const shift = (values: readonly number[], half: number, from: number, size: number): number => {
     const least = from + half + LABEL.gap - Math.min(...values);
@@ -127,7 +127,7 @@ function intoSight(middles: readonly Vec[], width: number, sight: PxBox): Vec {
   }; // prettier-ignore
 }
 
-/** Where the labels and spots are drawn, in px. */
+/** The areas of the labels and spots, in px. */
 export function spotsBoxes(
   view: View,
   pose: Pose,
@@ -142,10 +142,10 @@ export function spotsBoxes(
 }
 
 /**
- * Shows the floor under each line sensor through the robot, on it the spot that the sensor sees: light with a dark rim
- * or dark with a light one. Readings stand ahead of the robot, each at the end of a thin line.
+ * Shows the floor under each line sensor through the robot, with the spot that the sensor sees: light with a dark rim
+ * or dark with a light one. Readings are ahead of the robot, each at the end of a thin line.
  *
- * @param context of a canvas above the floor with nothing on it but what moves: holes are cut into that
+ * @param context of a canvas above the floor with only moving things on it: holes are cut into it
  */
 export function drawSpots(
   context: CanvasRenderingContext2D,

@@ -4,7 +4,7 @@ import type { Trail } from '../../run/trail';
 import { sightPx } from '../picture/draw-floor';
 import { toPx, type ArenaSize, type View } from '../view/view-transform';
 
-/** Widths in px: the line, and the white around it that keeps it apart from dark lines. */
+/** Widths in px: the line, and its white casing, which separates it from dark lines. */
 const LINE_PX = 2.4;
 const CASING_PX = 5.2;
 
@@ -36,8 +36,8 @@ export function piecesOf(trail: Trail, from: number, view: View): number[][] {
 }
 
 /**
- * Draws a trail from one of its points on. What is there already stays on top, so that a trail drawn piece by piece
- * looks like one drawn at once: its casing never covers its line.
+ * Draws a trail from one of its points on. The existing picture stays on top, so that a trail drawn piece by piece
+ * looks like one drawn in a single pass: its casing never covers its line.
  */
 export function drawTrail(
   context: CanvasRenderingContext2D,
@@ -52,7 +52,7 @@ export function drawTrail(
   const path = new Path2D();
   for (const piece of pieces) {
     const [x = 0, y = 0, nextX = x, nextY = y] = piece;
-    // Half a px back into what is drawn already: neither a gap nor, as with round ends, a knot.
+    // Half a px back into the existing line: neither a gap nor, as with round ends, a knot.
     const back = 0.5 / (Math.hypot(nextX - x, nextY - y) || 1);
     path.moveTo(x - (nextX - x) * back, y - (nextY - y) * back);
     for (let i = 2; i < piece.length; i += 2) path.lineTo(piece[i] ?? 0, piece[i + 1] ?? 0);
@@ -97,7 +97,10 @@ function strokeWith(context: CanvasRenderingContext2D, path: Path2D, color: stri
   context.stroke(path);
 }
 
-/** How often the canvas of the trails is painted at most, in ms: it is large, and what is newer is drawn with the robots. */
+/**
+ * Shortest time between repaints of the canvas of the trails, in ms: it is large, and newer pieces are drawn with the
+ * robots.
+ */
 const RENEW_MS = 250;
 
 /** Everything that the canvas of the trails shows: any change repaints it. */
@@ -126,13 +129,13 @@ export interface TrailLayer {
 }
 
 /**
- * Makes a layer that paints only what has been added, four times a second. All trails share the canvas: each further
- * one as large as the arena would have to be copied and put together again every time.
+ * Makes a layer that paints only the additions, four times a second. All trails share the canvas: each further one of
+ * the arena's size would have to be copied and composed every time.
  */
 export function createTrailLayer(): TrailLayer {
   let shown: readonly unknown[] = [];
   let paintedMs = 0;
-  /** How many points of a trail the canvas shows. */
+  /** Number of points of a trail that the canvas shows. */
   const drawn = new Map<Trail, number>();
   const drawnOf = (trail: Trail): number => drawn.get(trail) ?? 0;
   return {

@@ -1,16 +1,15 @@
 import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
 
 /**
- * Reads a robot.svg: where its lights, wheels, display and bumper are, so that they can be animated.
+ * Reads a robot.svg: finds its lights, wheels, display and bumper, so that they can be animated.
  *
  * Rules for a robot.svg: 1 unit = 1 mm; seen from above, front up (x = to the right, y = backward), origin in the
  * middle of the axle; `viewBox` around everything. It shows the robot at rest with all lights off. Parts are found by
- * their `id`, which stands on the shape itself or on a group around it (of circles, the one of class `lit` counts,
- * otherwise the first without class `glow`); they must not lie in a transformed group:
+ * their `id`, either of the shape itself or of a group around it (of circles, the one of class `lit` counts, otherwise
+ * the first without class `glow`); they must not be in a transformed group:
  * - `wheel-left`, `wheel-right`: a `<rect>`, the tyre. A moving tread replaces the parts of class `tread` in it.
  * - `rgb-0` … : a `<circle>` per colour light under the body, any number, in the order of the robot's state. It only
- *   marks a place and is not drawn: its light falls on the floor around it, from where the circle is up to 1.75 times
- *   as far.
+ *   marks a place and is not drawn: its light falls on the floor around it, from the circle up to 1.75 times as far.
  * - `led-left`, `led-right`: a `<circle>` per red light.
  * - `line-NAME`: a `<circle>` per line sensor's light, NAME as in the robot's state.
  * - `display`: a group of 25 `<rect>`, row by row.

@@ -5,7 +5,7 @@ export interface RobotSprite {
   readonly body: HTMLCanvasElement;
   /** Its soft shadow; covers `shadowBox`. */
   readonly shadow: HTMLCanvasElement;
-  /** What `shadow` covers, in drawing units (mm): the drawing and a rim for the blur. */
+  /** The area of `shadow`, in drawing units (mm): the drawing and a rim for the blur. */
   readonly shadowBox: Box;
 }
 
@@ -38,7 +38,7 @@ export function resolutionStep(pixelsPerMm: number): number {
  * by `img-src data:`), which takes a moment.
  *
  * @param ready called when a sprite has been made, so that the picture can be drawn again
- * @param tint a colour that covers everything; its alpha says how much
+ * @param tint a colour over everything; its alpha is the strength
  */
 export function createSpriteShelf(
   drawing: Pick<RobotDrawing, 'svg' | 'viewBox'>,
@@ -87,7 +87,7 @@ function shadowOf(body: HTMLCanvasElement, box: Box, pixelsPerMm: number): Pick<
   const shadow = canvasOf(width, height, (context) => {
     context.shadowColor = '#000';
     context.shadowBlur = SHADOW_BLUR_MM * pixelsPerMm;
-    context.shadowOffsetX = width * 2; // the body itself lies beyond the edge, only its shadow falls in
+    context.shadowOffsetX = width * 2; // the body itself is beyond the edge, only its shadow falls in
     context.drawImage(body, rim * pixelsPerMm - width * 2, rim * pixelsPerMm);
   });
   return { shadow, shadowBox };
@@ -108,7 +108,7 @@ function canvasOf(
   return canvas;
 }
 
-/** A canvas of this many pixels that lies nowhere on the page. */
+/** A canvas of this many pixels that is not attached to the page. */
 export function emptyCanvas(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = width;

@@ -1,10 +1,10 @@
 import type { Pose, Vec } from '#core/geometry';
 
-/** What must be known about a robot at one moment to find the point around which it turns. */
+/** State of a robot at one moment, as needed to find the point around which it turns. */
 export interface Moment {
   /** Simulated time. */
   readonly timeUs: number;
-  /** Of the middle of the axle. */
+  /** Pose of the middle of the axle. */
   readonly pose: Pose;
   /** Turned since the start, not wrapped. */
   readonly turnedRad: number;
@@ -19,11 +19,11 @@ export interface RotationCentre {
   readonly radiusMm: number;
 }
 
-/** Simulated time over which the movement is looked at, in µs. Chosen: the curve of a moment, without its trembling. */
+/** Simulated time over which the movement is measured, in µs. Chosen: the curve of a moment, without its trembling. */
 const WINDOW_US = 60_000;
 
 /**
- * At more than 10 × real time pictures lie farther apart than this, in µs: then no curve of a moment can be seen in them.
+ * At more than 10 × real time pictures are farther apart than this, in µs: no momentary curve can be derived from them.
  * Chosen: a line follower's curves last about as long.
  */
 const LONGEST_US = 200_000;
@@ -38,10 +38,11 @@ const SLOWEST_RAD_PER_S = 0.0175;
 const CARRIED_MM = 1;
 
 /**
- * The centre of the turn between two moments: the one point of the plane that a rigid movement leaves where it is. For a
- * robot whose wheels do not slip sideways it lies on the line of its axle.
+ * The centre of the turn between two moments: the one fixed point of a rigid movement in the plane. For a robot whose
+ * wheels do not slip sideways it is on the line of its axle.
  *
- * @returns `null` when the robot drives straight, stands, or was carried by the hand, or when the moments lie too far apart
+ * @returns `null` when the robot drives straight, is at rest, or was carried by the hand, or when the moments are too
+ * far apart
  */
 export function rotationCentre(before: Moment, now: Moment): RotationCentre | null {
   const angle = now.turnedRad - before.turnedRad;

@@ -5,7 +5,7 @@ import { emptyCanvas, resolutionStep } from './robot-sprite';
 /** Marks of the tread, about as far apart as on the real tyre. */
 const MARKS = 24;
 const PITCH_RAD = (2 * Math.PI) / MARKS;
-/** From one mark to the next the tyre is drawn in so many positions: a tenth of a mm apart. */
+/** Number of positions in which the tyre is drawn from one mark to the next: a tenth of a mm apart. */
 const POSITIONS = 16;
 /** Marks reach this far beyond the tyre, in mm. */
 const RIM_MM = 1;

@@ -2,23 +2,23 @@ import type { Vec } from '#core/geometry';
 import { putPicture } from '../view/whole-pixels';
 import { emptyCanvas } from './robot-sprite';
 
-/** What a turned body looks like: with the same one it is the same picture. */
+/** The look of a turned body: the same look is the same picture. */
 export interface BodyLook {
   readonly headingRad: number;
   /** CSS px for one mm of the drawing. */
   readonly size: number;
   /** Canvas pixels per CSS px. */
   readonly ratio: number;
-  /** What else it depends on, compared by identity. */
+  /** Further values that it depends on, compared by identity. */
   readonly of: readonly unknown[];
 }
 
-/** Headings nearer than this are one: the rim of a robot then lies a tenth of a pixel aside. Chosen, in rad. */
+/** Headings this close count as the same: the rim of a robot is then off by a tenth of a pixel. Chosen, in rad. */
 const SAME_RAD = 0.002;
 
 /**
- * A robot's body with shadow and lights, turned once for as long as it keeps its heading: without a graphics card
- * turning a picture and painting glows is most of what it costs, and robots drive straight most of the time.
+ * A robot's body with shadow and lights, turned once and reused while its heading stays the same: without a graphics
+ * card turning a picture and painting glows is most of the cost, and robots drive straight most of the time.
  */
 export class TurnedBody {
   private last: BodyLook | null = null;
@@ -26,7 +26,10 @@ export class TurnedBody {
   /** Frames that it has looked the same. */
   private frames = 0;
 
-  /** @param patience it is kept after so many frames more; another one for each robot, as robots may end a turn together */
+  /**
+   * @param patience number of frames for which it is reused after a turn; differs between robots, as they may end a
+   * turn together
+   */
   constructor(private readonly patience = 0) {}
 
   /**

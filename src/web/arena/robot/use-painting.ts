@@ -9,7 +9,7 @@ import { TreadShelf } from './tread-sprite';
 import { TurnedBody } from './turned-body';
 
 /**
- * What a robot is painted with; `null` without a robot and until its drawing is there.
+ * The drawing and sprites of a robot; `null` without a robot and until its drawing is loaded.
  *
  * @param patience see `TurnedBody`
  */

@@ -7,7 +7,7 @@ export interface Painted {
   readonly by: 'fill' | 'stroke' | 'text';
   readonly color: string;
   readonly alpha: number;
-  /** Of the path, without the width of its line; in px of the canvas. */
+  /** Bounds of the path, without the width of its line; in px of the canvas. */
   readonly left: number;
   readonly top: number;
   readonly right: number;
@@ -39,7 +39,7 @@ const START: State = {
   matrix: [1, 0, 0, 1, 0, 0],
 };
 
-/** A path of its own, known by its outline in SVG. Node has none. */
+/** A replacement of `Path2D`, known by its outline in SVG. Node has none. */
 export class NodePath {
   readonly points: Vec[] = [];
   constructor(readonly outline: string = '') {
@@ -52,7 +52,7 @@ export class NodePath {
   readonly closePath = (): void => undefined;
 }
 
-/** A canvas context that notes what becomes visible, in which colour and where; it knows transformations. */
+/** A canvas context that records everything painted, with colour and place; it supports transformations. */
 export class RecordingCanvas {
   readonly painted: Painted[] = [];
   private state: State = { ...START };
@@ -74,7 +74,7 @@ export class RecordingCanvas {
     }) as unknown as CanvasRenderingContext2D;
   }
 
-  /** What was painted in this colour. */
+  /** Everything that was painted in this colour. */
   in(color: string): readonly Painted[] {
     return this.painted.filter((one) => one.color === color);
   }
@@ -109,7 +109,7 @@ export class RecordingCanvas {
   getTransform(): { readonly a: number } {
     return { a: this.state.matrix[0] };
   }
-  /** Shows what another canvas has. */
+  /** Copies everything painted on another canvas. */
   drawImage(source: HTMLCanvasElement, left: number, top: number, width: number, height: number): void {
     const [x, y] = [width / source.width, height / source.height];
     for (const one of canvases.get(source)?.painted ?? []) {
@@ -202,7 +202,7 @@ export class RecordingCanvas {
 
 const canvases = new WeakMap<HTMLCanvasElement, RecordingCanvas>();
 
-/** Gives paths and canvases to the document, which has none in Node: what is drawn on them can be shown on another. */
+/** Gives the document paths and canvases, which Node lacks: the picture on one can be drawn on another. */
 export function recordCanvases(): void {
   vi.stubGlobal('Path2D', NodePath);
   vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockImplementation(function (this: HTMLCanvasElement) {

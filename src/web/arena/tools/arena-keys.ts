@@ -22,13 +22,13 @@ export interface ArenaKeys {
   blur(): void;
 }
 
-/** What the keys work on. */
+/** Sources of the keys. */
 export interface KeySources {
   readonly editor: CourseEditorModel;
   readonly picture: ArenaView;
-  /** Shows what is selected, large. Returns whether something is. */
+  /** Zooms in on the selection. Returns false if there is none. */
   readonly showSelected: () => boolean;
-  /** Says something to screen readers. */
+  /** Announces something to screen readers. */
   readonly say: (words: string) => void;
 }
 
@@ -46,7 +46,7 @@ export function arenaKeys(
   const tellPlace = sayer(sources, surface);
   const middle = (): Vec => middleOfSight(picture);
   const press = (drags: boolean): void => {
-    if (!surface.pressKey(middle(), drags)) return; // what was done is told by the editor
+    if (!surface.pressKey(middle(), drags)) return; // the editor announces what was done
     if (surface.crosshair !== null) sources.say(sayPlace(arenaWords.tools.drawing, surface.crosshair));
   };
   const step = (arrow: Vec, fine: boolean): void => {
@@ -85,13 +85,16 @@ export function arenaKeys(
     focus: () => sources.say(t(arenaWords.tools[helpFor(editor)])),
     blur() {
       pointers.letGoSpace();
-      keys.keyUp('ArrowLeft'); // any arrow: what they have moved is done
+      keys.keyUp('ArrowLeft'); // any arrow: the move is finished
       surface.blur();
     },
   };
 }
 
-/** Leaves what is under way, else the points of a line, else what is selected. Returns whether there was anything. */
+/**
+ * Cancels the current gesture, or else leaves the points of a line, or else clears the selection. Returns false if
+ * there was nothing to leave.
+ */
 function escape({ editor, say: tell }: KeySources, surface: ToolSurface): boolean {
   if (surface.cancel()) tell(t(arenaWords.tools.dropped));
   else if (editor.tool.value === 'points') editor.choose('select');
@@ -100,13 +103,13 @@ function escape({ editor, say: tell }: KeySources, surface: ToolSurface): boolea
   return true;
 }
 
-/** Says the numbers typed so far; the key was used for them. */
+/** Announces the numbers typed so far; the key was used for them. */
 function sayTyped(sources: KeySources, { told }: ToolSurface): true {
   if (told !== null && told.typed !== '') sources.say(told.typed);
   return true;
 }
 
-/** Says where the crosshair is as soon as it rests, and the figures of what it draws. */
+/** Announces the place of the crosshair as soon as it rests, and the figures of the gesture. */
 function sayer(sources: KeySources, surface: ToolSurface): (at: Vec) => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   return (at) => {
@@ -121,7 +124,7 @@ function sayer(sources: KeySources, surface: ToolSurface): (at: Vec) => void {
 
 const sayPlace = (text: Texts, at: Vec): string => t(text, { x: cm(at.x), y: cm(at.y) });
 
-/** Where the middle of what is in sight lies, world mm. */
+/** Middle of the visible area, world mm. */
 function middleOfSight({ view, canvas }: ArenaView): Vec {
   return toMm(view.value, { x: canvas.value.widthPx / 2, y: canvas.value.heightPx / 2 });
 }

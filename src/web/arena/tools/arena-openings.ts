@@ -9,25 +9,25 @@ import { toVec } from '#editor/plane';
 import { toMm, toPx } from '../view/view-transform';
 import type { MenuWish } from './tool-pointers';
 
-/** What opens over the arena: the menu for things, the words of a label, the points of a line or polygon. */
+/** Everything that opens over the arena: the menu for things, the text of a label, the points of a line or polygon. */
 export interface ArenaOpenings {
   readonly open: (opened: Opened) => void;
-  /** Opens the menu for what is there; `rests`: a finger asks for it, which only the tool that selects allows. */
+  /** Opens the menu for the things there; `rests`: requested by a resting finger, which only the select tool allows. */
   menu(wish: MenuWish, reachMm: number, rests: boolean): boolean;
-  /** Opens the menu for what is selected, or for what is under the crosshair. */
+  /** Opens the menu for the selection, or for the thing under the crosshair. */
   menuByKeys(crosshair: Vec | null): true;
 }
 
-/** How near to the crosshair of the keyboard counts as on a thing, in mm. */
+/** Distance from the keyboard's crosshair that counts as on a thing, in mm. */
 const KEY_REACH_MM = 9;
 
-/** What they open over. */
+/** The surroundings of the openings. */
 export interface OpeningSources {
   readonly editor: CourseEditorModel;
   readonly picture: ArenaView;
   readonly course: () => Scene;
   readonly footprint: () => ToolContext['footprint'];
-  /** A canvas that lies on the arena. */
+  /** A canvas above the arena. */
   readonly inkCanvas: () => HTMLCanvasElement | null;
 }
 
@@ -45,7 +45,7 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     editor.menu.value = { xPx, yPx, atMm, on, host: host(), fit: () => picture.fit() };
   }
 
-  /** Selects what is under a place, locked or not, unless it is selected already. */
+  /** Selects the topmost thing at a place, locked or not, unless it is selected already. */
   function take(atMm: Vec, reachMm: number): 'things' | 'floor' {
     const selection = editor.selection.value;
     const things = thingsAt(sources.course(), atMm, reachMm, sources.footprint(), () => true);
@@ -53,7 +53,7 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     if (topmost === undefined) return 'floor';
     if (things.some((thing) => includes(selection, thing))) return 'things';
     editor.choose('select');
-    if (editor.tool.value !== 'select') return 'floor'; // the open task keeps the course
+    if (editor.tool.value !== 'select') return 'floor'; // the open task locks the course
     editor.select(takenBy(sources.course(), topmost, selection));
     return 'things';
   }

@@ -5,7 +5,7 @@ import type { EditorView } from '../../course-editor/state/course-editor-model';
 import type { OpeningSources } from './arena-openings';
 import { toMm } from '../view/view-transform';
 
-/** What of the arena is seen, for those who bring something from beside it. */
+/** The visible part of the arena, for dragging something in from beside it. */
 export function arenaSight(
   { picture, course, inkCanvas }: Pick<OpeningSources, 'picture' | 'course' | 'inkCanvas'>,
   surface: { readonly reachMm: number },

@@ -59,7 +59,7 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
     tools.paint(canvas.context);
     return canvas;
   };
-  /** Pointers come with a time of their own, so that none is a second tap. */
+  /** Pointers have a time of their own, so that none is a second tap. */
   let atMs = 0;
   const event = (x: number, y: number, more: object = {}) => ({
     ...{

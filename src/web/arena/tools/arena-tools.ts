@@ -1,6 +1,6 @@
 /**
- * The course editor's tools over the arena: leads pointers and keys to the chosen one and shows what it does. Loaded when
- * the palette is; without it the hand works all the same.
+ * The course editor's tools over the arena: passes pointers and keys to the chosen one and shows its picture. Loaded
+ * with the palette; without it the hand still works.
  */
 import type { Vec } from '#core/geometry';
 import { copiesMade } from '#editor/clipboard';
@@ -38,11 +38,11 @@ import { measureText, readingText, readingWords, typedFieldText } from './readin
 import { toPx } from '../view/view-transform';
 import arenaWords from '../words';
 
-/** What the tools work on. */
+/** The surroundings of the tools. */
 export interface ToolSources {
   readonly editor: CourseEditorModel;
   readonly picture: ArenaView;
-  /** The document, without what the hand has done. */
+  /** The document, without the changes made by the hand. */
   readonly course: () => Scene;
   /** Convex parts of the robot at scale 1 in its own frame, mm; empty: no robot. */
   readonly footprint: () => ToolContext['footprint'];
@@ -52,7 +52,7 @@ export interface ToolSources {
   /** Has the editor's layer drawn. */
   readonly redraw: () => void;
   readonly showGhost: (ghost: Ghost) => void;
-  /** Says something to screen readers. */
+  /** Announces something to screen readers. */
   readonly say: (words: string) => void;
 }
 
@@ -60,14 +60,14 @@ export interface ToolSources {
 export interface ArenaTools extends ToolPointers, ArenaKeys {
   /** Another tool is chosen. */
   toolChanged(): void;
-  /** The course has changed: what was begun on the old one is dropped. */
+  /** The course has changed: a gesture begun on the old one is dropped. */
   courseChanged(): void;
   readonly cursor: () => string;
-  /** Shows what is selected, large. Returns whether something is. */
+  /** Zooms in on the selection. Returns false if there is none. */
   showSelected(): boolean;
-  /** Where the keyboard's crosshair is, world mm, while it shows. */
+  /** Place of the keyboard's crosshair, world mm, while it is shown. */
   readonly crosshair: () => Vec | null;
-  /** Looks what there is to be seen, and where, in CSS px; `null`: nothing. Asked before each `paint`. */
+  /** Prepares the picture and returns its area, in CSS px; `null`: nothing to paint. Called before each `paint`. */
   place(): PxBox | null;
   paint(context: CanvasRenderingContext2D): void;
 }
@@ -133,7 +133,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   };
 }
 
-/** Shows what is selected, large. Returns whether something is. */
+/** Zooms in on the selection. Returns false if there is none. */
 const showingSelected =
   ({ editor, picture, course, footprint }: ToolSources) =>
   (): boolean => {
@@ -144,7 +144,7 @@ const showingSelected =
 
 const cursorOf = (tool: ArenaTool): string => (tool === 'hand' ? 'default' : toolCursor(tool));
 
-/** Asks for the course with what is being drawn; `null` where it is as it was, or would hold too much. */
+/** The course with the unfinished drawing; `null` if it is unchanged or would become too large. */
 const unfinishedOf =
   ({ course }: ToolSources, surface: ToolSurface) =>
   (): Scene | null => {
@@ -152,7 +152,7 @@ const unfinishedOf =
     return edit === null || editProblem(course(), edit) !== null ? null : applyEdit(course(), edit);
   };
 
-/** What the keys and the pointers do to the course. */
+/** The course as the keys and the pointers change it. */
 function portsOf(
   sources: ToolSources,
   context: () => ToolContext,
@@ -164,7 +164,7 @@ function portsOf(
     acts: createSelectionActs(editor, context),
     commit(edit, chosen) {
       const copies = copiesMade(sources.course(), edit);
-      if (editor.commit(edit, chosen) && copies !== null) editor.clipboard.copies = copies; // Ctrl+D goes on from them
+      if (editor.commit(edit, chosen) && copies !== null) editor.clipboard.copies = copies; // Ctrl+D continues from them
     },
     done: (reading) => sources.say(readingWords(reading)),
     pointed() {
@@ -212,7 +212,7 @@ function frameOf(sources: ToolSources): Omit<EditFrame, 'carried'> {
   };
 }
 
-/** Where the pointer is, what the gesture amounts to and what the ruler measures, for the rest of the page. */
+/** Passes the place of the pointer, the edit of the gesture and the ruler's measurement to the rest of the page. */
 function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks, hover }: SurfacePicture): void {
   editor.pointer.value = hover;
   if (editor.drag.value !== edit) editor.drag.value = edit;
@@ -223,7 +223,7 @@ function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks,
   editor.measure.value = measured && { from: measured.from, to: measured.to };
 }
 
-/** While arrow keys move what is selected, or something is brought from beside the arena, it has figures, too. */
+/** Adds figures also while arrow keys move the selection, or while something is dragged in from beside the arena. */
 function withNudge(now: SurfacePicture, edit: SceneEdit | null, context: () => ToolContext): SurfacePicture {
   if (edit === null) return now;
   const { reading, marks, frame } = figuresOf(edit, context(), null);
@@ -231,7 +231,7 @@ function withNudge(now: SurfacePicture, edit: SceneEdit | null, context: () => T
   return { ...now, marks, told: reading && at && { reading, typed: '', at, isFinger: false } };
 }
 
-/** What is told beside which place, in world mm. */
+/** The reading, or the hint of the keyboard, with its place in world mm. */
 function toldBy({
   told,
   marks,
@@ -250,7 +250,7 @@ interface Looked {
   readonly now: SurfacePicture;
   readonly after: Scene | null;
   readonly ghost: Scene['objects'];
-  /** How much of the ink the large canvas shows. */
+  /** Length of the ink that the large canvas shows. */
   readonly drawn: number;
   readonly surface: ToolSurface;
 }
@@ -291,7 +291,7 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
       now.crosshair?.isDown === true
         ? { text: t(arenaWords.tools.underWay), at: hintPlace(toPx(picture.view.value, now.crosshair.at)) }
         : null,
-    // Figures take the place of the tool's sign.
+    // Figures replace the tool's sign.
     finger: tool !== null && now.finger !== null && told === null ? { at: now.finger, tool } : null,
   };
 }

@@ -6,13 +6,13 @@ import { unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 import type { MarkFrame } from './mark-frame';
 
-/** What many things are painted on. */
+/** The frame in which many things are painted. */
 export interface CarriedFrame extends MarkFrame {
   /** Canvas pixels per CSS px. */
   readonly ratio: number;
 }
 
-/** Paints things, each of them anew or, where they are many, all as one picture that is kept while they go together. */
+/** Paints things, either one by one or, if there are many, as one picture that is cached while they move together. */
 export type CarriedThings = (
   context: CanvasRenderingContext2D,
   frame: CarriedFrame,
@@ -25,16 +25,16 @@ interface Kept {
   readonly frame: CarriedFrame;
   readonly things: readonly SceneObject[];
   readonly bitmap: HTMLCanvasElement;
-  /** What of the arena it shows, CSS px. */
+  /** The part of the arena that it shows, CSS px. */
   readonly box: PxBox;
-  /** How far it may be moved until something is missing, in px. */
+  /** Distance by which it may be moved before something is missing, in px. */
   readonly reachPx: number;
 }
 
-/** Beyond its edges this share of the canvas is painted, too, so that things may come into sight. */
+/** This share of the canvas is painted beyond its edges, too, so that things may move into sight. */
 const MARGIN = 0.25;
 
-/** Makes an empty keeper of things. */
+/** Makes an empty cache of carried things. */
 export function createCarriedThings(): CarriedThings {
   let kept: Kept | null = null;
   return (context, frame, things, paint) => {
@@ -56,7 +56,7 @@ export function createCarriedThings(): CarriedThings {
   };
 }
 
-/** How far a kept picture must be moved to show these things; `null`: it cannot show them. */
+/** Shift of a cached picture that shows these things; `null`: it cannot show them. */
 function stepPx(kept: Kept, frame: CarriedFrame, things: readonly SceneObject[]): { x: number; y: number } | null {
   if (!isSameFrame(kept.frame, frame)) return null;
   const step = commonStep(kept.things, things);
@@ -101,7 +101,7 @@ function painted(
   return { frame, things, bitmap, box, reachPx: isWhole ? Infinity : marginPx };
 }
 
-/** The part of a box that lies in another, on whole px. */
+/** Intersection of two boxes, on whole px. */
 function clipped(box: PxBox, to: PxBox): PxBox {
   const left = Math.floor(Math.max(box.left, to.left));
   const top = Math.floor(Math.max(box.top, to.top));
@@ -110,10 +110,10 @@ function clipped(box: PxBox, to: PxBox): PxBox {
   return { left, top, width: Math.max(1, right - left), height: Math.max(1, bottom - top) };
 }
 
-/** Shadow, frame and, on a stroke, round ends reach this far beyond a thing, in px. */
+/** Shadow, frame and, on a stroke, round ends extend this far beyond a thing, in px. */
 const RIM_PX = 14;
 
-/** Where a thing is to be seen with all that is drawn around it, in CSS px. */
+/** Area of a thing with everything that is drawn around it, in CSS px. */
 export function thingBox(view: View, thing: SceneObject): PxBox {
   const { minX, minY, maxX, maxY } = boundsOf(thing);
   const corner = toPx(view, { x: minX, y: maxY });

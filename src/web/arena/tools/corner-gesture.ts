@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import { isTap } from '#editor/drag';
 import { dragOf, type Gesture } from './gesture';
 
-/** Goes on to a place: the next of a drag, or where the next corner would be. */
+/** Moves the gesture to a place: the next one of a drag, or the place of a possible next corner. */
 export function goTo(gesture: Gesture, at: Vec): void {
   const { path, corners } = gesture;
   const before = path[path.length - 1];
@@ -11,7 +11,7 @@ export function goTo(gesture: Gesture, at: Vec): void {
   gesture.isStale = true;
 }
 
-/** Lets go of the place where the next corner would be: only the corners that are set stay. */
+/** Drops the place of a possible next corner: only the corners that are set remain. */
 export function backToCorners(gesture: Gesture): void {
   gesture.pointer = 'none';
   gesture.path.splice(gesture.corners);
@@ -19,9 +19,9 @@ export function backToCorners(gesture: Gesture): void {
 }
 
 /**
- * Sets the place where a gesture was let go as a corner, if its tool goes on from there.
+ * Sets the place where a gesture was released as a corner, if its tool continues from there.
  *
- * @returns whether it goes on
+ * @returns whether it continues
  */
 export function setCorner(gesture: Gesture): boolean {
   const { path, corners, tool, context, pointer } = gesture;

@@ -20,7 +20,7 @@ export interface EditPicture {
   /** Objects as they would be. */
   readonly ghost: readonly SceneObject[];
   readonly selected: readonly SceneObject[];
-  /** Where the robot starts, or would start, where that is to be seen. */
+  /** Start of the robot, current or proposed, if it is visible. */
   readonly start: RobotStart | null;
   readonly isStartSelected: boolean;
   readonly handles: readonly Handle[];
@@ -30,19 +30,19 @@ export interface EditPicture {
   /** The pen's tip where nothing is pressed. */
   readonly tip: { readonly at: Vec; readonly width: number; readonly color: string } | null;
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
-  /** Figures, or the field in which they are typed, and where they stand in CSS px. */
+  /** Figures, or the field in which they are typed, and their place in CSS px. */
   readonly reading: { readonly text: string; readonly isField: boolean; readonly at: Vec } | null;
-  /** What the keyboard is doing, and how it ends, where it is said in CSS px. */
+  /** The current use of the keyboard and how to end it, with its place in CSS px. */
   readonly hint: { readonly text: string; readonly at: Vec } | null;
-  /** Where a finger uses a tool. */
+  /** A finger that is using a tool. */
   readonly finger: { readonly at: Vec; readonly tool: ToolId } | null;
 }
 
-/** What the editor's picture is drawn on. */
+/** The frame in which the editor's picture is drawn. */
 export interface EditFrame extends MarkFrame, InkFrame {
   /** Convex parts of the robot at scale 1 in its own frame, mm. */
   readonly footprint: readonly (readonly Vec[])[];
-  /** Painters of what a gesture changes, and of the frames around what is selected. */
+  /** Painters of the changes of a gesture, and of the frames around the selection. */
   readonly carried: { readonly ghost: CarriedThings; readonly selected: CarriedThings };
 }
 
@@ -65,7 +65,7 @@ export function drawEdit(context: CanvasRenderingContext2D, frame: EditFrame, pi
   if (picture.finger !== null) drawFinger(context, frame, picture.finger.at, picture.finger.tool);
 }
 
-/** Where that is, in CSS px; larger than needed rather than smaller. `null`: nothing is to be seen. */
+/** Area of the picture, in CSS px; too large rather than too small. `null`: nothing is shown. */
 export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
   const { view, canvas } = frame;
   const isWide = picture.marks.some(({ type }) => type === 'measure' || type === 'grid');
@@ -98,7 +98,7 @@ function markBox(view: View, mark: Mark): PxBox {
   return { left: 0, top: 0, width: 0, height: 0 };
 }
 
-/** On a pill; what is typed stands larger, on blue. */
+/** On a pill; typed figures are larger, on blue. */
 function drawReading(
   context: CanvasRenderingContext2D,
   { canvas, palette }: EditFrame,
@@ -108,7 +108,7 @@ function drawReading(
   else drawPill(context, text, at, canvas, palette);
 }
 
-/** What the pen would draw here. */
+/** Draws the tip of the pen. */
 function drawTip(context: CanvasRenderingContext2D, { view }: EditFrame, tip: NonNullable<EditPicture['tip']>): void {
   const at = toPx(view, tip.at);
   context.save();

@@ -23,7 +23,7 @@ export function drawGuide(context: CanvasRenderingContext2D, { view, palette }: 
 
 const BEYOND_PX = 10;
 
-/** So that lines are seen on any ground. */
+/** Makes lines visible on any ground. */
 const CASING = 'rgba(255, 255, 255, 0.85)';
 
 /** Draws how far two things are apart: a line with bars at its ends, and the figure. */
@@ -51,7 +51,7 @@ export function drawDistance(context: CanvasRenderingContext2D, frame: MarkFrame
 /** Half of the bar at the end of a distance. */
 const BAR_PX = 5;
 
-/** Room for a figure on its line: where the gap is narrower it stands beside it. */
+/** Room for a figure on its line: in a narrower gap it is placed beside it. */
 const FIGURE_PX = 48;
 
 /** The middle of a gap, or beside it where the figure would hide it. */
@@ -61,7 +61,7 @@ function figurePlace(from: Vec, to: Vec): Vec {
   return from.y === to.y ? { x: middle.x, y: middle.y + 18 } : { x: middle.x + 26, y: middle.y };
 }
 
-/** Where a guide or a distance is, in CSS px. */
+/** Area of a guide or a distance, in CSS px. */
 export function guideBox(view: View, { type, from, to }: Guide | Distance): PxBox {
   const ends = [toPx(view, from), toPx(view, to)] as const;
   const rim = type === 'guide' ? BEYOND_PX + 4 : BAR_PX + 4;
@@ -76,8 +76,8 @@ const READING_PX = 110;
 const FINGER = { abovePx: 66, besidePx: 150 };
 
 /**
- * Where the figures of a gesture stand: above the pointer, clear of a finger; below a mouse, and beside a finger, where there
- * is no room above.
+ * Place of a gesture's figures: above the pointer, clear of a finger; if there is no room above, below a mouse, and
+ * beside a finger.
  */
 export function readingPlace(pointer: Vec, isFinger: boolean, { widthPx }: CanvasSize): Vec {
   if (!isFinger) return { x: pointer.x, y: pointer.y + (pointer.y > 56 ? -34 : 34) };
@@ -86,10 +86,10 @@ export function readingPlace(pointer: Vec, isFinger: boolean, { widthPx }: Canva
   return { x: pointer.x + (isRoomLeft ? -FINGER.besidePx : FINGER.besidePx), y: pointer.y };
 }
 
-/** Where a hint stands beside the crosshair of the keyboard, below it and below a reading there; CSS px. */
+/** Place of a hint: beside the crosshair of the keyboard, below it and below a reading there; CSS px. */
 export const hintPlace = (crosshair: Vec): Vec => ({ x: crosshair.x, y: crosshair.y + (crosshair.y > 56 ? 38 : 66) });
 
-/** Where a reading is to be seen, in CSS px. */
+/** Area of a reading, in CSS px. */
 export const readingBox = (at: Vec): PxBox => boxAround(at, 2 * READING_PX);
 
 function line(context: CanvasRenderingContext2D, from: Vec, to: Vec): void {

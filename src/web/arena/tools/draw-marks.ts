@@ -8,7 +8,7 @@ import type { Palette } from '../model/palette';
 import { toPx, type View } from '../view/view-transform';
 import type { MarkFrame } from './mark-frame';
 
-/** Draws what is to be seen while a tool is used. */
+/** Draws a mark of a tool in use. */
 export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, mark: Mark): void {
   const { view, palette } = frame;
   context.save();
@@ -173,7 +173,7 @@ export function drawSelected(context: CanvasRenderingContext2D, frame: MarkFrame
 /** Half the side of a drawn handle, in px. Its target is larger: see the tools' reach. */
 const HANDLE_PX = 6;
 
-/** Draws what a selected thing can be taken hold of by: squares at ends and corners, a round one that turns. */
+/** Draws a handle of a selected thing: squares at ends and corners, a round one that turns. */
 export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, handle: Handle): void {
   const { view, palette } = frame;
   const at = toPx(view, handle.at);

@@ -5,7 +5,7 @@ import type { PointerNews } from './tool-pointers';
 const event = (offsetX: number): PointerEvent =>
   ({ pointerId: 1, pointerType: 'touch', button: 0, offsetX, offsetY: 5, currentTarget: null }) as PointerEvent;
 
-/** Tools that write down what they are told. */
+/** Tools that record their calls. */
 function told() {
   const heard: string[] = [];
   const hear = (name: GestureEvent) => (news: PointerNews) => void heard.push(`${name} ${news.offsetX}`);

@@ -3,15 +3,15 @@ import type { PointerNews, ToolPointers } from './tool-pointers';
 /** The events of a gesture, to be replayed to a tool later. */
 export type GestureEvent = 'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel';
 
-/** Pointers that came before the code of the tools: the first tap acts, also on a slow line. */
+/** Pointers that arrive before the code of the tools: the first tap works, also on a slow connection. */
 export interface EarlyPointers {
   note(name: GestureEvent, event: PointerEvent): void;
-  /** Tells the tools everything in its order, and forgets it. */
+  /** Passes all recorded events to the tools in their order, and forgets them. */
   replay(tools: Pick<ToolPointers, GestureEvent>): void;
   forget(): void;
 }
 
-/** More than a minute of drawing; what comes after is dropped. */
+/** More than a minute of drawing; later events are dropped. */
 const MOST = 10_000;
 
 export function createEarlyPointers(): EarlyPointers {
@@ -33,7 +33,7 @@ export function createEarlyPointers(): EarlyPointers {
   };
 }
 
-/** An event's own figures change when it is over: the place in its target is not kept everywhere. */
+/** An event's own figures change when it is over: not every browser preserves the place in its target. */
 function copyOf(event: PointerEvent): PointerNews {
   const { pointerId, pointerType, button, altKey, shiftKey, ctrlKey, metaKey, timeStamp } = event;
   const { offsetX, offsetY, clientX, clientY } = event;

@@ -1,16 +1,16 @@
 import type { RobotStart, Scene } from '#scene/scene';
 
-/** What of the course is shown elsewhere while a tool has it. */
+/** The parts of the course that are shown elsewhere while a tool holds them. */
 export interface Ghost {
   readonly hidden: ReadonlySet<string>;
-  /** Where the robot would start. */
+  /** Proposed start of the robot. */
   readonly start: RobotStart | null;
 }
 
 /** No tool has anything of the course. */
 export const noGhost: Ghost = { hidden: new Set(), start: null };
 
-/** Whether the same is shown elsewhere. */
+/** True if both ghosts are the same. */
 export function isSameGhost(one: Ghost, other: Ghost): boolean {
   if (one.start !== other.start || one.hidden.size !== other.hidden.size) return false;
   for (const id of one.hidden) if (!other.hidden.has(id)) return false;
@@ -23,7 +23,7 @@ export interface GhostObjects {
   readonly hidden: ReadonlySet<string>;
 }
 
-/** Tells an edit's objects from those that it leaves alone. */
+/** Separates the objects of an edit from those that it leaves alone. */
 export function ghostObjects(before: Scene, after: Scene | null): GhostObjects {
   if (after === null || after.objects === before.objects) return { shown: [], hidden: noGhost.hidden };
   const known = new Set(before.objects);
@@ -34,7 +34,7 @@ export function ghostObjects(before: Scene, after: Scene | null): GhostObjects {
   };
 }
 
-/** What is shown elsewhere while the course would become another. */
+/** The ghost of a course that would become another. */
 export const ghostOf = (hidden: ReadonlySet<string>, course: Scene, after: Scene | null): Ghost => {
   const start = after === null || after.robot === course.robot ? null : after.robot;
   return hidden.size === 0 && start === null ? noGhost : { hidden, start };

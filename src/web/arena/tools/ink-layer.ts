@@ -5,7 +5,7 @@ import type { Palette } from '../model/palette';
 import type { Ink } from './gesture';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 
-/** What ink is drawn on. */
+/** The frame in which ink is drawn. */
 export interface InkFrame {
   readonly view: View;
   readonly canvas: CanvasSize;
@@ -16,7 +16,7 @@ export interface InkFrame {
   readonly floor: PxBox;
 }
 
-/** How often the large canvas is painted at most, in ms: what is newer is drawn on a small one. */
+/** Shortest time between repaints of the large canvas, in ms: newer ink is drawn on a small one. */
 const RENEW_MS = 250;
 
 /** The large canvas with all of a long line but its newest piece. */
@@ -27,7 +27,9 @@ export interface InkLayer {
   readonly drawn: number;
 }
 
-/** Makes a layer that paints only what has been added: each piece of a line is painted twice, however long the line gets. */
+/**
+ * Makes a layer that paints only the additions: each piece of a line is painted twice, regardless of the line's length.
+ */
 export function createInkLayer(): InkLayer {
   let path: readonly Vec[] | null = null;
   let shown: InkFrame | null = null;

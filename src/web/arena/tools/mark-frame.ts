@@ -1,7 +1,7 @@
 import type { Palette } from '../model/palette';
 import type { ArenaSize, CanvasSize, View } from '../view/view-transform';
 
-/** What the marks are drawn on. */
+/** The frame in which marks are drawn. */
 export interface MarkFrame {
   readonly view: View;
   readonly canvas: CanvasSize;

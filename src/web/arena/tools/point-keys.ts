@@ -3,8 +3,8 @@ import type { SelectionKeyPorts, SelectionKeys } from './tool-keys';
 import type { ToolSurface } from './tool-surface';
 
 /**
- * The keys for what is selected, and others while the points of a line are bent: Delete takes the point under the pointer
- * or the crosshair away, the arrows are left to the crosshair; what needs Ctrl works on the whole line.
+ * The keys for the selection, and others while the points of a line are edited: Delete removes the point under the
+ * pointer or the crosshair, the arrows are left to the crosshair; keys with Ctrl work on the whole line.
  */
 export function withPointKeys(
   whole: SelectionKeys,

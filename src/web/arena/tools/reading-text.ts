@@ -5,7 +5,7 @@ import { shownLanguage, t } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import arenaWords from '../words';
 
-/** A length in cm, to the mm, with a minus of its own width. */
+/** Formats a length in cm, to the mm, with a true minus sign. */
 export const cmText = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');
 
 /** A direction in whole degrees, −179 … 180. */
@@ -66,7 +66,7 @@ function movedText({ x, y }: Vec): string {
   return [...along, ...(y === 0 ? [] : [`${y < 0 ? '↓' : '↑'} ${cmText(Math.abs(y))}`])].join(' · ');
 }
 
-/** What the ruler says: length and angle, then the place of its end. */
+/** Text of the ruler: length and angle, then the place of its end. */
 export function measureText(from: Vec, to: Vec): string {
   const place = readingText({ type: 'place', at: to });
   const mm = Math.hypot(to.x - from.x, to.y - from.y);

@@ -7,7 +7,7 @@ import type { PicturePorts } from '../view/pinch';
 import type { ArenaSize, View } from '../view/view-transform';
 import type { Ink, Told } from './gesture';
 
-/** What the surface sees and does. */
+/** Everything the surface reads and changes. */
 export interface SurfacePorts extends PicturePorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
@@ -20,13 +20,13 @@ export interface SurfacePorts extends PicturePorts {
   readonly select: (selection: Selection) => void;
   /** A gesture has changed the course, to these figures. */
   readonly done: (reading: Reading) => void;
-  /** A double tap opens what is inside a thing. */
+  /** A double tap opens the contents of a thing. */
   readonly open: (opened: Opened) => void;
   /** Something looks different now. */
   readonly changed: () => void;
 }
 
-/** What is to be seen of a tool at one moment. */
+/** The picture of a tool at one moment. */
 export interface SurfacePicture {
   /** The result of the gesture so far, and the course with it. */
   readonly edit: SceneEdit | null;
@@ -35,11 +35,11 @@ export interface SurfacePicture {
   readonly marks: readonly Mark[];
   /** The crosshair of the keyboard, world mm, and whether it draws. */
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
-  /** What is told beside the pointer: its place, world mm, and whether a finger covers it. */
+  /** The figures beside the pointer: their place, world mm, and whether a finger covers it. */
   readonly told: Told | null;
-  /** Where a finger draws, which covers what is under it; world mm. */
+  /** Place where a finger draws and covers the picture; world mm. */
   readonly finger: Vec | null;
-  /** Where the pointer is with nothing pressed, world mm. */
+  /** Place of the pointer with nothing pressed, world mm. */
   readonly hover: Vec | null;
 }
 

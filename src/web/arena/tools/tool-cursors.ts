@@ -32,7 +32,7 @@ export const toolSigns: Readonly<Record<ToolId, string>> = {
 
 /** Side of a cursor in px: browsers take up to 32 without asking. */
 const SIDE = 32;
-/** Where the crosshair of a cursor points, in px from its upper left corner. */
+/** Hot spot of a cursor's crosshair, in px from its upper left corner. */
 const HOT = 9;
 
 /**

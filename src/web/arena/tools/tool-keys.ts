@@ -10,27 +10,27 @@ import type { SelectionActs } from '../../course-editor/state/selection-acts';
 /** Movement per press of an arrow key, and with Shift; mm. Chosen: a line of the grid, the smallest whole step. */
 export const STEP_MM = { coarse: 10, fine: 1 };
 
-/** What keys do to what is selected. */
+/** The effects of keys on the selection. */
 export interface SelectionKeys {
   /**
-   * A key goes down.
+   * Handles a key that is pressed.
    *
    * @param command whether Ctrl or ⌘ is down
    * @returns whether it was used
    */
   keyDown(key: string, fine: boolean, command: boolean): boolean;
-  /** A key goes up: what the arrows have moved is one step. */
+  /** Handles a key that is released: the moves by the arrows become one step. */
   keyUp(key: string): void;
-  /** What the arrows have moved so far, or `null`. */
+  /** The moves by the arrows so far, or `null`. */
   readonly edit: SceneEdit | null;
 }
 
-/** What the keys work on. */
+/** The surroundings of the keys. */
 export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'group' | 'ungroup' | 'remove' | 'turn'>;
-  /** Where the mouse or the crosshair of the keyboard is, and how near counts as on a handle; `null`: nowhere. */
+  /** Place of the mouse or of the keyboard's crosshair, and the distance that counts as on a handle; `null`: none. */
   readonly pointed: () => { readonly at: Vec; readonly reachMm: number } | null;
   /** Something looks different now. */
   readonly changed: () => void;
@@ -79,7 +79,7 @@ export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
   }
 }
 
-/** The point of a selected thing that is pointed at goes alone. */
+/** Removes only the point of a selected thing that is pointed at. */
 function removePoint({ context, commit, pointed }: SelectionKeyPorts): boolean {
   const place = pointed();
   const done = place && pointRemoved(context(), place.at, place.reachMm);
@@ -87,7 +87,7 @@ function removePoint({ context, commit, pointed }: SelectionKeyPorts): boolean {
   return done !== null;
 }
 
-/** What arrow keys move from the first press to letting go is one step. */
+/** Moves by arrow keys, from the first press to the release, are one step. */
 function createNudges({ context, commit, changed }: SelectionKeyPorts) {
   let by: Vec = { x: 0, y: 0 };
   let begun: ToolContext | null = null;

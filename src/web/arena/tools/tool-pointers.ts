@@ -4,7 +4,7 @@ import type { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { toPx } from '../view/view-transform';
 
-/** What a tool wants to know of a pointer's event. */
+/** The relevant part of a pointer's event. */
 export type PointerNews = Pick<
   PointerEvent,
   | 'pointerId'
@@ -30,18 +30,18 @@ export interface ToolPointers {
   pointerup(event: PointerNews): void;
   pointercancel(event: PointerNews): void;
   pointerleave(): void;
-  /** The space bar goes down: a pointer that is pressed meanwhile moves the picture. */
+  /** The space bar is pressed: until its release a pressed pointer moves the picture. */
   holdSpace(): void;
-  /** The space bar goes up. Returns whether it was pressed for itself. */
+  /** The space bar is released. Returns true if it was pressed on its own. */
   letGoSpace(): boolean;
   /** Moves the picture when the crosshair would leave it. */
   keepInSight(picture: ArenaView, atMm: Vec): void;
 }
 
-/** How near to the edge of the picture the crosshair comes, in px. */
+/** Shortest distance of the crosshair from the edge of the picture, in px. */
 const RIM_PX = 40;
 
-/** Where a menu is asked for: on the canvas and in the window, CSS px. */
+/** Place for which a menu is requested: on the canvas and in the window, CSS px. */
 export interface MenuWish {
   readonly at: Vec;
   readonly inWindow: Vec;
@@ -50,8 +50,8 @@ export interface MenuWish {
 /**
  * Makes the handlers of pointers.
  *
- * @param menu is asked for by the right button, or by a finger that rests (`rests`), which then does nothing else; returns
- *   whether it opens
+ * @param menu called for the right button, or for a resting finger (`rests`), which then has no other effect; returns
+ * whether the menu opens
  */
 export function toolPointers(surface: ToolSurface, menu: (wish: MenuWish, rests: boolean) => boolean): ToolPointers {
   let space: 'up' | 'held' | 'used' = 'up';
@@ -102,15 +102,18 @@ export function toolPointers(surface: ToolSurface, menu: (wish: MenuWish, rests:
   };
 }
 
-/** How long a finger must rest for the menu, in ms, and how far it or the right button may slip, in px. As for hints. */
+/**
+ * Time for which a finger must rest to open the menu, in ms, and the distance by which it or the right button may slip,
+ * in px. As for hints.
+ */
 const REST_MS = 500;
 const SLIP_PX = 10;
 
-/** Tells the press that asks for the menu: one finger that rests, or the right button that goes up where it went down. */
+/** Recognises a press that opens the menu: one finger that rests, or the right button released where it was pressed. */
 class MenuPress {
   private press: { readonly id: number; readonly wish: MenuWish; readonly isRight: boolean } | null = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  /** The finger that has opened the menu: what it does until it is lifted means nothing more. */
+  /** The finger that has opened the menu: it has no further effect until it is lifted. */
   private spent: number | null = null;
 
   constructor(private readonly rests: (wish: MenuWish, id: number) => boolean) {}
@@ -133,7 +136,7 @@ class MenuPress {
     return this.spent !== pointerId;
   }
 
-  /** Where the right button asks for the menu, or `null`. */
+  /** Place at which the right button requests the menu, or `null`. */
   up({ pointerId }: PointerNews): MenuWish | null {
     const press = this.press;
     this.cancel();
@@ -147,14 +150,14 @@ class MenuPress {
   }
 }
 
-/** Movement of the picture that keeps a place at least this far from both of its edges. */
+/** Movement of the picture after which a place is at least this far from both of its edges. */
 export function pushed(at: number, side: number): number {
   if (at < RIM_PX) return Math.round(RIM_PX - at);
   if (at > side - RIM_PX) return Math.round(side - RIM_PX - at);
   return 0;
 }
 
-/** As in tldraw: Shift and Ctrl add at the press; Ctrl held while something is dragged keeps it from snapping. */
+/** As in tldraw: Shift and Ctrl add at the press; Ctrl held during a drag turns snapping off. */
 const keysOf = (event: PointerNews): Pick<SurfacePress, 'free' | 'adds' | 'keeps' | 'alt'> => ({
   free: event.ctrlKey || event.metaKey,
   keeps: event.shiftKey,

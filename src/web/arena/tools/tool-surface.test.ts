@@ -9,7 +9,7 @@ import { ghostObjects } from './ghost';
 import type { SurfacePress } from './gesture';
 import { ToolSurface } from './tool-surface';
 
-/** A view of 1 px per mm: the arena of 1200 × 900 mm fills the canvas, y goes down on it. */
+/** A view of 1 px per mm: the arena of 1200 × 900 mm fills the canvas, whose y axis points down. */
 const px = (x: number, y: number): Vec => ({ x, y: 900 - y });
 const rounded = ({ x, y }: Vec) => [Math.round(x), Math.round(y)] as const;
 
@@ -199,7 +199,7 @@ describe('two fingers on the arena', () => {
 describe('a pen on the arena', () => {
   it('draws while the hand rests on the screen', () => {
     const { done, picture, down, move, up } = surfaceOf(lineTool);
-    down(px(500, 100), { id: 7, kind: 'touch' }); // the palm comes first
+    down(px(500, 100), { id: 7, kind: 'touch' }); // the palm touches first
     down(px(100, 100), { id: 1, kind: 'pen' });
     down(px(520, 90), { id: 8, kind: 'touch' });
     move(px(510, 100), 7);
@@ -295,7 +295,7 @@ describe('a double tap', () => {
     expect(over.done).toHaveLength(1);
     tapAt(over, 103, 1300);
     expect([over.picture, over.done]).toEqual([['open words at 103'], [over.done[0]]]);
-    tapAt(over, 103, 1500); // a third one begins anew
+    tapAt(over, 103, 1500); // a third one starts over
     expect(over.picture).toHaveLength(1);
   });
 

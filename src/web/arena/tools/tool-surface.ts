@@ -24,21 +24,21 @@ import { TapMemory } from './tap-memory';
 import { movePicture } from '../view/pinch';
 import { toMm } from '../view/view-transform';
 
-/** How near counts as on a thing, in px: half of a target. */
+/** Distance that counts as on a thing, in px: half of a target. */
 const REACH_PX: Readonly<Record<PointerKind, number>> = { mouse: 8, pen: 12, touch: 22 };
 
-/** The crosshair goes in whole mm: what is nearer than this is meant. */
+/** The crosshair moves in whole mm: anything nearer than this is hit. */
 const KEY_REACH_MM = 9;
 
-/** A hand that lies on the screen may lift a moment after the pen. */
+/** A hand that rests on the screen may be lifted a moment after the pen. */
 const PALM_MS = 400;
 
 /**
- * Turns pointers and keys over the arena into drags of the chosen tool, and their end into one edit. Gets events as
+ * Turns pointers and keys over the arena into drags of the chosen tool, and their end into one edit. Takes events as
  * plain data, so that it can be tested without a browser.
  *
- * One finger, the pen or the first button uses the tool; two fingers always move and zoom the picture and drop what one
- * of them had begun. While a pen is down, touches are a resting hand.
+ * One finger, the pen or the first button uses the tool; two fingers always move and zoom the picture and drop a
+ * gesture that one of them had begun. While a pen is down, touches are a resting hand.
  */
 export class ToolSurface {
   private readonly pointers = new Map<number, { at: Vec; readonly kind: PointerKind }>();
@@ -52,34 +52,34 @@ export class ToolSurface {
   private kept: readonly Mark[] = [];
   private readonly taps = new TapMemory();
 
-  /** @param kind what will point, most likely */
+  /** @param kind the pointer that is expected to be used */
   constructor(
     private readonly ports: SurfacePorts,
     private kind: PointerKind = 'mouse',
   ) {}
 
-  /** How near counts as on a thing for what pointed last, in mm. */
+  /** Distance that counts as on a thing for the latest pointer, in mm. */
   get reachMm(): number {
     return REACH_PX[this.kind] / this.ports.view().pxPerMm;
   }
 
-  /** Whether a gesture is under way. */
+  /** True during a gesture. */
   get isBusy(): boolean {
     return this.gesture !== null;
   }
 
-  /** Whether something is being drawn corner by corner. */
+  /** True while something is being drawn corner by corner. */
   get isChaining(): boolean {
     return (this.gesture?.corners ?? 0) > 0;
   }
 
-  /** What the gesture would come to if it ended now; `null`: nothing. */
+  /** The edit that would result if the gesture ended now; `null`: none. */
   editSoFar(): SceneEdit | null {
     const gesture = this.gesture;
     return gesture && gesture.tool.edit(dragOf(gesture), gesture.context);
   }
 
-  /** Whether the pointer moves the picture. */
+  /** True while the pointer moves the picture. */
   get isPanning(): boolean {
     return this.panner !== null || this.pinched;
   }
@@ -89,13 +89,13 @@ export class ToolSurface {
     return this.gesture && toldBy(this.gesture);
   }
 
-  /** Where the crosshair of the keyboard is, world mm, or `null` while it is hidden. */
+  /** Place of the keyboard's crosshair, world mm, or `null` while it is hidden. */
   get crosshair(): Vec | null {
     return this.keyAt;
   }
 
   /**
-   * A finger, pen or button goes down.
+   * Handles a finger, pen or button that is pressed.
    *
    * @param nowMs wall time
    */
@@ -132,7 +132,7 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** A pointer goes up: what it drew is done. */
+  /** Handles a pointer that is released: its drawing is finished. */
   pointerUp(id: number, nowMs: number): void {
     const pointer = this.pointers.get(id);
     if (pointer === undefined) return;
@@ -147,7 +147,7 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** The browser takes a pointer away: what it drew does not count. */
+  /** Handles a pointer that the browser has cancelled: its drawing does not count. */
   pointerLost(id: number): void {
     if (!this.pointers.has(id)) return;
     if (this.gesture?.pointer === id) this.letGo();
@@ -169,7 +169,7 @@ export class ToolSurface {
     return true;
   }
 
-  /** Ends what is drawn corner by corner with the corners that are set. */
+  /** Finishes a drawing corner by corner with the corners that are set. */
   endChain(): void {
     const gesture = this.gesture;
     if (gesture === null || gesture.corners === 0) return;
@@ -202,7 +202,7 @@ export class ToolSurface {
     this.keyAt = to;
     this.hover = null;
     const gesture = this.gesture;
-    if (gesture?.pointer === 'none') gesture.pointer = null; // the keyboard goes on where clicks began
+    if (gesture?.pointer === 'none') gesture.pointer = null; // the keyboard continues from the clicks
     if (gesture?.pointer === null) {
       goTo(gesture, to);
       gesture.free ||= fine;
@@ -212,8 +212,8 @@ export class ToolSurface {
   }
 
   /**
-   * A key is pressed that may belong to a number typed during the gesture: Enter ends it there, Escape goes back to the
-   * pointer. Returns whether it was used.
+   * Handles a key that may belong to a number typed during the gesture: Enter ends it there, Escape returns to the
+   * pointer. Returns true if it was used.
    */
   type(key: string): boolean {
     const gesture = this.gesture;
@@ -250,7 +250,7 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** What is to be seen now. Asks the tool at most once per change of the path. */
+  /** The current picture. Calls the tool at most once per change of the path. */
   picture(): SurfacePicture {
     const gesture = this.gesture;
     const crosshair = this.keyAt && { at: this.keyAt, isDown: gesture?.pointer === null };
@@ -288,16 +288,16 @@ export class ToolSurface {
   private extend(gesture: Gesture, places: readonly Vec[], keys: HeldKeys): void {
     const view = this.ports.view();
     for (const place of places) goTo(gesture, toMm(view, place));
-    // What it adds to was settled at the press.
+    // Whether it adds to the selection was decided at the press.
     Object.assign(gesture, heldBy(keys, this.ports.isFree()), { isStale: true });
   }
 
-  /** A pointer was let go, or Enter pressed: the gesture is done, or goes on from the next corner. */
+  /** A pointer was released, or Enter pressed: the gesture is finished, or continues from the next corner. */
   private release(gesture: Gesture, nowMs?: number): void {
     if (!setCorner(gesture)) this.finish(gesture, nowMs);
   }
 
-  /** Drops what is under way; corners that are set stay. */
+  /** Drops the current gesture; corners that are set stay. */
   private letGo(): void {
     if (this.gesture !== null && this.isChaining) backToCorners(this.gesture);
     else this.cancel();
@@ -315,7 +315,7 @@ export class ToolSurface {
     const drag = dragOf(gesture);
     const opened = this.taps.opened(gesture, drag, nowMs);
     if (opened !== null) return this.ports.open(opened);
-    // What was measured stays in sight until the next gesture.
+    // The measurement stays in sight until the next gesture.
     this.kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
     const selection = tool.select?.(drag, context, gesture.after ?? context.scene);
     const { reading } = figuresNow(gesture);
@@ -347,7 +347,9 @@ export class ToolSurface {
     this.pinched = false;
   }
 
-  /** What the keyboard has drawn is done: only Escape drops it. A line corner by corner can go on with clicks. */
+  /**
+   * A drawing by the keyboard is finished: only Escape drops it. A line corner by corner can be continued with clicks.
+   */
   private endKeys(): void {
     if (this.gesture?.pointer !== null) return;
     if (this.isChaining) backToCorners(this.gesture);

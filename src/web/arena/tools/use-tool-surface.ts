@@ -7,31 +7,31 @@ import { isSameGhost, noGhost, type Ghost } from './ghost';
 import { useLayer } from '../view/use-layer';
 import type { ArenaHand } from '../hand/use-arena-hand';
 
-/** What the layer of the tools needs of the arena. */
+/** The parts of the arena that the tools' layer uses. */
 export interface ToolSurfaceSources extends Omit<ToolSources, 'editor' | 'inkCanvas' | 'redraw' | 'showGhost' | 'say'> {
   readonly editor: CourseEditorModel | null;
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly ink: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly hand: ArenaHand;
-  /** Told what of the course is shown elsewhere. */
+  /** Receives the parts of the course that are shown elsewhere. */
   readonly ghost: ShallowRef<Ghost>;
 }
 
-/** The tools over the arena, as soon as their code has come. */
+/** The tools over the arena, as soon as their code is loaded. */
 export interface ToolLayer {
   /** A tool is chosen, not the hand. */
   readonly isUsed: ComputedRef<boolean>;
   readonly cursor: Readonly<ShallowRef<string>>;
-  /** What is to be said to screen readers. */
+  /** Text to announce to screen readers. */
   readonly said: Readonly<ShallowRef<string>>;
-  /** Where the keyboard's crosshair is, world mm, while a tool shows it. */
+  /** Place of the keyboard's crosshair, world mm, while a tool shows it. */
   readonly crosshair: () => Vec | null;
-  /** Shows what is selected, large. */
+  /** Zooms in on the selection. */
   readonly showSelected: () => void;
   readonly on: ArenaHand['on'];
 }
 
-/** Leads events to the chosen tool, or to the hand; draws what the tool shows on a layer of its own. */
+/** Passes events to the chosen tool, or to the hand; draws the tool's picture on a layer of its own. */
 export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
   const { editor, picture, hand, ghost } = sources;
   const tools = shallowRef<ArenaTools | null>(null);
@@ -106,13 +106,13 @@ function fetchTools(
         });
         to.early.replay(tools.value);
       },
-      () => to.early.forget(), // no connection just now: asked again with the next tool
+      () => to.early.forget(), // no connection at the moment: loaded with the next tool
     );
   };
   watch(editor.tool, (tool) => tool !== 'hand' && tools.value === null && fetch(), { immediate: true });
 }
 
-/** Each event goes to the chosen tool; the wheel, and without a tool everything, goes to the hand tool. */
+/** Each event is passed to the chosen tool; the wheel, and without a tool every event, is passed to the hand tool. */
 function handlers(
   { on: hand, zoomKey }: ArenaHand,
   tools: () => ArenaTools | null,

@@ -14,7 +14,10 @@ import ViewControls from '../ViewControls.vue';
 import VerdictBar from './VerdictBar.vue';
 import { verdictAtStart } from './verdict-view';
 
-/** The bar below the arena; `tell` is the run's next picture, with what its verdict says differently from the start. */
+/**
+ * Mounts the bar below the arena; `tell` delivers the run's next picture, with the changes of its verdict since the
+ * start.
+ */
 async function bar(objects: readonly SceneObject[], seconds: number | null = null, noTouch = false) {
   const page = await editingPage(objects, { task: { seconds, noTouch } });
   page.settings.change({ celebrate: false });

@@ -16,7 +16,7 @@ const robot = (device: string, more: Partial<RobotVerdict>): RobotVerdict => ({
   ...more,
 });
 
-/** What is said of Ada and Ben, who share a task: how, the number and result of each. */
+/** Text about Ada and Ben, who share a task: the rule, and the number and result of each. */
 async function said(rule: TaskRule, robots: readonly RobotVerdict[], state: Verdict['state'] = 'open') {
   const page = await editingPage([]);
   page.work.addDevice({ ...newBoard(page), name: 'Ben' }, 'Ada');

@@ -1,4 +1,4 @@
-/** How long it falls, in ms. */
+/** Duration of the fall, in ms. */
 const FALL_MS = 1500;
 const PIECES = 56;
 /** Colours of the app that are also distinct on the light floor. */

@@ -9,10 +9,10 @@ import type { RunParts } from '../../run/parts';
 import type { WorkParts } from '../../work/model/parts';
 import { goalsOf, secondsLeft, verdictAtStart } from './verdict-view';
 
-/** How far the task of the course is done, in the words in which it is told. */
+/** Progress of the course's task, in the words that are shown. */
 export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
   const scene = work.scene;
-  /** The same object as long as it says the same: a run brings a new one with each picture. */
+  /** The same object as long as its content is the same: a run brings a new one with each picture. */
   const verdict = computed<Verdict>((before) => {
     const now = run.snapshot.value?.verdict ?? verdictAtStart(scene.value);
     return before !== undefined && isSame(before, now) ? before : now;
@@ -46,7 +46,7 @@ export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts
     left: computed(() => secondsLeft(scene.value.task.seconds, run.snapshot.value?.timeUs ?? 0)),
     /** The program is over and the task is not done; a robot that rolls on may still do it. */
     isOver: computed(() => state.value === 'open' && run.hasEnded.value),
-    /** When it was decided, in s. */
+    /** Time of the decision, in s. */
     seconds: computed(() => numberText((verdict.value.atMs ?? 0) / 1000, shownLanguage(), 1)),
     early,
     /** Help is mentioned even where the task allows it. */

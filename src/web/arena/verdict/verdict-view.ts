@@ -4,14 +4,14 @@ import { isSpiked } from '#simulation/kinds';
 import { briefOf, hasGoal } from '#simulation/task/task-brief';
 import type { Verdict } from '#simulation/task/verdict';
 
-/** One thing that is asked for, and how far it has come. */
+/** One goal of the task and its progress. */
 export interface Goal {
   readonly id: 'checkpoints' | 'targets' | 'blocks';
   readonly done: number;
   readonly of: number;
 }
 
-/** How things stand before the start. */
+/** The verdict before the start. */
 export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict {
   const { checkpoints, robotTargets, blocksWanted } = briefOf(scene);
   return {
@@ -31,7 +31,7 @@ export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict 
   };
 }
 
-/** What is asked for, in the order in which it is done. */
+/** The goals of the task, in the order in which they are to be reached. */
 export function goalsOf({ checkpoints, targets, blocks }: Verdict): readonly Goal[] {
   const goals: readonly Goal[] = [
     { id: 'checkpoints', done: checkpoints.passed, of: checkpoints.of },
@@ -60,8 +60,8 @@ export function secondsLeft(seconds: number | null, timeUs: number): number | nu
 }
 
 /**
- * Where to look for what decided or hinders, in world mm; `null` where nothing is known of it. What was touched is
- * pointed at where the robot was: on a wall and on the edge at the nearest point, otherwise in the middle.
+ * Place of the cause of a verdict, in world mm; `null` if nothing is known of it. A touch is shown where the robot was:
+ * on a wall and on the edge at the nearest point, otherwise in the middle.
  */
 export function placeToShow({ objects, size }: Pick<Scene, 'objects' | 'size'>, verdict: Verdict): Vec | null {
   const { state, reason, by, place, early } = verdict;

@@ -1,7 +1,7 @@
 import { watch, type WatchSource } from 'vue';
 import type { Vec } from '#core/geometry';
 
-/** How long a place is pointed at, in ms. */
+/** Time for which a place is pointed out, in ms. */
 const FLASH_MS = 2600;
 
 /** Rings that converge on a place, three times; a still ring for users who prefer less motion. */
@@ -16,10 +16,10 @@ const PULSE: Keyframe[] = [
 let stopBefore: () => void = () => undefined;
 
 /**
- * Points at a place in the arena with a ring for some seconds; one place at a time.
+ * Points out a place in the arena with a ring for some seconds; one place at a time.
  *
- * @param place where it is now, in CSS px from the host's upper left corner
- * @param moved what to follow: `place` is called again when it changes
+ * @param place its current position, in CSS px from the host's upper left corner
+ * @param moved source to watch: `place` is called again when it changes
  */
 export function flashAt(host: HTMLElement, place: () => Vec, moved: WatchSource): void {
   stopBefore();

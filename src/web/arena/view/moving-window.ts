@@ -30,18 +30,18 @@ export function unionOf(boxes: readonly PxBox[]): PxBox {
 
 /** Sizes of the window are multiples of this many px: a canvas with a new size every frame is slow. */
 const STEP_PX = 64;
-/** What is shown can move at least this far in a new window, in px. */
+/** The contents can move at least this far in a new window, in px. */
 const SLACK_PX = 32;
-/** How much of its room a window that follows has ahead; the rest is for trembling and turning. */
+/** Share of a following window's room that is ahead; the rest is for trembling and turning. */
 const AHEAD = 0.85;
 
 /**
- * The place of the small canvas with the moving things: around what must be drawn, on whole pixels, within the canvas.
- * A browser without a graphics card composes everything again that a changed canvas covers; a window of a quarter of
- * the arena makes that four times cheaper.
+ * The place of the small canvas with the moving things: around everything to be drawn, on whole pixels, within the
+ * canvas. A browser without a graphics card composes everything again that a changed canvas covers; a window of a
+ * quarter of the arena makes that four times cheaper.
  *
- * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is while
- * everything fits, and then goes ahead of what left it: moving a canvas makes the browser sort all its layers again.
+ * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays while everything
+ * fits, and then moves ahead of the thing that left it: moving a canvas makes the browser sort all its layers again.
  */
 export function movingWindow(
   content: PxBox,
@@ -70,7 +70,7 @@ export function movingWindow(
   };
 }
 
-/** What part of the room lies before the content: most of it where the content goes, half where nobody knows. */
+/** Share of the room before the content: most of it in the direction of movement, half if that is unknown. */
 function roomBefore(from: number, to: number, side: number, last: number | undefined): number {
   if (last === undefined) return 0.5;
   const [isBack, isOn] = [from < last, to > last + side];
@@ -105,9 +105,9 @@ export function patientWindow(): typeof movingWindow {
 const ROOM_PX = 32;
 
 /**
- * Where the canvas of one moving thing lies: a square with room to move in, on whole pixels.
+ * Place of the canvas of one moving thing: a square with room to move in, on whole pixels.
  *
- * @param last where it lay with this ratio; the same object comes back while the thing has room there
+ * @param last its place with this ratio; the same object is returned while the thing has room there
  */
 export function roomyWindow({ left, top, width }: PxBox, ratio: number, last: PxBox | undefined): PxBox {
   const side = width + 2 * ROOM_PX;

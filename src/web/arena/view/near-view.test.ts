@@ -34,7 +34,7 @@ describe('robot and nearest obstacle', () => {
       nearestMm({ x, y }, [block], arena, pose === undefined ? null : { blocks: { b: pose }, movers: {} });
     expect(nearest(400, 300)).toBeCloseTo(50);
     const pushed = { xMm: 600, yMm: 450, headingRad: Math.PI / 2 };
-    expect(nearest(400, 300, pushed)).toBeCloseTo(Math.hypot(175, 100)); // it stands upright: 50 wide, 100 high
+    expect(nearest(400, 300, pushed)).toBeCloseTo(Math.hypot(175, 100)); // it is upright: 50 wide, 100 high
     expect(nearest(600, 300, pushed)).toBeCloseTo(100);
     const aslant = { ...pushed, headingRad: Math.PI / 4 };
     expect(nearest(600 + 100, 450 + 100, aslant)).toBeCloseTo(Math.hypot(100, 100) - 50);

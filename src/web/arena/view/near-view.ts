@@ -11,13 +11,13 @@ const LEAST_MM = 160;
 /** Seen beyond the nearest obstacle, in mm. Chosen by eye. */
 const BEYOND_MM = 60;
 
-/** Where things are now that do not lie where they lay at the start, by their ids. */
+/** Poses of things that have moved from their start, by their ids. */
 type Moved = Readonly<Record<string, Pose>>;
 
-/** The same in a picture of a run; `null`: there is none, and all lies where the course says. */
+/** The moved things in a picture of a run; `null`: there is no run, and everything is as in the course. */
 export type MovedThings = { readonly blocks: Moved; readonly movers: Moved } | null;
 
-/** How far it is from a place to the nearest thing that a robot can bump into, the edge of the arena among them, in mm. */
+/** Distance from a place to the nearest thing that a robot can bump into, including the edge of the arena, in mm. */
 export function nearestMm(
   at: Vec,
   objects: readonly SceneObject[],
@@ -33,7 +33,10 @@ export function nearestMm(
   return Math.min(...toEdge, ...toObjects);
 }
 
-/** The place that lies to an object at its start as `at` lies to it now: pushed blocks stand at any angle. */
+/**
+ * The place whose position relative to an object at its start is that of `at` to it now: pushed blocks may have any
+ * angle.
+ */
 function asBefore(at: Vec, object: SceneObject, pose: Pose | undefined): Vec {
   if (pose === undefined || !('angle' in object)) return at;
   const turn = rotationRad(object.angle) - pose.headingRad;
@@ -44,7 +47,7 @@ function asBefore(at: Vec, object: SceneObject, pose: Pose | undefined): Vec {
   };
 }
 
-/** The view in which a place stands in the middle, and everything up to the nearest obstacle is in sight around it. */
+/** The view with a place in its middle and everything up to the nearest obstacle visible around it. */
 export function nearView(at: Vec, nearest: number, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const widthPx = canvas.widthPx - margin.left - margin.right;

@@ -1,12 +1,12 @@
 import type { Vec } from '#core/geometry';
 
-/** What moves the picture. */
+/** Callbacks that move the picture. */
 export interface PicturePorts {
   readonly pan: (byPx: Vec) => void;
   readonly zoom: (factor: number, aroundPx: Vec) => void;
 }
 
-/** Fingers nearer to each other count as this far apart, in CSS px. Chosen: keeps the zoom finite. */
+/** Fingers nearer to each other count as this far apart, in CSS px. Chosen: so that the zoom stays finite. */
 const LEAST_SPREAD_PX = 10;
 
 /**

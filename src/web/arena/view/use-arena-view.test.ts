@@ -10,7 +10,7 @@ import '../../app/testing/mount-on';
 import { useArenaView, type ArenaView } from './use-arena-view';
 import { toPx } from './view-transform';
 
-/** The size of the element, as the browser would tell it. */
+/** Sets the size of the element, as the browser would report it. */
 let resize: (width: number, height: number) => void = () => undefined;
 
 beforeEach(() => {

@@ -35,18 +35,21 @@ export interface ArenaView {
   panBy(byPx: Vec): void;
   /** Shows the whole arena. */
   fit(): void;
-  /** Shows the whole arena, and what lies outside of it. */
+  /** Shows the whole arena and everything outside of it. */
   showAll(course: Pick<Scene, 'objects' | 'size'>): void;
   /** Shows a rectangle (world mm) with some room around it. */
   showBox(box: Bounds): void;
-  /** Shows the arena about as large as it is in truth, by what browsers take an inch to be. */
+  /** Shows the arena at about its real size, based on the browser's idea of an inch. */
   showTrueSize(): void;
-  /** Brings a place (world mm; `null`: there is none) into the middle, and all up to the nearest obstacle into sight. */
+  /**
+   * Brings a place (world mm; `null`: there is none) into the middle, and everything up to the nearest obstacle into
+   * sight.
+   */
   showNear(atMm: Vec | null, around: Pick<Scene, 'objects' | 'size'>, now: MovedThings): void;
   /** Brings a place (world mm) into sight and lets it flash. */
   showPlace(atMm: Vec): void;
   /**
-   * Goes on towards a place (world mm) that shall stay in the middle third.
+   * Moves on towards a place (world mm) that is to stay in the middle third.
    *
    * @param elapsedMs since the last step
    * @returns whether the picture moved
@@ -57,7 +60,7 @@ export interface ArenaView {
 /** CSS px per mm: 96 to an inch (CSS Values and Units 4, 6.2); screens differ from that by some percent. */
 const TRUE_PX_PER_MM = 96 / 25.4;
 
-/** Room around what is looked at, as a share of its longer side, and in mm at least. Chosen by eye. */
+/** Room around the shown thing, as a share of its longer side, and in mm at least. Chosen by eye. */
 const [ROOM_SHARE, LEAST_ROOM_MM] = [0.2, 40];
 
 /** The part of a rectangle that lies in the arena. */
@@ -135,7 +138,7 @@ export function useArenaView(
   };
 }
 
-/** Ways to look at something in particular. */
+/** The views that show something in particular. */
 function looks({
   view,
   canvas,
@@ -173,7 +176,7 @@ function looks({
   };
 }
 
-/** The pointing ring comes when it is first wanted. */
+/** The pointing ring is loaded when it is first wanted. */
 function flash(host: HTMLElement, place: () => Vec, view: ShallowRef<View>): void {
   import('./flash-place').then(
     ({ flashAt }) => flashAt(host, place, view),

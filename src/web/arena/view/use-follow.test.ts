@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Vec } from '#core/geometry';
 import { useFollow } from './use-follow';
 
-/** A robot that drives, and the frames that were asked for meanwhile. */
+/** A robot that drives, and the frames requested during its drive. */
 function driving(follows: boolean) {
   const isOn = shallowRef(follows);
   const at = shallowRef<Vec | null>({ x: 0, y: 0 });

@@ -8,18 +8,18 @@ const FRAME_MS = 16;
 /** A page that was out of sight does not jump, in ms. */
 const LONGEST_MS = 100;
 
-/** How far it zooms in when it begins to follow: where the whole arena shows there is nothing to follow. Chosen by eye. */
+/** Zoom when following begins: with the whole arena in sight there is nothing to follow. Chosen by eye. */
 const NEAR_PERCENT = 200;
 
-/** What is followed. */
+/** The followed place. */
 export interface Followed {
-  /** Whether the picture shall follow. */
+  /** True while the picture is to follow. */
   readonly isOn: () => boolean;
   /** World mm, or `null`: nothing there, or the hand has it. */
   readonly place: () => Vec | null;
 }
 
-/** Keeps a place in the middle third of the arena's picture while it shall be followed; zooms in when that begins. */
+/** Holds a place in the middle third of the arena's picture while following is on; zooms in when it begins. */
 export function useFollow(
   picture: Pick<ArenaView, 'view' | 'percent' | 'zoomBy' | 'follow'>,
   { isOn, place }: Followed,
@@ -42,7 +42,7 @@ export function useFollow(
     if (on && at !== null && picture.percent.value < NEAR_PERCENT - 50)
       picture.zoomBy(NEAR_PERCENT / picture.percent.value, toPx(picture.view.value, at));
   });
-  // Where nothing is followed, a robot that drives asks for no frame.
+  // If nothing is followed, a driving robot requests no frame.
   watch(
     () => (isOn() ? place() : null),
     (at) => at !== null && (frame ??= requestAnimationFrame(step)),

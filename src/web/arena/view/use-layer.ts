@@ -7,16 +7,16 @@ export interface Layer {
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   /** Canvas pixels per CSS px. */
   readonly ratio: () => number;
-  /** What part of the arena's place on the page the canvas covers; asked before each painting. */
+  /** The part of the arena's place on the page that the canvas covers; read before each painting. */
   readonly place: () => PxBox;
   /** Paints in CSS px of the arena's place; the canvas is empty before, and its state is put back afterwards. */
   readonly paint: (context: CanvasRenderingContext2D) => void;
 }
 
 /**
- * Keeps a canvas on its place on the page and paints it when asked, at most once per frame.
+ * Holds a canvas at its place on the page and paints it on request, at most once per frame.
  *
- * @returns asks for the layer to be painted
+ * @returns a function that requests a repaint of the layer
  */
 export function useLayer(layer: Layer): () => void {
   let on: Put | null = null;
@@ -40,7 +40,7 @@ export function useLayer(layer: Layer): () => void {
   return () => gate.soon();
 }
 
-/** A canvas as it was put on its place. */
+/** A canvas at its place. */
 interface Put {
   readonly canvas: HTMLCanvasElement;
   readonly context: CanvasRenderingContext2D | null;

@@ -1,10 +1,10 @@
 import type { Vec } from '#core/geometry';
 import type { Bounds } from '#scene/outline';
 
-/** How the arena lies on the canvas; y goes up in the arena and down on the canvas. */
+/** Position of the arena on the canvas; the y axis points up in the arena and down on the canvas. */
 export interface View {
   readonly pxPerMm: number;
-  /** Where the arena's lower left corner is, in CSS px from the canvas's upper left corner. */
+  /** Place of the arena's lower left corner, in CSS px from the canvas's upper left corner. */
   readonly leftPx: number;
   readonly bottomPx: number;
 }
@@ -34,7 +34,7 @@ export function marginsPx(canvas: CanvasSize): { left: number; right: number; to
   return narrow ? { left: 30, right: 14, top: 12, bottom: 28 } : { left: 42, right: 26, top: 18, bottom: 36 };
 }
 
-/** The view that shows the whole arena, centred, as large as it goes. */
+/** The view that shows the whole arena, centred, as large as possible. */
 export function fitView(arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const freeWidth = Math.max(20, canvas.widthPx - margin.left - margin.right);
@@ -47,7 +47,7 @@ export function fitView(arena: ArenaSize, canvas: CanvasSize): View {
   };
 }
 
-/** How far one may zoom, in px per mm: out to half the fitting size, in until a robot fills a screen. */
+/** The zoom range, in px per mm: out to half the fitting size, in until a robot fills a screen. */
 export function zoomLimits(arena: ArenaSize, canvas: CanvasSize): { min: number; max: number } {
   const fit = fitView(arena, canvas).pxPerMm;
   return { min: fit * 0.5, max: Math.max(fit * 8, 8) }; // chosen: 8 px per mm shows a robot at 640 px
@@ -59,8 +59,8 @@ export function zoomPercent(view: View, arena: ArenaSize, canvas: CanvasSize): n
 }
 
 /**
- * Zooms by a factor, within the limits, keeping the place under `around` (CSS px) where it is as far as the arena's
- * edge allows.
+ * Zooms by a factor, within the limits; the place under `around` (CSS px) stays there as far as the arena's edge
+ * allows.
  */
 export function zoomView(view: View, factor: number, around: Vec, arena: ArenaSize, canvas: CanvasSize): View {
   const limits = zoomLimits(arena, canvas);
@@ -120,7 +120,7 @@ export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasS
   return inSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
 }
 
-/** What shows around a place outside of the arena, in mm. Chosen: what lies there is about so large. */
+/** The margin shown around a place outside of the arena, in mm. Chosen: things there are about that large. */
 const OUTSIDE_MM = 50;
 
 /** The rectangle around the arena and others. */
@@ -133,7 +133,7 @@ export function withArena(boxes: readonly Bounds[], [width, height]: ArenaSize):
   };
 }
 
-/** The view that shows a rectangle (world mm) as large as it goes, also one that lies outside of the arena. */
+/** The view that shows a rectangle (world mm) as large as possible, also one outside of the arena. */
 export function boxView(box: Bounds, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const widthPx = Math.max(20, canvas.widthPx - margin.left - margin.right);
@@ -152,7 +152,7 @@ const isWithin = ({ minX, minY, maxX, maxY }: Bounds, [width, height]: ArenaSize
   minX >= 0 && minY >= 0 && maxX <= width && maxY <= height;
 
 /**
- * The view moved towards showing a place in its middle third. Within the third it stays as it is: the picture rests
+ * The view moved towards showing a place in its middle third. Within the third it does not move: the picture rests
  * while the robot turns on the spot.
  *
  * @param share share of the remaining distance, 0 … 1
@@ -177,7 +177,7 @@ export function followView(
   return moved.leftPx === view.leftPx && moved.bottomPx === view.bottomPx ? view : moved;
 }
 
-/** Centres what is smaller than the canvas and lets nothing empty be scrolled in beside what is larger. */
+/** Centres anything smaller than the canvas and prevents scrolling beyond the edges of anything larger. */
 export function inSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const width = arena[0] * view.pxPerMm;
@@ -189,7 +189,7 @@ export function inSight(view: View, arena: ArenaSize, canvas: CanvasSize): View 
   };
 }
 
-/** Start of a stretch of this length that fills `from` … `to`, or lies in its middle when it is shorter. */
+/** Start of a stretch of this length that fills `from` … `to`, or its middle if it is shorter. */
 function keep(start: number, length: number, from: number, to: number): number {
   if (length <= to - from) return (from + to - length) / 2;
   return Math.min(from, Math.max(to - length, start));

@@ -1,27 +1,27 @@
 import type { Vec } from '#core/geometry';
 
-/** What of a wheel's event counts. */
+/** The relevant part of a wheel's event. */
 export type WheelTurn = Pick<WheelEvent, 'deltaX' | 'deltaY' | 'deltaMode' | 'shiftKey' | 'ctrlKey' | 'metaKey'>;
 
-/** What a turn of the wheel does to the picture. */
+/** Effect of a turn of the wheel on the picture. */
 export type WheelGesture =
   { readonly type: 'zoom'; readonly factor: number } | { readonly type: 'pan'; readonly byPx: Vec };
 
 /** Px of the wheel per doubling of the zoom; a notch of 100 px then zooms by 1.26. */
 const DOUBLING_PX = 300;
 
-/** Steps below this, in px, come from two fingers pinching a trackpad, not from a wheel. */
+/** Smaller steps, in px, are from two fingers pinching a trackpad, not from a wheel. */
 const PINCH_PX = 40;
 
 /** Most that one event may zoom: a wheel that runs freely must not lose the place. */
 const MOST_FACTOR = 2;
 
-/** Px of the wheel that an event stands for: Firefox may count lines and pages. */
+/** Converts a wheel's delta to px: Firefox may count lines and pages. */
 export const wheelPx = (delta: number, mode: number): number => delta * (mode === 0 ? 1 : mode === 1 ? 33 : 600);
 
 /**
- * The wheel zooms. With Shift, or when it turns sideways (two fingers across a trackpad), it moves the picture. Pinching a
- * trackpad comes as a wheel with Ctrl and small steps, and zooms more per step.
+ * The wheel zooms. With Shift, or when it turns sideways (two fingers across a trackpad), it moves the picture.
+ * Pinching a trackpad arrives as a wheel with Ctrl and small steps, and zooms more per step.
  */
 export function wheelGesture(turn: WheelTurn): WheelGesture {
   const x = wheelPx(turn.deltaX, turn.deltaMode);

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { putPicture, shiftToWholePixels } from './whole-pixels';
 
-/** A canvas with `ratio` pixels per CSS px, whose corner lies 10.25 of them left of the arena's. */
+/** A canvas with `ratio` pixels per CSS px, whose corner is 10.25 of them left of the arena's. */
 const canvasWith = (ratio: number) => ({
   getTransform: () => ({ a: ratio, b: 0, c: 0, d: ratio, e: -10.25, f: 0 }),
   setTransform: vi.fn(),

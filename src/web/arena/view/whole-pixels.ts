@@ -1,8 +1,8 @@
 import type { Vec } from '#core/geometry';
 
 /**
- * Shifts everything that is drawn from here on, by half a pixel of the canvas at most, so that `at` lies on whole ones.
- * Without a graphics card a browser puts a picture down ten times faster there than between pixels.
+ * Shifts all further drawing, by half a pixel of the canvas at most, so that `at` is on whole ones. Without a graphics
+ * card a browser draws a picture ten times faster there than between pixels.
  *
  * @param context not turned
  */
@@ -13,11 +13,11 @@ export function shiftToWholePixels(context: CanvasRenderingContext2D, at: Vec): 
 }
 
 /**
- * Puts a picture down on whole pixels.
+ * Draws a picture on whole pixels.
  *
  * @param context not turned
  * @param picture made for the pixels of this canvas
- * @param at where its middle goes
+ * @param at place of its middle
  */
 export function putPicture(context: CanvasRenderingContext2D, picture: HTMLCanvasElement, at: Vec): void {
   const before = context.getTransform();

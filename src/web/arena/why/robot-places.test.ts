@@ -11,7 +11,7 @@ const robotOf = (id: string, headingDeg = 0, scale = 1): DrawnRobot => ({
   outlineMm: findRobot(id)?.body.outlineMm ?? [],
   parts: readRobotDrawing(readFileSync(`src/robots/${id}/robot.svg`, 'utf8')),
 });
-/** What lies a few mm ahead of the axle and to the left. */
+/** The part a few mm ahead of the axle and to the left. */
 const at = (robot: DrawnRobot, ahead: number, left: number, reachMm = 3) => {
   const { xMm, yMm, headingRad } = robot.pose;
   const [cos, sin] = [Math.cos(headingRad) * robot.scale, Math.sin(headingRad) * robot.scale];

@@ -12,14 +12,15 @@ export interface DrawnRobot {
   readonly scale: number;
   /** Its outline, robot frame, mm. */
   readonly outlineMm: readonly (readonly Vec[])[];
-  /** `null`: its drawing has not come yet. */
+  /** `null`: its drawing is not loaded yet. */
   readonly parts: DrawnParts | null;
 }
 
 /**
- * What of a robot lies at a place: the light or wheel within reach, the nearest of several, its display, else the robot.
+ * Finds the part of a robot at a place: the light or wheel within reach, the nearest of several, its display, else the
+ * robot.
  *
- * @param reachMm how near counts as on it
+ * @param reachMm distance that counts as on it
  * @returns `null`: the robot is elsewhere
  */
 export function partAt(pointMm: Vec, robot: DrawnRobot, reachMm: number): Output | 'robot' | null {
@@ -39,7 +40,7 @@ function drawnAt(at: Vec, { wheels, leds, rgb, display }: DrawnParts, reach: num
       box === null ? [] : [[side === 0 ? 'wheel-left' : 'wheel-right', awayFrom(at, box)]],
     ),
     ...display.map((box): readonly [Output, number] => ['display', awayFrom(at, box)]),
-    // Below the body: what lies over them comes first.
+    // Below the body: parts above them have priority.
     ...spots(
       rgb,
       rgb.map((_, place): Output => `color-${place}`),

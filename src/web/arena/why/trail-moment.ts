@@ -1,22 +1,22 @@
 import type { Vec } from '#core/geometry';
 import { leavesAt, timesOf, type Chunk } from '#tape/rows/chunk';
 
-/** That a robot came by: how near, and when. */
+/** A pass of a robot: its distance and its time. */
 interface Visit {
   readonly awayMm: number;
   readonly timeUs: number;
 }
 
-/** As near as the nearest is who came by this much farther away. Chosen: less than a trail is wide. */
+/** A pass that is farther away by less than this counts as equally near. Chosen: less than a trail is wide. */
 const SAME_MM = 2;
-/** Nearer by less is no nearer: a robot that stands has come there when it came to stand. */
+/** A smaller gain is not nearer: a robot at rest is dated to the moment when it came to rest. */
 const NEARER_MM = 0.5;
 
 /**
- * When a device's robot was at a place, by the tape: the time at which it was nearest, the latest where it came by again.
+ * Time at which a device's robot was at a place, by the tape: when it was nearest, the latest of several passes.
  *
- * @param untilUs what came later is not to be seen
- * @param reachMm how near counts as there
+ * @param untilUs later passes are hidden
+ * @param reachMm distance that counts as there
  */
 export function momentAt(
   chunks: readonly Chunk[],

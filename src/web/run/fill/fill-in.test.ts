@@ -48,7 +48,7 @@ function timesOf(recording: Recording): readonly number[] {
 const everyStep = (untilUs: number): readonly number[] =>
   Array.from({ length: untilUs / STEP_US + 1 }, (_, at) => at * STEP_US);
 
-/** Runs the program to its end, and tells its tape. */
+/** Runs the program to its end and returns its tape. */
 async function driven(speed: 1 | 'max', act: () => void = () => undefined): Promise<Recording> {
   page.work.setText('main.py', PROGRAM);
   page.run.setSpeed(speed);

@@ -10,12 +10,12 @@ type Repeat = (wish: RepeatWish) => Promise<Repeated | null>;
 
 /** The tapes that are being filled in. */
 const under = new WeakMap<Recording, Promise<void>>();
-/** Until when a tape was to be filled in, where somebody gave that up. */
+/** End of the stretch whose filling was given up, by recording. */
 const givenUp = new WeakMap<Recording, number>();
 
 /**
- * Makes the moments that are missing on a tape, by running the run again. Who asks while this is under way waits for the
- * same; where it cannot be done, or was given up, the tape stays as it is.
+ * Adds the moments missing from a tape, by repeating the run. Further calls in the meantime wait for the same work; if
+ * it is impossible, or was given up, the tape is left as it is.
  */
 export function fillIn(recording: Recording, repeat: Repeat): Promise<void> {
   const filling = under.get(recording) ?? fillGaps(recording, repeat).finally(() => under.delete(recording));
@@ -32,7 +32,7 @@ async function fillGaps(recording: Recording, repeat: Repeat): Promise<void> {
       else fillGap(recording, gap, repeated.pieces);
     }
   } catch {
-    // The VM could not be loaded: what there is of the tape is shown.
+    // The VM could not be loaded: the existing part of the tape is shown.
   }
 }
 

@@ -13,7 +13,7 @@ export function gapIn({ told, thinSince }: Recording): Gap | null {
   return sinceUs === null || place >= told.pieces ? null : { sinceUs, untilUs: told.untilUs };
 }
 
-/** Puts all moments of a gap in the place of what there is of them. @param pieces they need none before them */
+/** Replaces the existing moments of a gap by all of its moments. @param pieces they depend on none before them */
 export function fillGap(recording: Recording, { sinceUs, untilUs }: Gap, pieces: readonly Uint8Array[]): void {
   const { told, thinSince } = recording;
   const gap = gapIn(recording);

@@ -30,7 +30,7 @@ function readerWith(hangs: (message: ToReader, worker: number) => boolean) {
       return () => watching.delete(act);
     },
   });
-  /** So many looks as take a hand-in's whole time. */
+  /** Lets pass as many looks as use up a hand-in's whole time. */
   const pass = async (): Promise<void> => {
     await settled();
     for (let look = 0; look <= READ_MS / 200; look += 1) for (const act of watching) act();

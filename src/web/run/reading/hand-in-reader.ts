@@ -16,16 +16,19 @@ export interface ReaderThread {
   stop(): void;
 }
 
-/** What reading needs of the page. */
+/** The page's services that reading uses. */
 export interface ReaderPorts {
-  /** Starts a worker; `heard` gets each answer, `failed` why there is none. */
+  /** Starts a worker; `heard` receives each answer, `failed` the reason for its end. */
   start(heard: (answer: FromReader) => void, failed: (problem: string) => void): ReaderThread;
   readonly every: Every;
 }
 
 const LOOK_MS = 200;
 
-/** So long may one hand-in be read before it is tried once more, in ms. Chosen: a hundred times what 4 MB take on a tablet. */
+/**
+ * Time limit for reading one hand-in before it is tried once more, in ms. Chosen: a hundred times the time for 4 MB on
+ * a tablet.
+ */
 export const READ_MS = 20_000;
 
 /** Files that were handed in together. */
@@ -34,15 +37,15 @@ interface Batch {
   readonly added: readonly AddedFile[];
 }
 
-/** What came with the files of a class. */
+/** The contents of a class's files. */
 export interface OpenedHandIns {
   readonly series: SeriesAmong['document'] | null;
   readonly sources: readonly Source[];
 }
 
 /**
- * Reads hand-ins beside the page, one after the other. What does not end is tried a second time in a new worker: the machine
- * may have been busy. Then it is told, and the others go on.
+ * Reads hand-ins beside the page, one after the other. One that does not finish is tried a second time in a new worker:
+ * the machine may have been busy. If it fails again, it is reported, and the others follow.
  */
 export class HandInReader {
   private thread: ReaderThread | null = null;
@@ -56,7 +59,7 @@ export class HandInReader {
     private readonly ports: ReaderPorts = inWorker,
   ) {}
 
-  /** The hand-ins of files and folders, each read when its turn comes; a series among them is read at once. */
+  /** The hand-ins of files and folders, each read in its turn; a series among them is read immediately. */
   async open(added: readonly AddedFile[]): Promise<OpenedHandIns> {
     const batch: Batch = { number: (this.batches += 1), added };
     const answer = await this.inTurn(() => this.twice(() => this.names(batch)));
@@ -81,7 +84,7 @@ export class HandInReader {
   }
 
   private async content(batch: Batch, place: number): Promise<Extract<FromReader, { type: 'read-content' }> | Problem> {
-    // A new worker knows nothing of what an earlier one had open.
+    // A new worker does not know the files opened in an earlier one.
     const opened = this.opened.has(batch.number) ? null : await this.names(batch);
     if (opened !== null && 'problem' in opened) return opened;
     const answer = await this.ask({ type: 'read', batch: batch.number, place });

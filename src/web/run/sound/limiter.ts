@@ -1,4 +1,4 @@
-/** Up to this level nothing is changed, so that a single source stays as it is. */
+/** Up to this level nothing is changed, so that a single source is unaffected. */
 const KNEE = 0.7;
 /** The highest sum that all sources together can reach. */
 const MOST = 4;

@@ -1,11 +1,11 @@
 /**
- * Delay between a sound's arrival and its playing, in s. Chosen: events come once a frame and the audio thread looks
- * ahead some ms; with less, notes come late, with more, the sound lags behind the lights.
+ * Delay between a sound's arrival and its playing, in s. Chosen: events arrive once a frame and the audio thread looks
+ * ahead some ms; with less, notes are late, with more, the sound lags behind the lights.
  */
 export const LATENCY_S = 0.08;
 /** A sound further ahead than this, in s, means that the clocks have drifted apart. */
 const MOST_AHEAD_S = 0.3;
-/** A sound later than this synchronises the clocks again, in s. Chosen: an earlier one is played at once. */
+/** A sound later than this synchronises the clocks again, in s. Chosen: one that is less late is played immediately. */
 const MOST_LATE_S = 0.02;
 
 /** Ties simulated time to the time of the sound system. */
@@ -14,7 +14,7 @@ export interface SoundClock {
    * The moment for a sound of simulated time `timeUs`, in s of the sound system, never before `nowS`.
    *
    * The first one sounds `LATENCY_S` from now. From then on the distances are those of simulated time, to the ms, as
-   * long as simulated time keeps pace; when it has stood still or stumbled, the clocks are synchronised again.
+   * long as simulated time is on pace; after a pause or a stumble the clocks are synchronised again.
    *
    * @param speed simulated seconds per second
    */

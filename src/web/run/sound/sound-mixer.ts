@@ -77,13 +77,13 @@ export class SoundMixer {
     }
   }
 
-  /** Silence at once; volume and output stay. */
+  /** Silences everything immediately; volume and output stay. */
   stop(): void {
     for (const source of SOURCES) this.replace(source, this.context.currentTime, null);
     this.stream.end(this.context.currentTime);
   }
 
-  /** Silence at once, full volume, speaker on. */
+  /** Silences everything immediately, full volume, speaker on. */
   reset(): void {
     this.stop();
     for (const { gain } of [this.volume, this.speaker]) {
@@ -113,7 +113,7 @@ export class SoundMixer {
     else this.replace(source, atS, null);
   }
 
-  /** Ends what a source plays and plays something else, or nothing. */
+  /** Ends the sound of a source and plays another one, or none. */
   private replace(source: (typeof SOURCES)[number], atS: number, voice: Voice | null): void {
     this.voices[source]?.end(atS);
     this.voices[source] = voice;

@@ -7,7 +7,7 @@ import type { SoundMixer, Synthesis } from './sound-mixer';
 
 /** Silence after which the sound system is put to sleep, in ms: awake, it constantly costs a weak tablet a few percent. */
 const SLEEP_AFTER_MS = 3000;
-/** How long the browser may take to let sound begin, in ms. */
+/** Time the browser may take to start sound, in ms. */
 const BLOCKED_AFTER_MS = 400;
 
 /** The sound system; its mixer is fetched with the first sound. */
@@ -21,10 +21,10 @@ interface Mixing {
   readonly SoundMixer: new (context: BaseAudioContext) => SoundMixer;
 }
 
-/** Whether an event can be played only once the synthesis is loaded. */
+/** True if an event can be played only once the synthesis is loaded. */
 const needsSynthesis = (event: SoundEvent): boolean => event.type === 'effect' || event.type === 'speech';
 
-/** Where sounds other than the board's are played. */
+/** The output for sounds other than the board's. */
 export interface SoundOutput {
   readonly context: BaseAudioContext;
   readonly to: AudioNode;
@@ -41,17 +41,14 @@ export class SoundPlayer {
   private isLoading = false;
   private speed = 0;
   private muted = false;
-  /**
-   * State that lasts until it is changed. It is followed even while nothing is heard, so that sound can come back as it
-   * should be.
-   */
+  /** State that lasts until it is changed. It is followed even while muted, so that the right sound can return. */
   private readonly lasting = new Map<SoundEvent['type'], SoundEvent>();
   /** Events that wait for the mixer or the synthesis. */
   private waiting: readonly SoundEvent[] = [];
   private sleep: ReturnType<typeof setTimeout> | undefined;
   private check: ReturnType<typeof setTimeout> | undefined;
 
-  /** What the run's sound hardware has done, oldest first. */
+  /** Takes the events of the run's sound hardware, oldest first. */
   take(events: readonly SoundEvent[]): void {
     for (const event of events) this.remember(event);
     if (!this.isHeard || events.length === 0) return;
@@ -74,7 +71,7 @@ export class SoundPlayer {
     this.isBlocked.value = false;
   }
 
-  /** How fast simulated time goes; 0 while it stands still. Above 1 nothing is heard. */
+  /** Speed of simulated time; 0 while paused. Above 1 nothing is heard. */
   setSpeed(speed: number): void {
     this.change(() => (this.speed = speed));
   }
@@ -113,7 +110,7 @@ export class SoundPlayer {
     }
   }
 
-  /** Applies a change that may decide whether the board is heard; a sound that is still going on comes back. */
+  /** Applies a change that may affect whether the board is heard; a sound that is still playing is resumed. */
   private change(apply: () => void): void {
     const before = this.isHeard;
     apply();

@@ -2,11 +2,11 @@ import type { SoundEvent } from '#board/sound/sound-event';
 
 /** Loudness of a tone and of a full square wave, 0 … 1. Chosen: −8 dB, about as loud as other sites; it is shrill. */
 export const LOUDNESS = 0.4;
-/** Gain of speech. Fitted to "hello world": its highest peaks come to −4 dB; more would be clipped. */
+/** Gain of speech. Fitted to "hello world": its highest peaks reach −4 dB; more would be clipped. */
 export const SPEECH_GAIN = 1.7;
 /** Samples of a program are seldom as loud as a full square wave. Chosen. */
 const SAMPLES_GAIN = 1.25;
-/** How long a tone takes to begin and to end, in s: without it every note clicks. */
+/** Fade-in and fade-out time of a tone, in s: without it every note clicks. */
 export const EDGE_S = 0.003;
 
 /** Something that sounds until it is stopped. */
@@ -19,7 +19,7 @@ export interface Voice {
 export function playTone(context: BaseAudioContext, to: AudioNode, hz: number, atS: number): Voice {
   const oscillator = context.createOscillator();
   const gain = context.createGain();
-  oscillator.type = 'square'; // what a PWM pin puts out
+  oscillator.type = 'square'; // the output of a PWM pin
   oscillator.frequency.value = Math.min(hz, context.sampleRate / 2);
   gain.gain.value = 0;
   gain.gain.setTargetAtTime(LOUDNESS, atS, EDGE_S / 3);
@@ -51,7 +51,7 @@ export function playSamples(
   if (samples.length > 0) {
     const buffer = context.createBuffer(1, samples.length, rate);
     buffer.getChannelData(0).set(samples);
-    source.buffer = buffer; // filled first: Firefox plays what the buffer holds at this moment
+    source.buffer = buffer; // filled first: Firefox plays the contents of the buffer at this moment
   }
   source.connect(gain).connect(to);
   source.start(atS);
@@ -69,7 +69,7 @@ export function playSamples(
   };
 }
 
-/** Plays samples piece by piece as they are made: the first one at once, the others in tasks of their own. */
+/** Plays samples piece by piece as they are made: the first one immediately, the others in tasks of their own. */
 export function playPieces(
   context: BaseAudioContext,
   to: AudioNode,
@@ -101,7 +101,7 @@ export function playPieces(
   };
 }
 
-/** Creates what plays the samples of a program: one block after the other, without a seam where the run had none. */
+/** Creates a player for the samples of a program: one block after the other, without a seam where the run had none. */
 export function createStream(context: BaseAudioContext, to: AudioNode) {
   const seam = createSeam(context, to, LOUDNESS * SAMPLES_GAIN);
   let endUs = -1;
@@ -128,12 +128,12 @@ export function createStream(context: BaseAudioContext, to: AudioNode) {
 /** Largest gap between a block and the end of the previous one after a synchronisation of the clocks, in s. */
 const MOST_SHIFT_S = 0.05;
 
-/** Joins stretches of samples so that there is neither a gap nor an overlap, whatever their rate. */
+/** Joins stretches of samples without a gap or an overlap, at any rate. */
 function createSeam(context: BaseAudioContext, to: AudioNode, loudness: number) {
   const gain = context.createGain();
   gain.gain.value = loudness;
   gain.connect(to);
-  /** Where the next stretch begins, in frames of the sound system; not whole, so that nothing adds up. */
+  /** Start of the next stretch, in frames of the sound system; not rounded, so that errors do not add up. */
   let place = 0;
   let last = 0;
   let running: AudioBufferSourceNode[] = [];

@@ -12,7 +12,7 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** A checker, and what it says. */
+/** A checker, and its messages. */
 function checker() {
   const said: FromChecker[] = [];
   let nowMs = 0;

@@ -25,13 +25,13 @@ export type FromChecker =
 /** A sign of life is sent this often, in ms of wall time. */
 const BEAT_MS = 200;
 
-/** What a checker needs of its worker. */
+/** The worker's services that a checker uses. */
 export interface CheckerPorts {
   post(message: FromChecker): void;
   nowMs(): number;
 }
 
-/** Checks what it is sent; never throws. */
+/** Checks the hand-ins it receives; never throws. */
 export class Checker {
   private task: ClassTask | null = null;
   private firmware: WebAssembly.Module | null = null;

@@ -3,10 +3,10 @@ import code from 'single:worker';
 let address: string | null = null;
 
 /**
- * Makes the worker of the single file: its code lies in the page and gets an address of its own there. It inherits the
+ * Makes the worker of the single file: its code is in the page and gets an address of its own there. It inherits the
  * page's policy, and with it `connect-src 'none'`.
  *
- * @throws Error where the browser allows no workers
+ * @throws Error if the browser allows no workers
  */
 export function createWorker(): Worker {
   address ??= URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));

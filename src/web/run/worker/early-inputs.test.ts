@@ -14,7 +14,10 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** What a program prints in its first 300 ms when this was done before it began. @param pieceMs how often the worker looks up */
+/**
+ * Output of a program in its first 300 ms, after these inputs before its start. @param pieceMs interval between the
+ * worker's looks at the clock
+ */
 async function printed(program: string, early: readonly InputAction[], pieceMs = 1): Promise<string> {
   let wallMs = 0;
   const posted: FromWorker[] = [];

@@ -19,7 +19,7 @@ export interface EventBox {
   take(): RunEvents | null;
 }
 
-/** Most packets in one batch. Chosen: more than a page shows at once. */
+/** Maximum number of packets in one batch. Chosen: more than a page shows at a time. */
 const MAX_PACKETS = 200;
 /** Maximum of sound events per batch (a frame): at 1 × a melody makes one, at full speed sound does not matter. */
 const MAX_SOUNDS = 500;
@@ -28,8 +28,8 @@ const MAX_SOUNDS = 500;
 const MAX_POINTS = 15_000;
 
 /**
- * Creates a box. Rows of the data log are all kept, because the log itself is bounded. Of packets, sounds and the path,
- * the newest are kept.
+ * Creates a box. It holds all rows of the data log, because the log itself is bounded, and the newest packets, sounds
+ * and points of the path.
  */
 export function createEventBox(): EventBox {
   let sound: SoundEvent[] = [];
@@ -82,7 +82,7 @@ export interface EventBoxes {
   take(): readonly { readonly device: number; readonly events: RunEvents }[];
 }
 
-/** Creates boxes for so many devices. */
+/** Creates boxes for this number of devices. */
 export function createEventBoxes(devices: number): EventBoxes {
   const boxes = Array.from({ length: devices }, createEventBox);
   return {

@@ -9,14 +9,14 @@ const [RED, WHITE, BLUE] = [
 ] as const;
 const SIZE = 20;
 
-/** A picture of one colour, with another one in its first so many pixels. */
+/** A picture of one colour, with another one in its first `count` pixels. */
 function picture(ground: readonly number[], over: readonly number[] = ground, count = 0): Pixels {
   const pixels = new Uint8ClampedArray(4 * SIZE * SIZE);
   for (let at = 0; at < SIZE * SIZE; at++) pixels.set([...(at < count ? over : ground), 255], 4 * at);
   return pixels;
 }
 
-/** What a GIF says of itself, read by its own rules (GIF89a), not by those who wrote it. */
+/** The contents of a GIF, read by the rules of the format (GIF89a), not by those of the writer. */
 function readGif(bytes: Uint8Array) {
   const text = (from: number, to: number): string => String.fromCharCode(...bytes.slice(from, to));
   const size = [bytes[6]! + 256 * bytes[7]!, bytes[8]! + 256 * bytes[9]!];

@@ -1,4 +1,4 @@
-/** Makes a GIF of pictures that come one after the other. Comes late into the worker: no run needs it. */
+/** Makes a GIF of successive pictures. Loaded into the worker on demand: no run needs it. */
 import { applyPalette, GIFEncoder, quantize, type Colour } from 'gifenc';
 
 /** Pixels of a picture: red, green, blue and alpha, 0 … 255 each, row by row. */
@@ -6,7 +6,7 @@ export type Pixels = Uint8ClampedArray<ArrayBuffer>;
 
 /** From the page. */
 export type ToFilm =
-  /** `samples`: some of the pictures to come, from which the film's colours are chosen. */
+  /** `samples`: some of the following pictures, from which the film's colours are chosen. */
   | {
       readonly type: 'film-begin';
       readonly width: number;
@@ -15,7 +15,7 @@ export type ToFilm =
     }
   /** The next picture, and how long it stays, in ms (whole tens). Answered by `film-taken`. */
   | { readonly type: 'film-picture'; readonly pixels: Pixels; readonly staysMs: number }
-  /** That was the last one. Answered by `film-made`. */
+  /** The previous picture was the last one. Answered by `film-made`. */
   | { readonly type: 'film-end' };
 
 /** To the page. */
@@ -24,13 +24,13 @@ export type FromFilm =
   | { readonly type: 'film-made'; readonly gif: Uint8Array<ArrayBuffer> }
   | { readonly type: 'film-failed'; readonly message: string };
 
-/** A GIF has 256 colours; one of them stands for what has not changed since the picture before. */
+/** A GIF has 256 colours; one of them means unchanged since the previous picture. */
 const MOST_COLOURS = 255;
 
-/** Every so many pixels of a sample one is looked at. Chosen: an odd number sees all columns. */
+/** Every seventh pixel of a sample is used. Chosen: an odd number hits all columns. */
 const SAMPLED = 7;
 
-/** Takes pictures of one size, and writes into each only what has changed. */
+/** Takes pictures of one size, and writes only the changes into each. */
 export class Film {
   private readonly gif = GIFEncoder();
   private readonly colours: readonly Colour[];
@@ -84,7 +84,7 @@ function sampled(samples: readonly Pixels[]): Uint8ClampedArray {
   return new Uint8ClampedArray(Uint32Array.from(some).buffer);
 }
 
-/** Answers the page. An error ends the film, and is told. */
+/** Answers the page. An error ends the film, and is reported. */
 export function createFilmMaker(post: (message: FromFilm) => void): (message: ToFilm) => void {
   let film: Film | null = null;
   return (message) => {

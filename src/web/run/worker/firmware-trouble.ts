@@ -1,8 +1,8 @@
 import type { TextKey } from '../../page/i18n';
 
 /**
- * Why there is no VM: it does not come, something else comes in its place, or a policy of the page or the computer forbids to
- * compile any.
+ * Reason for a missing VM: it does not arrive, something else arrives instead, or a policy of the page or the computer
+ * forbids compiling.
  */
 export type FirmwareTrouble = 'absent' | 'foreign' | 'forbidden';
 
@@ -16,7 +16,7 @@ export class FirmwareError extends Error {
   }
 }
 
-/** What the page says about it. */
+/** The page's texts for it. */
 const SAID = {
   absent: 'notice.firmware',
   foreign: 'notice.firmwareForeign',
@@ -26,7 +26,7 @@ const SAID = {
 /** The texts of why there is no VM. */
 export type TroubleKey = (typeof SAID)[FirmwareTrouble];
 
-/** Why a run could not get its VM, as far as is known. */
+/** Reason for which a run could not get its VM, as far as it is known. */
 export const troubleOf = (error: unknown): FirmwareTrouble =>
   error instanceof FirmwareError ? error.trouble : 'absent';
 
@@ -36,7 +36,7 @@ export const troubleKey = (error: unknown): TroubleKey => SAID[troubleOf(error)]
 /** "\0asm" and the version: how every compiled file begins, and the shortest one. */
 const SHORTEST = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
-/** Whether the browser may compile anything at all. */
+/** True if the browser may compile anything at all. */
 export function mayCompile(): boolean {
   try {
     return new WebAssembly.Module(SHORTEST) instanceof WebAssembly.Module;
@@ -45,5 +45,5 @@ export function mayCompile(): boolean {
   }
 }
 
-/** Whether bytes are a compiled file, by how they begin. */
+/** True if bytes begin like a compiled file. */
 export const isCompiled = (bytes: Uint8Array): boolean => SHORTEST.every((byte, place) => bytes[place] === byte);

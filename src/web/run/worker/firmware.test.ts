@@ -5,7 +5,7 @@ import { troubleOf } from './firmware-trouble';
 
 const WASM = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
 
-/** What comes of the VM where the server answers so. */
+/** The trouble with the VM if the server gives this answer. */
 async function troubleAt(answer: () => Response | Promise<Response>): Promise<string> {
   vi.stubGlobal('fetch', () => Promise.resolve().then(answer));
   return compile('https://school.example/vm.wasm').then(() => 'none', troubleOf);

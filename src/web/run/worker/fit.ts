@@ -5,7 +5,7 @@ import { fitTraits } from '#my-robot/fit';
 import type { Measured } from '#my-robot/my-robot';
 import { predictMotion, type Motion } from '#my-robot/predict';
 
-/** From the page: what was measured of a robot of this type. */
+/** From the page: the measurements of a robot of this type. */
 export interface FitRequest {
   readonly type: 'fit';
   readonly firmware: WebAssembly.Module;
@@ -14,7 +14,7 @@ export interface FitRequest {
   readonly measured: Measured;
 }
 
-/** What came of it: the traits, and how the robot drives without and with them. */
+/** The result: the traits, and the drives of the robot without and with them. */
 export interface Fit {
   readonly traits: Traits;
   readonly before: Motion;

@@ -1,9 +1,9 @@
-/** What of gifenc is used; the package brings no types. */
+/** The used part of gifenc; the package has no types. */
 declare module 'gifenc' {
   /** Red, green and blue, 0 … 255 each. */
   export type Colour = readonly [number, number, number];
 
-  /** At most so many colours that stand for those of the pixels (red, green, blue, alpha; a buffer of their own). */
+  /** At most this many colours that represent those of the pixels (red, green, blue, alpha; a buffer of their own). */
   export function quantize(rgba: Uint8ClampedArray, most: number): Colour[];
 
   /** The place of the nearest colour for each pixel. */

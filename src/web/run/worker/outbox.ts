@@ -1,4 +1,4 @@
-/** What the program of one device printed, without anything of another one in between. */
+/** The output of one device, without any of another one in between. */
 export interface Output {
   /** Its place in the run's set-up. */
   readonly device: number;
@@ -9,15 +9,15 @@ export interface Output {
 
 /** Console output on its way to the page: bounded batches, one in transit, and a mark at which the run should wait. */
 export interface Outbox {
-  /** Adds what was printed since the last call, oldest first. */
+  /** Adds the output since the last call, oldest first. */
   put(outputs: readonly Output[]): void;
   /** The page has taken the batch in transit: the next one may go. */
   taken(): void;
-  /** Sends everything at once, without waiting for the page: for the end of a run. */
+  /** Sends everything immediately, without waiting for the page: for the end of a run. */
   flush(): void;
-  /** More is waiting than the page can take: simulated time must stand still. */
+  /** More is waiting than the page can take: simulated time must pause. */
   readonly isFull: boolean;
-  /** Nothing is waiting. What has been sent may still be on its way. */
+  /** Nothing is waiting. Sent output may still be in transit. */
   readonly isEmpty: boolean;
 }
 
@@ -64,10 +64,10 @@ export function createOutbox(send: (output: readonly Output[]) => void): Outbox 
   };
 }
 
-/** Output of one device is together for this long: one step of the world. What is printed later has its own time. */
+/** Output of one device within this time is joined: one step of the world. Later output has its own time. */
 const TOGETHER_US = 4000;
 
-/** Adds output to a list, in which pieces of one device that follow each other at once are one. */
+/** Adds output to a list; successive pieces of one device are joined. */
 export function append(list: Output[], output: Output): void {
   const last = list.at(-1);
   if (last?.device === output.device && output.timeUs < last.timeUs + TOGETHER_US)
@@ -77,7 +77,7 @@ export function append(list: Output[], output: Output): void {
 
 const lengthOf = (outputs: readonly Output[]): number => outputs.reduce((sum, { text }) => sum + text.length, 0);
 
-/** Takes the first `BATCH` characters out of what is waiting. */
+/** Takes the first `BATCH` characters of the waiting output. */
 function takeBatch(waiting: Output[]): readonly Output[] {
   const batch: Output[] = [];
   for (let room = BATCH; room > 0 && waiting[0] !== undefined;) {

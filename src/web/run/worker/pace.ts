@@ -2,10 +2,12 @@ import type { Speed } from '#simulation/pace';
 import { dueUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type ToWorker } from './protocol';
 
-/** What changes how fast a run goes. */
+/** The messages that change the pace of a run. */
 export type PaceMessage = Extract<ToWorker, { type: 'pause' | 'resume' | 'step' | 'step-line' | 'speed' }>;
 
-/** How far a run may go by now: the wall clock times the speed, a pause, or the moment that it is to catch up with. */
+/**
+ * The time that a run may have reached by now: the wall clock times the speed, a pause, or the moment to catch up with.
+ */
 export class Pace {
   paused = false;
   speed: Speed = 1;
@@ -46,12 +48,15 @@ export class Pace {
     return this.catchUpUs > 0;
   }
 
-  /** The run goes as fast as it can. */
+  /** The run goes as fast as possible. */
   get isUnbound(): boolean {
     return this.isCatchingUp || (!this.paused && this.anchor.speed === 'max');
   }
 
-  /** The run may be where it was to come: from here on it goes at its pace. @returns whether it has just come there */
+  /**
+   * Ends catching up if the run has reached its target: from here on it goes at its pace. @returns whether it has just
+   * arrived
+   */
   endCatchingUp(nowUs: number): boolean {
     if (!this.isCatchingUp || nowUs < this.catchUpUs) return false;
     this.catchUpUs = 0;
@@ -65,12 +70,15 @@ export class Pace {
     return this.paused ? this.stepUntilUs : dueUs(this.anchor, wallMs);
   }
 
-  /** Ties simulated time to the wall clock here. At full speed a world whose programs have ended would run hours ahead, so it goes on as outside. */
+  /**
+   * Ties simulated time to the wall clock here. At full speed a world whose programs have ended would run hours ahead,
+   * so it continues in real time.
+   */
   anchorAt(wallMs: number, simulatedUs: number, hasEnded: boolean): void {
     this.anchor = { wallMs, simulatedUs, speed: this.speed === 'max' && hasEnded ? 1 : this.speed };
   }
 
-  /** A machine that has fallen behind for good goes on from here. */
+  /** A machine that has fallen behind for good continues from here. */
   forgetBacklog(wallMs: number, simulatedUs: number): void {
     this.anchor = withoutBacklog(this.anchor, wallMs, simulatedUs);
   }

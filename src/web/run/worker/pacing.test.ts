@@ -19,7 +19,7 @@ describe('pacing', () => {
 
   it('never lets time run backwards when the clock does', () => {
     expect(dueUs(anchor, 900)).toBe(500_000);
-    expect(dueUs(anchor, 1000.0137)).toBe(500_027); // whole µs: the wall clock has no say in when a line begins
+    expect(dueUs(anchor, 1000.0137)).toBe(500_027); // whole µs: the wall clock does not affect when a line begins
   });
 
   it('catches up after 100 ms of delay, but not after 101', () => {

@@ -1,6 +1,6 @@
 import type { Speed } from '#simulation/pace';
 
-/** Where a run's simulated time was tied to the wall clock last. */
+/** The point at which a run's simulated time was last tied to the wall clock. */
 export interface Anchor {
   readonly wallMs: number;
   readonly simulatedUs: number;
@@ -16,14 +16,16 @@ export function dueUs(anchor: Anchor, wallMs: number): number {
   return anchor.simulatedUs + Math.floor(Math.max(0, wallMs - anchor.wallMs) * 1000 * anchor.speed);
 }
 
-/** The anchor to go on with: the same one, or a new one here and now when the machine has fallen behind for good. */
+/**
+ * The anchor to continue with: the same one, or a new one at the present when the machine has fallen behind for good.
+ */
 export function withoutBacklog(anchor: Anchor, wallMs: number, simulatedUs: number): Anchor {
   if (anchor.speed === 'max') return anchor;
   const behindMs = (dueUs(anchor, wallMs) - simulatedUs) / 1000 / anchor.speed;
   return behindMs > BACKLOG_MS ? { ...anchor, wallMs, simulatedUs } : anchor;
 }
 
-/** The piece of simulated time (µs) to ask for next so that one piece takes about 1 ms of wall time. */
+/** The next piece of simulated time (µs), chosen so that one piece takes about 1 ms of wall time. */
 export function nextPieceUs(pieceUs: number, tookMs: number): number {
   if (tookMs > 2) return Math.max(4000, Math.floor(pieceUs / 2)); // 4 ms: one step of the world, the least that shows
   if (tookMs < 0.5) return Math.min(64_000, pieceUs * 2); // 64 ms: four frames, the most that still looks smooth
@@ -32,7 +34,7 @@ export function nextPieceUs(pieceUs: number, tookMs: number): number {
 
 /** Measures the factor that a run actually reaches: simulated seconds per wall second over the last second or so. */
 export interface SpeedMeter {
-  /** Records how far the run has come. */
+  /** Records the progress of the run. */
   note(wallMs: number, simulatedUs: number): void;
   /** The factor, or `null` until a quarter of a second has been seen. */
   factor(): number | null;

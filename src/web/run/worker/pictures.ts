@@ -4,16 +4,16 @@ import type { FromWorker } from './protocol';
 
 type SnapshotMessage = Extract<FromWorker, { type: 'snapshot' }>;
 
-/** A `snapshot` on its way: what has changed since the last one. Reading all of it took the page longer than drawing it. */
+/** A `snapshot` in transit: its changes since the last one. Reading all of it took the page longer than drawing it. */
 interface Picture extends Omit<SnapshotMessage, 'type' | 'snapshot'> {
   readonly type: 'picture';
   readonly changes: Changes | undefined;
 }
 
-/** What goes from the worker to the page. */
+/** A message from the worker to the page in transit. */
 export type OnItsWay = Exclude<FromWorker, SnapshotMessage> | Picture;
 
-/** Packs what one worker says. */
+/** Packs the messages of one worker. */
 export function packPictures(): (message: FromWorker) => OnItsWay {
   let last: unknown = null;
   return (message) => {
@@ -25,7 +25,7 @@ export function packPictures(): (message: FromWorker) => OnItsWay {
   };
 }
 
-/** Unpacks what that worker has said. Each snapshot is an object of its own; its parts are those of the last one where they say the same. */
+/** Unpacks the messages of that worker. Each snapshot is a new object; equal parts are shared with the last one. */
 export function unpackPictures(): (message: OnItsWay | FromWorker) => FromWorker {
   let last: unknown = null;
   return (message) => {

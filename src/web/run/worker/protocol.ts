@@ -37,7 +37,7 @@ export type ToWorker =
   /** First message: the compiled VM. A `WebAssembly.Module` is shared, not copied. */
   | { readonly type: 'prepare'; readonly firmware: WebAssembly.Module }
   /**
-   * Starts the run. `paused` starts it standing still. `catchUpUs`: until this simulated time it runs as fast as it can,
+   * Starts the run. `paused` starts it paused. `catchUpUs`: until this simulated time it runs as fast as possible,
    * paused or not.
    */
   | {
@@ -47,7 +47,7 @@ export type ToWorker =
       readonly paused: boolean;
       readonly catchUpUs?: number;
     }
-  /** Simulated time stands still until `resume` or `step`. */
+  /** Simulated time is paused until `resume` or `step`. */
   | { readonly type: 'pause' }
   | { readonly type: 'resume' }
   /** Lets `STEP_PRESS_US` of simulated time pass, then pauses again. */
@@ -62,36 +62,37 @@ export type ToWorker =
   | { readonly type: 'frame' }
   /** The last `console` batch has been processed. */
   | { readonly type: 'console-taken' }
-  /** Somebody looks back: the newest moments of the tape are wanted now, not when their piece is full. */
+  /** The page looks back: the newest moments of the tape are wanted now, not when their piece is full. */
   | { readonly type: 'tape' }
-  /** Where the run shall stop from now on: the break points of each device, by its place. It then says `held`. */
+  /** The breakpoints of each device from now on, by its place. At one of them the run sends `held`. */
   | { readonly type: 'break-points'; readonly points: readonly (readonly BreakPoint[])[] }
-  /** Goes on until the device has made a step by lines, or until a break point; then the run says `held`. */
+  /** Runs until the device has made a step by lines, or until a breakpoint; then the run sends `held`. */
   | { readonly type: 'step-line'; readonly step: LineStep; readonly device: number }
-  /** What a device's variables are now is wanted; answered by `variables`. */
+  /** Requests the current variables of a device; answered by `variables`. */
   | { readonly type: 'inspect'; readonly device: number }
   /** KeyboardInterrupt in the program, a moment for its `finally`, then the end. */
   | { readonly type: 'stop' };
 
 /** From the worker to the page. */
 export type FromWorker =
-  /** The VM is loaded; `run` will start at once. */
+  /** The VM is loaded; `run` will start immediately. */
   | { readonly type: 'prepared' }
   | { readonly type: 'started' }
   /** `trails`: each device's robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly trails: readonly (readonly number[])[] }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
-  /** Nothing happens any more until the next input: simulated time stands still, and no heartbeat comes. */
+  /** Nothing happens any more until the next input: simulated time is paused, and there is no heartbeat. */
   | { readonly type: 'resting' }
-  /** What sounded, was sent by radio and was logged by a device since its last such message; about once a frame. */
+  /** Sounds, radio packets and log rows of a device since its last such message; about once a frame. */
   | { readonly type: 'events'; readonly events: RunEvents; readonly device: number }
   /**
-   * What the run showed, 50 moments for a second of simulated time: a piece for `Rows`, in their order. `thinSinceUs`: it has
-   * one moment for a second, since the run went as fast as it could, and those after this time are missing.
+   * The pictures of the run, 50 moments for a second of simulated time: a piece for `Rows`, in their order.
+   * `thinSinceUs`: it has one moment for a second, since the run went as fast as possible, and those after this time
+   * are missing.
    */
   | { readonly type: 'tape'; readonly piece: Uint8Array; readonly thinSinceUs: number | null }
-  /** What was done to the run up to this time; answers `tape`, and comes when the programs end and before `stopped`. */
+  /** All inputs to the run up to this time; answers `tape`, and is sent when the programs end and before `stopped`. */
   | { readonly type: 'inputs'; readonly inputs: readonly InputEvent[]; readonly nowUs: number }
   /** A break point or a step of this device has stopped the run, at this time of its clock; it is paused, after a `snapshot`. */
   | { readonly type: 'held'; readonly device: number; readonly timeUs: number }
@@ -99,13 +100,15 @@ export type FromWorker =
   | { readonly type: 'variables'; readonly device: number; readonly timeUs: number; readonly variables: Variables }
   /** Output of the programs, oldest first; at most one batch in transit. */
   | { readonly type: 'console'; readonly output: readonly Output[] }
-  /** A program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */
+  /** A program is over; the world and the REPL keep running until `stop`. Sent after all of the program's output. */
   | { readonly type: 'program-ended'; readonly ended: Ended; readonly device: number }
   /** The program runs again from its start: Ctrl-D at the REPL. */
   | { readonly type: 'program-restarted'; readonly device: number }
   /** The run is over; all output has been sent. The worker does nothing more. */
   | { readonly type: 'stopped' }
-  /** An `input` that this run does not take, such as one for a block that is not there: left out, the run goes on. */
+  /**
+   * An `input` that this run rejects, such as one for a block that does not exist: it is ignored, the run continues.
+   */
   | { readonly type: 'refused'; readonly message: string }
   /** The run could not start or broke inside (our fault, not the program's). */
   | { readonly type: 'failed'; readonly message: string };

@@ -17,7 +17,7 @@ async function contents(...added: readonly { readonly path: string; readonly fil
   for (const [place, name] of opened.names.entries()) {
     const answer = await reader.answer({ type: 'read', batch: 1, place });
     if (answer.type !== 'read-content') throw new Error(answer.type);
-    const { content } = structuredClone(answer); // as it comes to the page
+    const { content } = structuredClone(answer); // as it arrives at the page
     found.push([
       name,
       'handIn' in content ? content.handIn.project.files.map(({ text }) => text) : content.problem.code,

@@ -1,4 +1,4 @@
-/** Reading what was handed in, in a worker of its own: zips are unpacked and texts looked through beside the page. */
+/** Reads hand-ins, in a worker of its own: zips are unpacked and texts searched beside the page. */
 import { unread } from '#check/hand-in/unread';
 import type { Content } from '#intake/contents';
 import { openGiven, type Opened } from '#intake/file';
@@ -26,12 +26,12 @@ export type FromReader =
   | {
       readonly type: 'read-names';
       readonly names: readonly string[];
-      /** The series that came among the files: it is nobody's hand-in. `null`: there is none. */
+      /** The series found among the files: it is not a hand-in. `null`: there is none. */
       readonly series: SeriesAmong['document'] | null;
     }
   | { readonly type: 'read-content'; readonly content: Content };
 
-/** Reads what it is sent; never throws. */
+/** Reads the files it receives; never throws. */
 export class Reader {
   private readonly batches = new Map<number, readonly Source[]>();
 
@@ -51,7 +51,7 @@ export class Reader {
   }
 }
 
-/** The turn of a zip in a folder comes later. */
+/** A zip in a folder is opened later. */
 const openedAtTop = async (file: TreeFile): Promise<Opened> =>
   file.path.includes('/') ? { file, zip: null } : openGiven(file);
 

@@ -69,7 +69,7 @@ function bench(
   let taken = 0;
   const types = (): string[] => posted.map((message) => message.type);
   const send = (message: ToWorker): void => runner.receive(message);
-  /** Lets wall time pass; the page takes console batches at once when `takes`. */
+  /** Lets wall time pass; the page takes console batches immediately when `takes`. */
   async function pass(ms: number, takes = true): Promise<void> {
     await Promise.resolve();
     const untilMs = wallMs + ms;

@@ -15,10 +15,10 @@ import { FAREWELL_MS } from './stop-limits';
 import { Stops, type Debugged } from './stops';
 import { TapeBox } from './tape-box';
 
-/** What the runner needs of a `Simulation`. */
+/** The used part of a `Simulation`. */
 export interface Run extends Debugged {
   readonly nowUs: number;
-  /** How each device's program ended, in their order. */
+  /** End of each device's program, in their order. */
   readonly endings: readonly (Ended | null)[];
   /** Every program has ended. */
   readonly hasEnded: boolean;
@@ -35,7 +35,7 @@ export interface Run extends Debugged {
   dispose(): void;
 }
 
-/** The runner's surroundings, so that a test can stand in for the worker. */
+/** The runner's surroundings, so that a test can replace the worker. */
 export interface Surroundings {
   post(message: FromWorker): void;
   /** Wall clock in ms. */
@@ -62,18 +62,18 @@ export class Runner {
   private pieceUs = 4000;
   private frameWanted = false;
   private changed = true;
-  /** How each program ended, as far as the page has been told. */
+  /** End of each program, as reported to the page. */
   private toldEnds: readonly (Ended | null)[] = [];
   private ticking = false;
   private resting = false;
   private aliveAtMs = 0;
-  /** What was done while the run was being created. */
+  /** Inputs received while the run was being created. */
   private readonly early: InputMessage[] = [];
   private events = createEventBoxes(1);
   private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
   private readonly pace = new Pace();
-  /** What was printed in the present piece of simulated time: it goes to the page as one. */
+  /** Output of the current piece of simulated time: it is sent to the page as one. */
   private readonly printed: Output[] = [];
   private readonly outbox = createOutbox((output) => this.at.post({ type: 'console', output }));
 
@@ -82,7 +82,7 @@ export class Runner {
 
   constructor(private readonly at: Surroundings) {}
 
-  /** Does what a message of the page says. */
+  /** Handles a message of the page. */
   receive(message: ToWorker): void {
     switch (message.type) {
       case 'prepare':
@@ -165,7 +165,7 @@ export class Runner {
         run.input(message.action, message.device);
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
-        // Refused: none of it was done, and the run goes on as if it had not come.
+        // Rejected: none of it took effect, and the run continues as if it had not been sent.
         this.at.post({ type: 'refused', message: error.message });
       }
     });
@@ -180,7 +180,7 @@ export class Runner {
   private stop(): void {
     this.stopped = true;
     const run = this.run;
-    if (run === null) return; // still being created: start() comes back here
+    if (run === null) return; // still being created: start() returns here
     this.guarded(() => {
       if (!run.hasEnded) {
         this.stops.end(run);
@@ -220,7 +220,7 @@ export class Runner {
     });
   }
 
-  /** The program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
+  /** True if the program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
   private mayRest(run: Run): boolean {
     const isIdle = !this.pace.paused && this.hasToldEnd && run.isIdle && this.outbox.isEmpty;
     return isIdle ? this.stillness.look(run.snapshot()) : this.stillness.forget();
@@ -232,7 +232,7 @@ export class Runner {
     this.at.post({ type: 'resting' });
   }
 
-  /** Time goes on from here, not from what the wall clock says by now. */
+  /** Time continues from here, not from the current wall clock. */
   private wake(): void {
     this.resting = false;
     this.stillness.forget();
@@ -241,7 +241,7 @@ export class Runner {
 
   private advance(run: Run, untilMs: number): void {
     const limitUs = this.limitUs(run);
-    // When the program has ended, the page hears of it before the REPL says its first word.
+    // When the program has ended, the page is notified before the REPL's first output.
     while (run.nowUs < limitUs && !this.outbox.isFull && !this.hasNewEnd(run)) {
       const startMs = this.at.nowMs();
       if (startMs >= untilMs) return;
@@ -255,7 +255,7 @@ export class Runner {
     }
   }
 
-  /** A break point or a step has stopped the run: simulated time stands. */
+  /** A breakpoint or a step has stopped the run: simulated time is paused. */
   private hold(run: Run, device: number): void {
     this.changePace({ type: 'pause' });
     this.tellPicture(run);
@@ -273,7 +273,7 @@ export class Runner {
     return this.outbox.isFull ? run.nowUs : this.pace.limitUs(run.nowUs, this.at.nowMs());
   }
 
-  /** Tells the page what it is waiting for. */
+  /** Sends the page everything it is waiting for. */
   private tell(run: Run, nowMs: number): void {
     if (this.frameWanted && this.changed) {
       this.frameWanted = this.changed = false;
@@ -291,7 +291,7 @@ export class Runner {
     this.at.post({ type: 'snapshot', snapshot: run.snapshot(), trails: this.events.takeTrails() });
   }
 
-  /** The run is where it was to come: from here on it goes at its pace. */
+  /** The run has reached its target: from here on it goes at its pace. */
   private endCatchingUp(run: Run): void {
     if (!this.pace.endCatchingUp(run.nowUs)) return;
     this.stops.applyAll(run);
@@ -316,7 +316,7 @@ export class Runner {
     this.tape.setOver(this.hasToldEnd, run);
   }
 
-  /** A program has ended or begun again since the page was told last. */
+  /** A program has ended or restarted since the last report to the page. */
   private hasNewEnd({ endings }: Run): boolean {
     return endings.some((ended, device) => ended !== this.toldEnds[device]);
   }

@@ -1,4 +1,7 @@
-/** Globals that reach the network, storage or another page, or make a worker that has them again. A run needs none of them. */
+/**
+ * Globals that reach the network, storage or another page, or make a worker that has them again. A run needs none of
+ * them.
+ */
 const FORBIDDEN_GLOBALS = [
   ...['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'EventSource', 'WebTransport', 'importScripts'],
   ...['FontFace', 'fonts'], // a font is fetched

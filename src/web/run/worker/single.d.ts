@@ -1,4 +1,4 @@
-/** What the single-file build puts into the page (`vite.config.ts`, mode `single`). */
+/** The parts that the single-file build puts into the page (`vite.config.ts`, mode `single`). */
 
 /** The worker as a classic script. */
 declare module 'single:worker' {

@@ -9,7 +9,7 @@ import { createStillness } from './stillness';
 
 const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 
-/** Whether all is still, five seconds after a robot has begun to drive against the edge of the arena. */
+/** True if everything is at rest, five seconds after a robot began to drive against the edge of the arena. */
 async function isStillAfter(program: string): Promise<boolean> {
   const files = { 'main.py': `from mbrobot import *\n${program}` };
   const setup = { scene: defaultScene(), files, robot: 'maqueen-lite', board: 'auto', seed: 1, reality: 0 };

@@ -1,6 +1,9 @@
 import type { Snapshot } from '#simulation/snapshot';
 
-/** How long everything must have looked the same, in µs of simulated time. Chosen: a sinking fork moves in each step. */
+/**
+ * Time for which everything must have looked the same, in µs of simulated time. Chosen: a sinking fork moves in each
+ * step.
+ */
 const STILL_US = 500_000;
 
 /**

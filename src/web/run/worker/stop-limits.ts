@@ -3,8 +3,8 @@
  * program that is inside one long C call does not hear the interrupt; then the page ends the worker.
  */
 
-/** What a stopped program gets for its `finally`, in ms of wall time. */
+/** Time that a stopped program gets for its `finally`, in ms of wall time. */
 export const FAREWELL_MS = 50;
 
-/** How long Stop waits for the worker's answer before the page ends the worker, in ms of wall time. */
+/** Time that Stop waits for the worker's answer before the page ends the worker, in ms of wall time. */
 export const STOP_ANSWER_MS = 500;

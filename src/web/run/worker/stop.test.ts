@@ -16,8 +16,8 @@ beforeAll(() => {
 const WAIT = 'while True: pass';
 
 /**
- * Runs a program for some ms and stops it. @param lookMs what a look at the wall clock costs while it is being stopped: much
- * on a slow machine. @returns what was printed
+ * Runs a program for some ms and stops it. @param lookMs cost of a look at the wall clock while it is being stopped:
+ * high on a slow machine. @returns its output
  */
 async function printedUntilStopped(program: string, { runMs = 40, lookMs = 1 } = {}): Promise<string> {
   let wallMs = 0;

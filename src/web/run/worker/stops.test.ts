@@ -57,7 +57,7 @@ function inWorker(
   runner.receive({ type: 'prepare', firmware });
   return {
     receive: (message: ToWorker) => runner.receive(message),
-    /** Lets wall time pass until the run has come to a time. */
+    /** Lets wall time pass until the run has reached a time. */
     async until(us: number): Promise<void> {
       runner.receive({ type: 'run', setup, speed: 1, paused: false });
       while (made === null) await Promise.resolve();
@@ -158,5 +158,5 @@ describe('break points and steps in the worker', { timeout: 60_000 }, () => {
   });
 });
 
-/** Two runs that go on until the same time end their last pieces differently. */
+/** Two runs that continue until the same time end their last pieces differently. */
 const withoutTime = <T extends { nowUs: number }>({ nowUs: _, ...rest }: T) => rest;

@@ -2,7 +2,7 @@ import type { Inspected } from '#vm/debug/inspected';
 import type { StopRule } from '#vm/debug/line-watch';
 import { atBreakPoints, ruleOf, type BreakPoint, type LineStep } from '#vm/debug/stops';
 
-/** What a debugger needs of a run. */
+/** The used part of a run. */
 export interface Debugged {
   /** Place of the device whose rule has stopped the run, or `null`. */
   readonly heldBy: number | null;
@@ -12,7 +12,7 @@ export interface Debugged {
   timeOf(device: number): number;
 }
 
-/** Where a run shall stop: the break points of its devices, and after the step that is under way. */
+/** The stops of a run: the breakpoints of its devices, and the end of the current step. */
 export class Stops {
   private points: readonly (readonly BreakPoint[])[] = [];
   private step: { readonly device: number; readonly step: LineStep } | null = null;
@@ -31,14 +31,14 @@ export class Stops {
     this.apply(run, device);
   }
 
-  /** No step is under way any more. */
+  /** Ends the current step. */
   end(run: Debugged | null): void {
     const { step } = this;
     this.step = null;
     if (step !== null) this.apply(run, step.device);
   }
 
-  /** For a run that has just been made, or that has come to where it was to come. */
+  /** Applies all stops to a run that has just been made, or that has caught up. */
   applyAll(run: Debugged): void {
     for (const device of this.points.keys()) this.apply(run, device);
   }

@@ -20,7 +20,7 @@ function taping() {
   });
   let timeUs = 0;
   const snapshot = (): Snapshot => ({ timeUs }) as Snapshot;
-  /** Lets so many moments of 20 ms pass. */
+  /** Lets this number of moments of 20 ms pass. */
   const pass = (moments: number): void => {
     for (let n = 0; n < moments; n++) {
       timeUs += 20_000;

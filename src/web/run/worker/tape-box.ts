@@ -7,10 +7,10 @@ import type { FromWorker } from './protocol';
 const SHORT = 50;
 /** Time between two moments of a thin stretch, in µs. Chosen: a moment costs as much as 30 ms of a simple run, so 1.5 %. */
 const THIN_US = 2_000_000;
-/** Moments in a piece of a thin stretch. Chosen: it comes to the page every third of a second or so. */
+/** Moments in a piece of a thin stretch. Chosen: it is sent to the page every third of a second or so. */
 const THIN_MOMENTS = 15;
 
-/** What is asked of the run when all of its tape is wanted. */
+/** The part of the run that is read when all of its tape is wanted. */
 interface TapedRun {
   readonly nowUs: number;
   readonly inputLog: readonly InputEvent[];
@@ -18,9 +18,9 @@ interface TapedRun {
 }
 
 /**
- * Collects what a run shows, 50 times a second, and sends it to the page, packed. While the run goes as fast as it can, that
- * would take longer than the run itself: then it collects one moment in two seconds. The page has the others made when it wants
- * them, by running the run again.
+ * Collects the pictures of a run, 50 times a second, and sends them to the page, packed. While the run goes as fast as
+ * possible, that would take longer than the run itself: then it collects one moment in two seconds. The page obtains
+ * the others on demand, by running the run again.
  */
 export class TapeBox {
   private writer = new RowWriter();
@@ -47,7 +47,7 @@ export class TapeBox {
     if (this.moments >= most) this.keep(this.writer.finish());
   };
 
-  /** The run goes as fast as it can, or not any more. */
+  /** Notes whether the run goes as fast as possible. */
   setThin(isThin: boolean): void {
     if (isThin === (this.thinSinceUs !== null)) return;
     this.keep(this.writer.finish());
@@ -55,7 +55,7 @@ export class TapeBox {
     this.wasThin ||= isThin;
   }
 
-  /** The programs have ended: sends all there is, and from now on each second. Or they have begun anew. */
+  /** The programs have ended: sends everything, and from now on each second. Or they have restarted. */
   setOver(isOver: boolean, run: TapedRun): void {
     this.isOver = isOver;
     if (isOver) this.tellAll(run);
@@ -66,15 +66,15 @@ export class TapeBox {
     for (const piece of this.pieces.splice(0)) this.post(piece);
   }
 
-  /** Sends all there is, the last piece also if it is not full, and what was done to the run. */
+  /** Sends everything, also the last piece if it is not full, and the inputs to the run. */
   tellAll(run: TapedRun): void {
-    // Also where it stands still by now: the moments that will be missing next are those from here on.
+    // Also at the current time: the next missing moments are those from here on.
     if (this.wasThin && run.nowUs > this.lastUs) this.moment(run.snapshot());
     this.keep(this.writer.finish());
     this.tell();
     this.post({ type: 'inputs', inputs: [...run.inputLog], nowUs: run.nowUs });
     if (!this.wasThin) return;
-    // The page may put others in the place of the pieces so far: those to come must need none of them.
+    // The page may replace the pieces so far: those to follow must not depend on them.
     this.writer = new RowWriter();
     if (this.thinSinceUs !== null) this.thinSinceUs = this.lastUs;
   }

@@ -18,13 +18,13 @@ const firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 
 /** Until then each run is compared. */
 const UNTIL_US = 800_000;
-/** Until then it is disturbed; what was begun then may take some time. */
+/** It is disturbed until then; actions begun before may take some time. */
 const DISTURBED_US = 600_000;
-/** So often at most, and so often it goes on from an earlier moment. */
+/** Maximum number of disturbances, and of continuations from an earlier moment. */
 const MOST_DEEDS = 60;
 const MOST_GOING_ON = 2;
 
-/** What a run has come to. */
+/** Result of a run. */
 interface Outcome {
   readonly hash: string;
   readonly output: readonly string[];
@@ -50,7 +50,7 @@ async function undisturbed(setup: RunSetup): Promise<Outcome> {
   return outcomeOf(run, output);
 }
 
-/** A worker whose wall clock goes as the test wants, and what it has said. */
+/** A worker whose wall clock is set by the test, and its messages. */
 class Worker {
   run: Simulation | null = null;
   readonly output: string[];
@@ -83,7 +83,7 @@ class Worker {
     for (let times = 0; times < 5; times++) await Promise.resolve();
     while (this.run.nowUs < catchUpUs) {
       this.pass(1);
-      await Promise.resolve(); // the page takes what was printed
+      await Promise.resolve(); // the page takes the output
     }
   }
 
@@ -109,7 +109,7 @@ class Worker {
   }
 }
 
-/** Looks into the run at a moment, as the page does when somebody looks back. */
+/** Inspects a moment of the run, as the page does for looking back. */
 function lookedAt(setup: RunSetup, at: Instant): Promise<Look> {
   return new Promise((resolve, reject) => {
     const looker = new Looker({
@@ -125,7 +125,7 @@ function lookedAt(setup: RunSetup, at: Instant): Promise<Look> {
   });
 }
 
-/** Where a run is held, whoever looks back finds the variables that are there now. @returns whether it is held */
+/** While a run is held, looking back must find its current variables. @returns whether it is held */
 async function isSeenAgain(worker: Worker): Promise<boolean> {
   const { run, held, setup } = worker;
   if (run === null || held === null || held.timeUs !== run.timeOf(held.device)) return false;
@@ -143,10 +143,13 @@ const PRESSES: readonly InputAction[] = [
   { type: 'radio', text: 'hello' },
 ];
 
-/** What was done to all runs, by kind. */
+/** Number of disturbances of all runs, by kind. */
 const done = new Map<string, number>();
 
-/** A run to which is done what a debugger and a time line can do, at random. @returns it, and its undisturbed repetition */
+/**
+ * Runs a program while applying the actions of a debugger and a time line, at random. @returns its outcome, and that of
+ * its undisturbed repetition
+ */
 async function disturbed(setup: RunSetup, rng: Rng): Promise<readonly [Outcome, Outcome]> {
   const below = (most: number): number => rng.u32() % most;
   const anyDevice = (): number => below(setup.devices.length);

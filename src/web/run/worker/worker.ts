@@ -1,6 +1,7 @@
 /**
- * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`),
- * checks hand-ins (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
+ * The module worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks
+ * hand-ins (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). It sends and receives the messages
+ * of `protocol.ts`; all of its logic is in `runner.ts`.
  */
 import '../../page/oldest/fill';
 
@@ -20,7 +21,7 @@ import { Runner } from './runner';
 
 sealSandbox(globalThis);
 
-// A message to oneself comes back at once, but after the messages already waiting: setTimeout would add 4 ms each time.
+// A message to itself arrives immediately, but after the messages already waiting: setTimeout would add 4 ms each time.
 const channel = new MessageChannel();
 let next: (() => void) | null = null;
 channel.port1.onmessage = () => {
@@ -51,7 +52,7 @@ const looker = new Looker({
   rest: () => new Promise((resolve) => soon(resolve)),
 });
 
-/** Comes late: no run needs what it takes to read a class's programs. */
+/** Loaded on demand: no run needs the code that reads a class's programs. */
 let checker: Promise<Checker> | null = null;
 const loadChecker = (): Promise<Checker> =>
   (checker ??= import('./checker').then(
@@ -61,7 +62,7 @@ const loadChecker = (): Promise<Checker> =>
 const isForLooker = (data: Asked): data is ToLooker =>
   data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
 
-/** So does this. */
+/** Loaded on demand, too. */
 let reader: Promise<Reader> | null = null;
 const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
 

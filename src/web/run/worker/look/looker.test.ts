@@ -214,7 +214,8 @@ delay(2000)
     const main = 'print("a")\nprint()\nprint("b", 1)\nfor i in range(3):\n    print("c\\nd")\n';
     const setup = runOf(main);
     const look = lookerInto(setup);
-    // However small the pieces in which the page has run it: then the clock stands at another time when it prints.
+    // Regardless of the size of the pieces in which the page has run it: the clock then shows another time when it
+    // prints.
     for (const pieceUs of [20_000, 1_700, 300]) {
       let startUs: number | null = null;
       const run = await Simulation.create(setup, firmware, { print: () => (startUs ??= run.nowUs) });

@@ -6,20 +6,20 @@ import { STEP_US } from '#world/step';
 import type { FromLooker, Instant, Look, LookWish, ToLooker } from './protocol';
 import { Overtaken, Replays, type Bench } from './replays';
 
-/** How long before a moment its line may have begun, in µs: tried one after the other, then from the start. */
+/** Time before a moment at which its line may have begun, in µs: tried one after the other, then from the start. */
 const BEFORE_US = [500_000, 5_000_000, 50_000_000] as const;
-/** Lines before a moment whose variables are kept. Chosen: nobody goes back further line by line. */
+/** Number of lines before a moment whose variables are cached. Chosen: no one steps back further line by line. */
 const MOST_SEEN = 256;
-/** Longest time for reading the variables of lines that may not be asked for, in ms of wall time. */
+/** Longest time for reading the variables of lines that may never be requested, in ms of wall time. */
 const READING_MS = 120;
-/** Of the lines in this time before a moment, in µs, the variables are read even so. */
+/** The variables of the lines in this time before a moment, in µs, are read regardless. */
 const LAST_US = 20_000;
-/** A line that began this long ago, in µs, is still called now. Chosen: nobody sees a robot move meanwhile. */
+/** A line that began this long ago, in µs, still counts as current. Chosen: too short to see a robot move. */
 const NEAR_US = 100_000;
 /** As long, in µs, may one device be before another. */
 const APART_US = 2 * STEP_US;
 
-/** What of a run cannot change any more: its lines from one moment to another. */
+/** A part of a run that can no longer change: its lines from one moment to another. */
 interface Stretch {
   readonly device: number;
   readonly fromUs: number;
@@ -34,7 +34,7 @@ interface Seen extends Pick<LineEvent, 'file' | 'line'> {
   readonly look: Look | null;
 }
 
-/** Answers what the page wants to know of a run that has been, by running it again. */
+/** Answers the page's questions about a past run, by running it again. */
 export class Looker {
   private replays: Replays | null = null;
   private stretch: Stretch | null = null;
@@ -168,7 +168,7 @@ async function lookAt(replays: Replays, at: Instant, mayGoOn: () => boolean): Pr
   return { ...at, snapshot: run.snapshot(), variables: readerOf(run, at.device)() };
 }
 
-/** Where a step from a moment leads to. */
+/** Destination of a step from a moment. */
 async function lookAfter(
   replays: Replays,
   { at, step, untilUs }: Extract<LookWish, { kind: 'step' }>,
@@ -179,7 +179,7 @@ async function lookAfter(
   const vm = run.inspect(device);
   if (vm === null) throw new RangeError(`There is no device ${device}.`);
   const rule = ruleOf(step, vm);
-  // What begins at the end is the present: there the run itself stands.
+  // At its end the present begins: the run itself is there.
   run.watch((event) => run.timeOf(device) >= untilUs || rule(event), device);
   await orPark(replays, run, () => replays.advance(run, untilUs + APART_US, mayGoOn));
   const timeUs = run.timeOf(device);
@@ -189,7 +189,7 @@ async function lookAfter(
   return isThere ? { ...after, snapshot: run.snapshot(), variables: readerOf(run, device)() } : null;
 }
 
-/** A run that is given up on its way is parked where it is. */
+/** Parks a run at its current time if it is given up on the way. */
 async function orPark(replays: Replays, run: Simulation, way: () => Promise<void>): Promise<void> {
   try {
     await way();
@@ -199,7 +199,7 @@ async function orPark(replays: Replays, run: Simulation, way: () => Promise<void
   }
 }
 
-/** A run that stands at a moment. */
+/** Gives a run that is paused at a moment. */
 async function standAt(replays: Replays, at: Instant, mayGoOn: () => boolean): Promise<Simulation> {
   const standing = replays.standing(at);
   if (standing !== null) return standing;

@@ -1,6 +1,6 @@
 /**
- * The messages between the page and a worker that looks into a run that has been: it runs it again, up to the moment that
- * is asked for. The newest wish wins; one that a newer one has overtaken gets no answer.
+ * The messages between the page and a worker that inspects a past run: it repeats the run up to the requested moment.
+ * The newest request wins; one that a newer one has replaced gets no answer.
  */
 import type { Cause } from '#simulation/causes/causes';
 import type { CodeLine } from '#simulation/causes/output';
@@ -18,23 +18,23 @@ export interface Instant {
   readonly isLine: boolean;
 }
 
-/** What somebody wants to see of a run. */
+/** The requested view of a run. */
 export type LookWish =
   | { readonly kind: 'moment'; readonly at: Instant }
   /** The line that begins before a moment. */
   | { readonly kind: 'back'; readonly at: Instant }
-  /** Where the program is after a step from a moment, if it comes there before `untilUs`. */
+  /** Position of the program after a step from a moment, if it is reached before `untilUs`. */
   | { readonly kind: 'step'; readonly at: Instant; readonly step: LineStep; readonly untilUs: number }
   /** The line that has raised the error by which the program ended at this moment. */
   | { readonly kind: 'error'; readonly at: Instant; readonly line: number | null }
   /** The line that has set something at this moment: its beginning, or the moment if it had been at work for long. */
   | { readonly kind: 'line'; readonly at: Instant; readonly place: CodeLine };
 
-/** Whose lines are asked for: of all outputs as they are at a moment, or of a line in the console. */
+/** The question for lines: of all outputs at a moment, or of a line in the console. */
 export interface WhyWish {
   readonly device: number;
   readonly timeUs: number;
-  /** For a line in the console: how many of the device have this same time and come before. */
+  /** For a line in the console: number of the device's lines with the same time before it. */
   readonly printed?: number;
 }
 
@@ -46,11 +46,11 @@ export interface Look extends Instant {
 
 /** From the page to the worker. */
 export type ToLooker =
-  /** The run to look into: its set-up, with all that was done to it. Comes again when more was done. */
+  /** The run to inspect: its set-up, with all its inputs. Sent again when there are more. */
   | { readonly type: 'look-into'; readonly firmware: WebAssembly.Module; readonly setup: RunSetup }
   | { readonly type: 'look'; readonly ask: number; readonly wish: LookWish }
   | { readonly type: 'why'; readonly ask: number; readonly wish: WhyWish }
-  /** Somebody may want to see what was shortly before this moment: what that takes is made ready. */
+  /** The time shortly before this moment may be requested next: prepares for it. */
   | { readonly type: 'look-near'; readonly at: Instant };
 
 /** From the worker to the page. `look`: `null` if there is no such moment. */

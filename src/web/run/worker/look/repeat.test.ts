@@ -19,7 +19,7 @@ const runOf = (robot: string): RunSetup =>
     ...{ robot, board: 'microbit-v2', seed: 3, reality: 0.5 },
   });
 
-/** What the worker says, where each look at the clock takes 60 ms. */
+/** The worker's messages if each look at the clock takes 60 ms. */
 async function said(
   setup: RunSetup,
   untilUs: number,

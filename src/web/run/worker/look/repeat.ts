@@ -1,4 +1,4 @@
-/** Running a kept run again to its end, in a worker of its own: what it comes to is its proof. */
+/** Repeats a recorded run to its end, in a worker of its own: its result is the proof. */
 import type { RunOutlets } from '#simulation/outlets';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
@@ -22,7 +22,7 @@ export interface RepeatRequest {
   readonly momentsSinceUs?: number;
 }
 
-/** What a run came to, and what it showed at its first moment. */
+/** Result of a run, and its first picture. */
 export interface Repeated {
   readonly result: TapeResult;
   readonly first: Snapshot;
@@ -36,7 +36,7 @@ export type RepeatAnswer =
   | { readonly type: 'repeated'; readonly repeated: Repeated }
   | { readonly type: 'failed'; readonly message: string };
 
-/** Answers a request; never rejects. Whoever has lost patience ends the worker. */
+/** Answers a request; never rejects. To give up, end the worker. */
 export async function answerRepeat(
   { firmware, setup, untilUs, untilProgramEnds, momentsSinceUs = Infinity }: RepeatRequest,
   at: { post(message: RepeatAnswer): void; nowMs(): number },
@@ -76,7 +76,7 @@ function takeMoments(sinceUs: number) {
   };
   return {
     outlets,
-    /** All of them so far. */
+    /** All pieces so far. */
     pieces(): readonly Uint8Array[] {
       keep(writer.finish());
       return pieces;

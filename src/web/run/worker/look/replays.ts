@@ -3,26 +3,26 @@ import { Causes } from '#simulation/causes/causes';
 import { Simulation } from '#simulation/simulation';
 import type { Instant } from './protocol';
 
-/** Runs that are kept to go on from; each takes 17 MB. Chosen: one near the moment that is looked at, one before it. */
+/** Number of parked runs to continue from; each takes 17 MB. Chosen: one near the shown moment, one before it. */
 const MOST_PARKED = 2;
 /** Longest stretch without looking at messages, in ms of wall time. */
 const SLICE_MS = 12;
-/** What is run at once, in µs of simulated time: at first, at least, and at most. Chosen: fractions of a slice. */
+/** Simulated time run in one piece, in µs: at first, at least, and at most. Chosen: fractions of a slice. */
 const PIECE_US = 20_000;
 const LEAST_PIECE_US = 4000;
 const MOST_PIECE_US = 2_000_000;
 
-/** What the replays need of the worker. */
+/** The worker's services that the replays use. */
 export interface Bench {
   nowMs(): number;
   /** Lets messages in. */
   rest(): Promise<void>;
 }
 
-/** Somebody wants something newer: what was under way is given up. */
+/** A newer request has arrived: the current one was given up. */
 export class Overtaken extends Error {}
 
-/** A run that waits, and where it stands if somebody has looked at it there. */
+/** A parked run, and the moment it is at if that was inspected. */
 interface Parked {
   readonly run: Simulation;
   readonly at: Instant | null;
@@ -30,7 +30,7 @@ interface Parked {
 
 /** The same run, again and again: brought to any moment, in slices, and parked there for the next wish. */
 export class Replays {
-  /** Which lines have set what, as far as any of them has come. */
+  /** The lines that caused each output, up to the farthest point of any run. */
   readonly causes = new Causes();
   private parked: readonly Parked[] = [];
 
@@ -40,14 +40,14 @@ export class Replays {
     private readonly bench: Bench,
   ) {}
 
-  /** Whether one is parked between two times: from there the second is soon reached. */
+  /** True if one is parked between two times: from there the second is soon reached. */
   hasBetween = (fromUs: number, toUs: number): boolean =>
     this.parked.some(({ run }) => run.nowUs >= fromUs && run.nowUs <= toUs);
 
   /**
-   * A run that stands at a time, or before the first line for 0. Whoever has taken it parks it again.
+   * Gives a run that is at a time, or before the first line for 0. The caller must park it again.
    *
-   * @param mayGoOn asked between slices; when it says no, `Overtaken` is thrown
+   * @param mayGoOn called between slices; if it returns false, `Overtaken` is thrown
    */
   async at(us: number, mayGoOn: () => boolean): Promise<Simulation> {
     const before = this.parked.filter(({ run }) => run.nowUs <= us);
@@ -67,7 +67,7 @@ export class Replays {
     return Simulation.create(this.setup, this.firmware, { set: this.causes.listener() });
   }
 
-  /** Lets a run go on until a time, or until its rule stops it. */
+  /** Runs a run until a time, or until its rule stops it. */
   async advance(run: Simulation, us: number, mayGoOn: () => boolean): Promise<void> {
     let pieceUs = PIECE_US;
     let sliceMs = this.bench.nowMs();
@@ -93,7 +93,7 @@ export class Replays {
     return found?.run ?? null;
   }
 
-  /** Keeps a run to go on from, and lets the oldest go. @param at where it stands */
+  /** Parks a run to continue from, and drops the oldest. @param at the moment it is at */
   park(run: Simulation, at: Instant | null = null): void {
     for (const device of run.endings.keys()) run.watch(null, device);
     const all = [...this.parked, { run, at }];

@@ -1,10 +1,13 @@
-/** Programs of all kinds, for tests of what must hold for each. */
+/** Programs of all kinds, for tests of properties that must hold for each. */
 import type { Rng } from '#core/rng';
 
 /** A program's files by name. */
 export type ProgramFiles = Readonly<Record<string, string>>;
 
-/** Pieces that a program is put together from: what comes before the loop, and what each round does. `@` is a number of its own. */
+/**
+ * Pieces that a program is put together from: the code before the loop, and that of each round. `@` is a number of its
+ * own.
+ */
 const PIECES: readonly { readonly before: string; readonly round: string }[] = [
   {
     before: 'def fib@(k):\n    if k < 2:\n        return k\n    return fib@(k - 1) + fib@(k - 2)',
@@ -85,7 +88,7 @@ def average(values):
 `;
 const LATE = 'def square(n):\n    return n * n\nprint("late", [square(i) for i in range(3)])\n';
 
-/** What each round of a program with a robot does besides. */
+/** Additional code in each round of a program with a robot. */
 const DRIVE = `if n % 4 == 0: forward()
 elif n % 4 == 1: leftArc(0.08)
 elif n % 4 == 2: right()
