@@ -20,6 +20,7 @@ import { createLayout } from '../layout/layout-model';
 import { provideLayout, type LayoutParts } from '../layout/parts';
 import { createDialogs } from '../page/dialogs';
 import type { Language } from '../page/i18n';
+import { LateModels } from '../page/late-models';
 import { createNotices } from '../page/notices';
 import { providePage, type PageParts } from '../page/parts';
 import { DataLogModel } from '../run/data-log-model';
@@ -50,7 +51,7 @@ export type AllParts = ReturnType<typeof createParts>;
 
 /** Makes the models of all rooms and joins them: the only place that knows all. */
 export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {
-  const page = { notices: createNotices(), dialogs: createDialogs() };
+  const page = { notices: createNotices(), dialogs: createDialogs(), late: new LateModels() };
   const host = new HostView(wish);
   const settings = createSettings(
     heldSettings(wish.settings),
@@ -63,7 +64,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
     work,
     opened.storage,
     () => page.notices.show({ kind: 'error', key: 'files.storageFull' }),
-    (savedMs) => void import('../work/take-over').then(({ takeOver }) => takeOver(work, savedMs)),
+    (savedMs) => void import('../work/take-over').then(({ takeOver }) => takeOver({ ...page, work }, savedMs)),
   );
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };

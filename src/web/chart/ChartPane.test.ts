@@ -6,14 +6,12 @@ import { nextTick } from 'vue';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { startRun, show } from '../app/testing/run';
-import { chosenIds } from './chosen-curves';
 import ChartPane from './ChartPane.vue';
 
 let page: TestPage;
 let head: HTMLElement;
 beforeEach(() => {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
-  chosenIds.value = null;
   page = createPage();
   head = document.createElement('div');
   document.body.append(head);

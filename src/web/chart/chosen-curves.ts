@@ -1,5 +1,6 @@
 import { shallowRef } from 'vue';
 
+import { lateModel } from '../page/late-models';
 import { MOST_CURVES } from './plot/looks';
 import type { Series } from './series/series';
 
@@ -7,7 +8,7 @@ import type { Series } from './series/series';
 const MOST_UNITS = 2;
 
 /** The ids of the curves that somebody has chosen, for as long as the page is open; `null`: nobody has. */
-export const chosenIds = shallowRef<readonly string[] | null>(null);
+export const chosenCurves = lateModel(() => shallowRef<readonly string[] | null>(null));
 
 /** Whether a curve can come to those that are drawn. */
 export function canJoin({ unit }: Series, drawn: readonly Series[]): boolean {

@@ -4,11 +4,12 @@ import { robotTypes } from '#robots/index';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 
 import { shownLanguage, t } from '../page/i18n';
+import type { WithLate } from '../page/late-models';
 import { fillInSilently, useFilled } from '../run/fill/fill-in';
 import type { RunParts } from '../run/parts';
 import type { WorkParts } from '../work/model/parts';
 import words from './series/words';
-import { canJoin, chosenIds, drawable } from './chosen-curves';
+import { canJoin, chosenCurves, drawable } from './chosen-curves';
 import type { Curve } from './plot/chart-plot';
 import { lookAt } from './plot/looks';
 import type { Span } from './plot/span';
@@ -28,8 +29,9 @@ export interface CurveGroup {
 }
 
 /** The curves of the run for as long as the component lives. */
-export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
+export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & WithLate) {
   const { run, work } = app;
+  const chosenIds = chosenCurves(app);
   let sources: Sources = { printed: null, all: [], usual: [] };
   let timer: ReturnType<typeof setTimeout> | undefined;
   const curves = shallowRef<readonly Curve[]>([]);

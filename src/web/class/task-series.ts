@@ -1,11 +1,10 @@
 import { projectOf } from '#catalogue/course';
 import { withStart } from '#catalogue/starts';
-import type { Series, SeriesTask } from '#check/series/series';
+import type { SeriesTask } from '#check/series/series';
 import { documentOfSeriesLink } from '#intake/address';
 import type { SeriesDocument, Unreadable } from '#intake/document';
 import { seriesLinkIn } from '#intake/links';
 import type { Project } from '#project/project';
-import { shallowRef, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../page/i18n';
 import { unreadableReason } from '../share/unreadable-words';
@@ -13,35 +12,13 @@ import { courseName } from '../work/catalogue/first-course';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 
-/** The series from which a class has its task, and the id of that task. */
-export interface TaskSeries {
-  readonly series: Series;
-  readonly task: string;
-}
-
-/** The series of a class, `null` without one, and in words why another that was brought last cannot be had. */
-interface Brought {
-  readonly chosen: TaskSeries | null;
-  readonly problem: string | null;
-}
-
-/** It stays while the page is open, as the class does. */
-const brought = new WeakMap<ClassModel, ShallowRef<Brought>>();
-
-/** The series that was brought for a class last. */
-export function taskSeriesOf(model: ClassModel): ShallowRef<Brought> {
-  const known = brought.get(model) ?? shallowRef<Brought>({ chosen: null, problem: null });
-  brought.set(model, known);
-  return known;
-}
-
 /** Brings a series: its first task that can be had is the one that is checked. */
 export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable): void {
-  const known = taskSeriesOf(model);
-  if (read.kind === 'unreadable') known.value = { ...known.value, problem: unreadableReason(read) };
+  const { brought } = model;
+  if (read.kind === 'unreadable') brought.value = { ...brought.value, problem: unreadableReason(read) };
   else {
     const first = read.series.tasks.find((task) => projectIn(task) !== null);
-    known.value = { chosen: { series: read.series, task: first?.id ?? '' }, problem: null };
+    brought.value = { chosen: { series: read.series, task: first?.id ?? '' }, problem: null };
   }
 }
 

@@ -4,43 +4,34 @@ import { taskOf } from '#check/task/read-task';
 import type { Project } from '#project/project';
 
 import { t } from '../page/i18n';
+import { lateModel } from '../page/late-models';
 import { compileFirmware } from '../run/worker/firmware';
-import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
 import { askOnLeaving } from './ask-on-leaving';
 import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './model/class-model';
 import words from './words';
 
-/** The class of each work: it stays while the page is open, also when it is out of sight. */
-const classes = new WeakMap<WorkParts['work'], ClassModel>();
-const keepers = new WeakMap<ClassModel, ClassKeeper>();
-
 /** `OpenTask.from` of the work that is open in the app, of a file, of a series, and of a class that was kept. */
 export const [OPEN, FILE, SERIES, KEPT] = ['open', 'file', 'series', 'kept'];
 
-/** The class that is checked on this page. */
-export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
-  const known = classes.get(work);
-  if (known !== undefined) return known;
-  const made = new ClassModel({
-    starter: async (task) => startThread(task, await compileFirmware(), startsOf(task.project)),
-    every,
-    lanes: laneCount(),
-  });
-  classes.set(work, made);
-  return made;
-}
+/** The class that is checked on this page: it stays while the page is open, also when it is out of sight. */
+export const classOf = lateModel(
+  () =>
+    new ClassModel({
+      starter: async (task) => startThread(task, await compileFirmware(), startsOf(task.project)),
+      every,
+      lanes: laneCount(),
+    }),
+);
 
 /** What keeps it in the browser; the first time it brings back what was kept. */
-export function keeperOf(model: ClassModel): ClassKeeper {
-  const known = keepers.get(model);
-  if (known !== undefined) return known;
+export const keeperOf = lateModel((app) => {
+  const model = classOf(app);
   const keeper = new ClassKeeper(model);
   askOnLeaving(model, keeper);
-  keepers.set(model, keeper);
   return keeper;
-}
+});
 
 /**
  * Makes the task of a project the one that the class is checked for; if it is already, nothing is checked again.

@@ -1,11 +1,13 @@
 import { Compartment, type Extension } from '@codemirror/state';
 import { ViewPlugin, type EditorView } from '@codemirror/view';
 
-import type { Language } from '../page/i18n';
+import { arrival } from '../page/arrival';
+import { LANGUAGES, type Language } from '../page/i18n';
+import { memo } from '../page/memo';
 import type { HelpMaker, HelpOptions } from './help/help-options';
 
 /** What is loaded already, by language. */
-const loaded = new Map<Language, HelpMaker>();
+const loaded = memo((_: Language) => arrival<HelpMaker>());
 
 /** Completion, cards and hints cost more than the rest of the editor: they come when the editor is used, not before. */
 const USES = ['focusin', 'pointermove', 'keydown'] as const;
@@ -13,8 +15,8 @@ const USES = ['focusin', 'pointermove', 'keydown'] as const;
 /** A place for the help on the API, filled when the editor is first used. */
 export function helpSlot(options: HelpOptions): Extension {
   const slot = new Compartment();
-  const help = loaded.get(options.language);
-  if (help !== undefined) return help.make(options);
+  const help = loaded(options.language).value;
+  if (help !== null) return help.make(options);
   return [slot.of([]), ViewPlugin.define((view) => waitForUse(view, () => fill(view, slot, options)))];
 }
 
@@ -29,15 +31,15 @@ function waitForUse(view: EditorView, use: () => Promise<void>): { destroy(): vo
   };
   for (const name of USES) view.dom.addEventListener(name, first, { passive: true });
   // It was made again while in use, for instance when the language changed.
-  if (loaded.size > 0 || view.hasFocus) queueMicrotask(first);
+  if (LANGUAGES.some((language) => loaded(language).value !== null) || view.hasFocus) queueMicrotask(first);
   return { destroy: stop };
 }
 
 async function fill(view: EditorView, slot: Compartment, options: HelpOptions): Promise<void> {
   const { language } = options;
   const before = view.state.doc;
-  const help = loaded.get(language) ?? (await (await import('./help/help')).loadHelp(language));
-  loaded.set(language, help);
+  const help = loaded(language).value ?? (await (await import('./help/help')).loadHelp(language));
+  loaded(language).come(help);
   // The editor may show another file by now, or another language; their slots are their own.
   const now = slot.get(view.state);
   if (!Array.isArray(now) || now.length > 0) return;

@@ -1,6 +1,8 @@
 import { countColumn, RangeSetBuilder, type Extension } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin, type DecorationSet, type ViewUpdate } from '@codemirror/view';
 
+import { memo } from '../page/memo';
+
 /** Indentation of the continuation of a wrapped line, in columns. Chosen: it cannot be mistaken for an indent. */
 const FURTHER = 2;
 /** A line that is indented more than this begins below as if it were not: a phone has little more. */
@@ -15,15 +17,11 @@ export function restColumn(text: string, tabSize: number): number {
 /** The padding of a line at its left, as in the editor's look, px. */
 const PADDING_PX = 6;
 
-const marks = new Map<number, Decoration>();
-function markFor(column: number): Decoration {
-  const known = marks.get(column);
-  if (known !== undefined) return known;
-  const style = `padding-left:calc(${PADDING_PX}px + ${column}ch);text-indent:-${column}ch`;
-  const mark = Decoration.line({ attributes: { style } });
-  marks.set(column, mark);
-  return mark;
-}
+const markFor = memo((column: number) =>
+  Decoration.line({
+    attributes: { style: `padding-left:calc(${PADDING_PX}px + ${column}ch);text-indent:-${column}ch` },
+  }),
+);
 
 function marksIn({ state, visibleRanges }: EditorView): DecorationSet {
   const builder = new RangeSetBuilder<Decoration>();

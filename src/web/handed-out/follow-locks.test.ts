@@ -19,7 +19,7 @@ async function maker(lines: readonly number[]) {
     (page.work.work.value.project.task?.['locks'] as { lines?: unknown } | undefined)?.lines;
   const write = (text: string): void => page.work.setText('main.py', text, true);
   const said = (): unknown => page.notices.current.value?.values?.['text'];
-  return { ...page, locked, write, said };
+  return { page, work: page.work, locked, write, said };
 }
 beforeEach(() => sessionStorage.clear());
 
@@ -34,20 +34,20 @@ describe('the start program of a task that is being made', () => {
   });
 
   it('says which lock has lost its line, until it is back', async () => {
-    const { work, locked, write, said } = await maker([3, 4]);
+    const { page, locked, write, said } = await maker([3, 4]);
     write(PROGRAM.replace('    robot.left(90)\n', ''));
-    expect([locked(), lostLocks(work).value]).toEqual([[3], ['    robot.left(90)']]);
+    expect([locked(), lostLocks(page).value]).toEqual([[3], ['    robot.left(90)']]);
     expect(said()).toContain('robot.left(90)');
     write(PROGRAM);
-    expect([locked(), lostLocks(work).value, said()]).toEqual([[3, 4], [], undefined]);
+    expect([locked(), lostLocks(page).value, said()]).toEqual([[3, 4], [], undefined]);
   });
 
   it('has no locks left when all lines are gone, and forgets what was lost with another task', async () => {
-    const { work, locked, write } = await maker([3]);
+    const { page, work, locked, write } = await maker([3]);
     write('');
-    expect([locked(), lostLocks(work).value]).toEqual([undefined, ['def turn():']]);
+    expect([locked(), lostLocks(page).value]).toEqual([undefined, ['def turn():']]);
     work.openProject({ ...work.work.value.project, task: { version: 1, locks: { lines: [1] } } }, null);
-    expect(lostLocks(work).value).toEqual([]);
+    expect(lostLocks(page).value).toEqual([]);
     write(PROGRAM);
     expect(locked()).toEqual([5]);
   });

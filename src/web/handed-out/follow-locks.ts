@@ -1,4 +1,4 @@
-import { shallowRef, watch, type ShallowRef } from 'vue';
+import { shallowRef, watch } from 'vue';
 
 import { locksOf } from '#check/task/read-task';
 import { isSame } from '#core/same';
@@ -6,25 +6,20 @@ import type { Stop } from '#core/stop';
 import type { Carried } from '#project/project';
 
 import { t } from '../page/i18n';
+import { lateModel } from '../page/late-models';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
-import type { WorkModel } from '../work/model/work-model';
 import words from './words';
 import { mainText } from './main-text';
 import { followLines } from './follow-lines';
 
-const lostOf = new WeakMap<WorkModel, ShallowRef<readonly string[]>>();
-
 /** The texts of locked lines that are gone from the start program since the task was opened. */
-export function lostLocks(work: WorkModel): ShallowRef<readonly string[]> {
-  const lost = lostOf.get(work) ?? shallowRef<readonly string[]>([]);
-  lostOf.set(work, lost);
-  return lost;
-}
+export const lostLocks = lateModel(() => shallowRef<readonly string[]>([]));
 
 /** Keeps the locks on the lines of a task that is being made, while its start program goes on being written. */
-export function followLocks({ work, notices }: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>): Stop {
-  const lost = lostLocks(work);
+export function followLocks(app: Pick<PageParts, 'notices' | 'late'> & Pick<WorkParts, 'work'>): Stop {
+  const { work, notices } = app;
+  const lost = lostLocks(app);
   const stop = watch(
     () => work.work.value.project,
     (now, before) => {

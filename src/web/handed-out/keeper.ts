@@ -31,7 +31,7 @@ import { wholePastes } from './whole-pastes';
 import { isMadeWith } from './with-tools';
 
 /** What a keeper needs of the page. */
-export type KeptPage = Pick<PageParts, 'notices'> &
+export type KeptPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   Pick<CourseEditorParts, 'editor' | 'panels'>;

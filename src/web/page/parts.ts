@@ -1,9 +1,10 @@
 import type { DialogsModel } from './dialogs';
+import type { WithLate } from './late-models';
 import type { NoticesModel } from './notices';
 import { part } from './part';
 
 /** What any part of the page may say or ask. */
-export interface PageParts {
+export interface PageParts extends WithLate {
   readonly notices: NoticesModel;
   readonly dialogs: DialogsModel;
 }

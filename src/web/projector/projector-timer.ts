@@ -1,5 +1,7 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
+import { lateModel } from '../page/late-models';
+import type { RunParts } from '../run/parts';
 import type { SoundPlayer } from '../run/sound/sound-player';
 import { CountDown } from './count-down';
 import { readKept, writeKept } from './kept-timer';
@@ -13,17 +15,8 @@ export interface ProjectorTimer {
   switchSound(on: boolean): void;
 }
 
-/** One for each sound system: it goes on while the projector view is left. */
-const timers = new WeakMap<SoundPlayer, ProjectorTimer>();
-
-/** The timer of this page, made when the projector view is opened for the first time. */
-export function timerOf(sound: SoundPlayer): ProjectorTimer {
-  const known = timers.get(sound);
-  if (known !== undefined) return known;
-  const made = createTimer(sound);
-  timers.set(sound, made);
-  return made;
-}
+/** The timer of this page, made when the projector view is opened for the first time; it goes on while that is left. */
+export const timerOf = lateModel(({ sound }: Pick<RunParts, 'sound'>) => createTimer(sound));
 
 function createTimer(sound: SoundPlayer): ProjectorTimer {
   const kept = readKept();

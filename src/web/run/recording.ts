@@ -39,6 +39,10 @@ export class Recording {
   told = { pieces: 0, untilUs: 0 };
   /** The output of the programs, oldest first, as it arrived; when there is too much, the oldest half is dropped. */
   output: readonly Output[] = [];
+  /** Missing moments are being made; `null`: they are not. */
+  filling: Promise<void> | null = null;
+  /** Until when they were to be made, where somebody gave that up. */
+  givenUpUs: number | null = null;
   /** Pieces of output that are gone. */
   outputGone = 0;
   private readonly asking: ShallowRef<Asked | null> = shallowRef(null);

@@ -6,6 +6,7 @@ import { readTasks } from '#intake/read-files';
 import { seriesDocument } from '#intake/text';
 
 import { t } from '../page/i18n';
+import type { WithLate } from '../page/late-models';
 import { shownAndKept, type FoundSeries } from '../share/open-series';
 import shareWords from '../share/words';
 import { keptSeries, seriesFrom } from '../task/series/kept-series';
@@ -19,15 +20,15 @@ import words from './words';
  *
  * @param from the address behind `#`: `s=…`, `series=ADDRESS`, `series/ID`
  */
-export async function findSeries(from: string): Promise<FoundSeries> {
-  if (isSeriesLink(from)) return shownAndKept(documentOfSeriesLink(from, readyScene));
-  if (from.startsWith('series=')) return fetchSeries(decoded(from.slice('series='.length)));
-  const series = await keptSeries(from.slice('series/'.length));
+export async function findSeries(app: WithLate, from: string): Promise<FoundSeries> {
+  if (isSeriesLink(from)) return shownAndKept(app, documentOfSeriesLink(from, readyScene));
+  if (from.startsWith('series=')) return fetchSeries(app, decoded(from.slice('series='.length)));
+  const series = await keptSeries(app, from.slice('series/'.length));
   return series === null ? { problem: t(words.notKept) } : { series };
 }
 
 /** From the page's own web server alone: its content policy lets it reach no other. */
-async function fetchSeries(given: string): Promise<FoundSeries> {
+async function fetchSeries(app: WithLate, given: string): Promise<FoundSeries> {
   const url = urlOf(given, location.href.replace(/#.*/, ''));
   if (url === null) return { problem: t(words.badAddress, { address: given }) };
   if (!/^https?:$/.test(location.protocol)) return { problem: t(words.noServer) };
@@ -38,14 +39,14 @@ async function fetchSeries(given: string): Promise<FoundSeries> {
     return series === null ? { problem: loaded.problem } : { series, isOld: true };
   }
   const document = seriesDocument(parseSeries(loaded.text, readyScene));
-  if (document.kind === 'unreadable') return shownAndKept(document);
+  if (document.kind === 'unreadable') return shownAndKept(app, document);
   const series = await readTasks(document.series, async (file) => {
     const place = urlOf(file, url.href);
     if (place === null || place.origin !== url.origin)
       return { problem: t(words.foreign, { host: place?.host ?? file }) };
     return textAt(place);
   });
-  return shownAndKept({ ...document, series }, url.href);
+  return shownAndKept(app, { ...document, series }, url.href);
 }
 
 async function textAt(url: URL): Promise<{ readonly text: string } | { readonly problem: string }> {

@@ -3,6 +3,7 @@ import { shallowRef, watch, type ShallowRef } from 'vue';
 import { freeTaskId, seriesLimits, type Series, type SeriesTask } from '#check/series/series';
 import { hexOf } from '#core/hex';
 
+import { lateModel } from '../page/late-models';
 import { keepDraft, keptDraft } from '../task/series/kept-series';
 
 /** After typing, only its end is written. Chosen, in ms. */
@@ -29,15 +30,10 @@ const newId = (): string => hexOf(crypto.getRandomValues(new Uint8Array(4)));
 /** Without a name and tasks. What pupils have done of one series has nothing to do with another. */
 export const emptySeries = (): Series => ({ id: newId(), title: '', text: '', tasks: [] });
 
-let made: SeriesDraft | null = null;
-
 /** The draft of this page. */
-export function seriesDraft(): SeriesDraft {
-  made ??= createDraft();
-  return made;
-}
+export const seriesDraft = lateModel(() => createDraft());
 
-export function createDraft(): SeriesDraft {
+function createDraft(): SeriesDraft {
   const series = shallowRef(emptySeries());
   let timer: ReturnType<typeof setTimeout> | undefined;
   let isTouched = false;

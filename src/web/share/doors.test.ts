@@ -9,7 +9,7 @@ import { contentOf, listSources } from '#intake/sources';
 import { mountOn } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { ClassModel } from '../class/model/class-model';
-import { bringLink, taskSeriesOf } from '../class/task-series';
+import { bringLink } from '../class/task-series';
 import TaskChoice from '../class/TaskChoice.vue';
 import { treeFile } from '../page/files/added-files';
 import { setLanguage, t } from '../page/i18n';
@@ -112,7 +112,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
     picker.dispatchEvent(new Event('change'));
     await soon(() => {
       const refusal = shown.find('[role="alert"]');
-      const isSeries = taskSeriesOf(model).value.chosen !== null;
+      const isSeries = model.brought.value.chosen !== null;
       expect(isSeries ? 'series' : refusal.exists() ? refusal.text() : model.task.value?.name).toContain(asTask);
     });
   });

@@ -2,6 +2,7 @@ import type { Series, TaskSource } from '#check/series/series';
 import { seriesForPupils } from '#check/series/write-series';
 import type { SeriesDocument, Unreadable } from '#intake/document';
 
+import type { WithLate } from '../page/late-models';
 import type { PageParts } from '../page/parts';
 import { keepSeries } from '../task/series/kept-series';
 import { unreadableReason } from './unreadable-words';
@@ -16,19 +17,23 @@ export type FoundSeries = { readonly series: Series; readonly isOld?: true } | {
 
 /** Shows a series that came in files; one that cannot be read gives a message. */
 export async function openSeries(
-  app: Pick<PageParts, 'notices'> & ShowsSeries,
+  app: Pick<PageParts, 'notices' | 'late'> & ShowsSeries,
   document: SeriesDocument | Unreadable,
 ): Promise<void> {
-  const found = await shownAndKept(document);
+  const found = await shownAndKept(app, document);
   if ('series' in found) app.gallery.openSeries(found.series.id);
   else app.notices.show({ kind: 'error', key: 'notice.text', values: { text: found.problem } });
 }
 
 /** A series as the page shows it, kept in this browser. @param address where it was fetched from */
-export async function shownAndKept(document: SeriesDocument | Unreadable, address?: string): Promise<FoundSeries> {
+export async function shownAndKept(
+  app: WithLate,
+  document: SeriesDocument | Unreadable,
+  address?: string,
+): Promise<FoundSeries> {
   if (document.kind === 'unreadable') return { problem: unreadableReason(document) };
   const series = shownSeries(document.series);
-  await keepSeries(series, address);
+  await keepSeries(app, series, address);
   return { series };
 }
 

@@ -33,7 +33,7 @@ describe('what closed tabs have left', () => {
     leave('two', 4000, work('c', [earlier('b', 3000)]));
     const page = createPage();
     page.work.work.value = { ...page.work.work.value, previous: [earlier('mine', 3500)] };
-    await takeOver(page.work, 9000);
+    await takeOver(page, 9000);
     expect(textsOf(page)).toEqual([['a', 5000], ['c', 4000], ['mine', 3500], ['b', 3000]]); // prettier-ignore
   });
 
@@ -46,7 +46,7 @@ describe('what closed tabs have left', () => {
     vi.stubGlobal('navigator', { locks: { query: () => Promise.resolve(held) } });
     page.work.openProject(work('c').project, null);
     leave('last', 6000, work('d'));
-    await takeOver(page.work, 9000);
+    await takeOver(page, 9000);
     expect(textsOf(page)).toEqual([['d', 6000]]);
   });
 
@@ -56,7 +56,7 @@ describe('what closed tabs have left', () => {
     const text = stamped(workToText(work('new', [], 'forward-maqueen')), 6000);
     entries.set('work.one', { name: 'work.one', text, usedMs: 6000 });
     const page = createPage();
-    await takeOver(page.work, 9000);
+    await takeOver(page, 9000);
     expect(textsOf(page)).toEqual([['new', 6000]]);
     expect(programsOf(page.work, 'forward-maqueen').last?.files[0]?.[0]?.text).toBe('new');
   });
@@ -65,10 +65,10 @@ describe('what closed tabs have left', () => {
     leave('one', 5000, work('a'));
     localStorage.setItem('parcours.copy.two', '{');
     const hosted = createPage({ keepsWork: false });
-    await takeOver(hosted.work, 9000);
+    await takeOver(hosted, 9000);
     expect(textsOf(hosted)).toEqual([]);
     const page = createPage();
-    await takeOver(page.work, 9000);
+    await takeOver(page, 9000);
     expect(textsOf(page)).toEqual([['a', 5000]]);
   });
 });

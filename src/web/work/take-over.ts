@@ -11,6 +11,8 @@ import { wholeWork } from './storage/large-work';
 import { workFromText } from './storage/read-work';
 import { copiesOf, newer, tabName } from './storage/tab-storage';
 import { courseName } from './catalogue/first-course';
+import { lateModel, type WithLate } from '../page/late-models';
+import type { WorkParts } from './model/parts';
 import type { WorkModel } from './model/work-model';
 import { nameWithFile } from './work-name';
 import { isOurs } from './use-courses';
@@ -18,16 +20,15 @@ import { isOurs } from './use-courses';
 /** Before the name of a tab that is open: see `keep-work.ts`. */
 const LOCK = 'parcours.tab.';
 
-const taken = new WeakMap<WorkModel, Promise<void>>();
+const takingOver = lateModel((): { going?: Promise<void> } => ({}));
 
 /** Puts what closed tabs have left among the earlier works of this one, once. A page that keeps nothing takes nothing. */
-export function takeOver(work: WorkModel, nowMs: number): Promise<void> {
-  const known = taken.get(work);
-  if (known !== undefined) return known;
-  const going = work.programs === null ? Promise.resolve() : leftWorks(nowMs).then((left) => put(work, left));
-  const safe = going.catch(() => undefined); // a browser that forbids storage has left nothing
-  taken.set(work, safe);
-  return safe;
+export function takeOver(app: Pick<WorkParts, 'work'> & WithLate, nowMs: number): Promise<void> {
+  const { work } = app;
+  if (work.programs === null) return Promise.resolve();
+  return (takingOver(app).going ??= leftWorks(nowMs)
+    .then((left) => put(work, left))
+    .catch(() => undefined)); // a browser that forbids storage has left nothing
 }
 
 function put(work: WorkModel, left: readonly Previous[]): void {

@@ -3,6 +3,7 @@ import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
+import { once } from '../../page/memo';
 import { drawPill } from '../picture/draw-pill';
 import { normalAngle } from './hand-gesture';
 import type { Palette } from '../model/palette';
@@ -17,7 +18,7 @@ export interface Ring {
   readonly turning: boolean;
 }
 
-let rotateIcon: Path2D | null = null;
+const rotateIcon = once(() => new Path2D(mdiRotateRight));
 
 /** Draws the ring and its knob. */
 export function drawRing(context: CanvasRenderingContext2D, view: View, ring: Ring, palette: Palette): void {
@@ -46,13 +47,12 @@ export function drawRing(context: CanvasRenderingContext2D, view: View, ring: Ri
   context.strokeStyle = palette.hand;
   circle(context, ring.knobPx, 12);
   context.stroke();
-  rotateIcon ??= new Path2D(mdiRotateRight);
   context.save();
   context.translate(ring.knobPx.x, ring.knobPx.y);
   context.scale(0.64, 0.64);
   context.translate(-12, -12);
   context.fillStyle = ring.turning ? palette.handGround : palette.hand;
-  context.fill(rotateIcon);
+  context.fill(rotateIcon());
   context.restore();
 }
 

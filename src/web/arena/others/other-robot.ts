@@ -2,6 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { RobotStart } from '#scene/scene';
 import { defaultScene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
+import { memoOf } from '../../page/memo';
 import type { ArenaRobot, RobotLook } from '../model/arena-model';
 import { bumperAtStart, robotAtStart } from '../picture/arranged';
 import { attachmentsAtStart } from '../robot/draw-attachments';
@@ -36,16 +37,8 @@ export function circleAround(pose: Pose, body: RobotLook['body'], scale: number)
   };
 }
 
-const circles = new WeakMap<RobotLook['body'], ReturnType<typeof measured>>();
-
 /** The circle in the robot's own frame, in mm; measured once, as it is needed many times a frame. */
-function ownCircle(body: RobotLook['body']): ReturnType<typeof measured> {
-  const circle = circles.get(body) ?? measured(body);
-  circles.set(body, circle);
-  return circle;
-}
-
-function measured(body: RobotLook['body']) {
+const ownCircle = memoOf((body: RobotLook['body']) => {
   const corners = body.outlineMm.flat();
   const middle = (axis: 'x' | 'y'): number => {
     const all = corners.map((corner) => corner[axis]);
@@ -53,4 +46,4 @@ function measured(body: RobotLook['body']) {
   };
   const [x, y] = [middle('x'), middle('y')];
   return { x, y, radius: Math.max(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y))) };
-}
+});

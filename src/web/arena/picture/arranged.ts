@@ -3,6 +3,7 @@ import type { OptionValues } from '#core/option';
 import type { RobotState } from '#robots/robot';
 import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
+import { memoOf } from '../../page/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import { placedBlock } from './kinds/block';
 
@@ -42,15 +43,10 @@ export function arranged(
   return { robot: snapshot === null ? robotAtStart(scene, carried) : snapshot.robot, blocks };
 }
 
-const known = new WeakMap<Scene['objects'], readonly PlacedBlock[]>();
-
 /** The blocks that can be pushed, where they start. A course is looked through once, not for every picture of a run. */
-function blocksOf(objects: Scene['objects']): readonly PlacedBlock[] {
-  const found =
-    known.get(objects) ?? objects.filter((object): object is Block => object.type === 'block').map(placedBlock);
-  known.set(objects, found);
-  return found;
-}
+const blocksOf = memoOf((objects: Scene['objects']): readonly PlacedBlock[] =>
+  objects.filter((object): object is Block => object.type === 'block').map(placedBlock),
+);
 
 /** Whether all blocks lie where they lay. */
 export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlock[]): boolean {

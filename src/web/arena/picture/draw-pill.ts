@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { createShelf } from '../../page/drawing/shelf';
+import { once } from '../../page/memo';
 import { canvasFont, type Palette } from '../model/palette';
 import type { CanvasSize } from '../view/view-transform';
 
@@ -48,11 +49,11 @@ function pillOf(text: string, look: PillLook, ink: string, ratio: number): Pill 
 const fontOf = ({ fontPx }: PillLook): string => `600 ${String(fontPx)}px ${canvasFont}`;
 
 /** Only measures. */
-let ruler: CanvasRenderingContext2D | null = null;
+const rulerOnce = once(() => document.createElement('canvas').getContext('2d'));
 
 /** With room for the round ends. */
 function widthOf(text: string, look: PillLook): number {
-  ruler ??= document.createElement('canvas').getContext('2d');
+  const ruler = rulerOnce();
   if (ruler === null) return 0;
   ruler.font = fontOf(look);
   return Math.ceil(ruler.measureText(text).width) + look.height - 2;

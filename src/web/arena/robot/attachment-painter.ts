@@ -8,6 +8,7 @@
 import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
+import { memoOf } from '../../page/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import { formPath } from '../picture/kinds/shape-path';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
@@ -64,24 +65,18 @@ interface Workshop {
   readonly sonar: { readonly head: DrawnPart; readonly body: SpriteShelf } | null;
 }
 
-const workshops = new WeakMap<RobotPainting, Workshop>();
-
 /** The sprites for one kind of robot, made once. */
-function workshopOf(painting: RobotPainting): Workshop {
-  const known = workshops.get(painting);
-  if (known !== undefined) return known;
+const workshopOf = memoOf((painting: RobotPainting): Workshop => {
   const spritesOf = ({ svg, viewBox }: Pick<AttachmentPart, 'svg' | 'viewBox'>): SpriteShelf =>
     createSpriteShelf({ svg, viewBox }, painting.redraw);
   const drawn = (part: AttachmentPart): DrawnPart => ({ part, sprites: spritesOf(part) });
   const parts = Object.entries(attachmentDrawings).map(([id, svg]) => [id, partsOf(svg).map(drawn)] as const);
   const sonar = sonarOf(painting.drawing);
-  const made: Workshop = {
+  return {
     parts: new Map(parts),
     sonar: sonar === null ? null : { head: drawn(sonar.head), body: spritesOf(sonar.body) },
   };
-  workshops.set(painting, made);
-  return made;
-}
+});
 
 /** The sprites of the robot's body: without the distance sensor where a servo turns it, which is drawn apart. */
 export function bodySprites({ state }: ArenaRobot, painting: RobotPainting): SpriteShelf {

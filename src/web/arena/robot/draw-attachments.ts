@@ -3,29 +3,29 @@ import { attachmentTitles } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { OptionValues } from '#core/option';
 import type { RobotState } from '#robots/robot';
+import { arrival } from '../../page/arrival';
+import { fetchedOnce } from '../../page/memo';
 import type * as attachmentPainterFile from './attachment-painter';
 import type { RobotPainting } from './robot-painting';
 
 /** The module that draws attachments; loaded with the first one, as most robots carry none. */
 type Painter = typeof attachmentPainterFile;
 
-let painter: Painter | null = null;
-let coming: Promise<Painter> | null = null;
+const painter = arrival<Painter>();
+const fetchPainter = fetchedOnce(() => import('./attachment-painter'));
 
 /** The painter for this robot's attachments; `null` without any, or while it is loading. */
 export function attachmentPainter(state: RobotState, painting: RobotPainting): Painter | null {
   if (state.attachments.length === 0) return null;
-  if (painter === null) {
-    coming ??= import('./attachment-painter');
-    coming.then(
+  if (painter.value === null)
+    fetchPainter().then(
       (loaded) => {
-        painter = loaded;
+        painter.come(loaded);
         painting.redraw();
       },
-      () => (coming = null), // offline: tried again with the next picture
+      () => undefined, // offline: tried again with the next picture
     );
-  }
-  return painter;
+  return painter.value;
 }
 
 /**

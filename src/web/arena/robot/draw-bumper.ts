@@ -1,4 +1,5 @@
 import type { RobotState } from '#robots/robot';
+import { memoOf } from '../../page/memo';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf, type RobotSprite, type SpriteShelf } from './robot-sprite';
 
@@ -18,21 +19,16 @@ interface Half {
   readonly pressed: SpriteShelf;
 }
 
-const bumpers = new WeakMap<RobotPainting, Bumper>();
-
-/** Created when a robot first carries its bumper. */
-function bumperOf(painting: RobotPainting): Bumper | null {
-  const known = bumpers.get(painting);
+/** Made when a robot first carries its bumper. */
+const bumperOf = memoOf((painting: RobotPainting): Bumper | null => {
   const { bumper, viewBox } = painting.drawing;
-  if (known !== undefined || bumper === null) return known ?? null;
+  if (bumper === null) return null;
   const halfOf = (svg: string): Half => ({
     resting: createSpriteShelf({ svg, viewBox }, painting.redraw),
     pressed: createSpriteShelf({ svg, viewBox }, painting.redraw, PRESSED_TINT),
   });
-  const made = { left: halfOf(bumper.left), right: halfOf(bumper.right) };
-  bumpers.set(painting, made);
-  return made;
-}
+  return { left: halfOf(bumper.left), right: halfOf(bumper.right) };
+});
 
 /** A half of the bumper in its current state. */
 export interface BumperSprite {

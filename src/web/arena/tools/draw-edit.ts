@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark, ToolId } from '#editor/tools/tool';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
+import { memo } from '../../page/memo';
 import { drawCrosshair, drawHandle, drawMark, drawSelected } from './draw-marks';
 import type { MarkFrame } from './mark-frame';
 import { drawObject } from '../picture/kinds/index';
@@ -149,13 +150,7 @@ function drawFinger(context: CanvasRenderingContext2D, { view, palette }: EditFr
   context.restore();
 }
 
-const signs = new Map<ToolId, Path2D>();
-
-function signOf(tool: ToolId): Path2D {
-  const sign = signs.get(tool) ?? new Path2D(toolSigns[tool]);
-  signs.set(tool, sign);
-  return sign;
-}
+const signOf = memo((tool: ToolId) => new Path2D(toolSigns[tool]));
 
 /** The objects of a course with these ids. */
 export function objectsById(scene: Scene, ids: readonly string[]): readonly SceneObject[] {

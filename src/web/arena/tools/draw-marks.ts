@@ -2,6 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { Handle, Mark } from '#editor/tools/tool';
 import type { SceneObject } from '#scene/scene';
 import { mdiRotateRight } from '@mdi/js';
+import { once } from '../../page/memo';
 import { drawDistance, drawGuide } from './draw-guides';
 import { outlinePath } from '../picture/draw-outline';
 import type { Palette } from '../model/palette';
@@ -202,17 +203,16 @@ export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, 
     context.stroke();
   }
   if (handle.kind === 'rotate') {
-    rotateIcon ??= new Path2D(mdiRotateRight);
     context.translate(at.x, at.y);
     context.scale(0.58, 0.58);
     context.translate(-12, -12);
     context.fillStyle = palette.hand;
-    context.fill(rotateIcon);
+    context.fill(rotateIcon());
   }
   context.restore();
 }
 
-let rotateIcon: Path2D | null = null;
+const rotateIcon = once(() => new Path2D(mdiRotateRight));
 
 /** Draws the crosshair of the keyboard; `isDown`: it draws. */
 export function drawCrosshair(context: CanvasRenderingContext2D, frame: MarkFrame, atMm: Vec, isDown: boolean): void {

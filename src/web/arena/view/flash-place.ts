@@ -1,5 +1,6 @@
 import { watch, type WatchSource } from 'vue';
 import type { Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 
 /** Time for which a place is pointed out, in ms. */
 const FLASH_MS = 2600;
@@ -12,17 +13,14 @@ const PULSE: Keyframe[] = [
   { transform: 'translate(-50%, -50%) scale(1)', opacity: 0 },
 ];
 
-/** Takes the ring away that points at a place now. */
-let stopBefore: () => void = () => undefined;
-
 /**
- * Points out a place in the arena with a ring for some seconds; one place at a time.
+ * Points out a place in the arena with a ring for some seconds.
  *
  * @param place its current position, in CSS px from the host's upper left corner
  * @param moved source to watch: `place` is called again when it changes
+ * @returns removes it early
  */
-export function flashAt(host: HTMLElement, place: () => Vec, moved: WatchSource): void {
-  stopBefore();
+export function flashAt(host: HTMLElement, place: () => Vec, moved: WatchSource): Stop {
   const ring = document.createElement('div');
   ring.setAttribute('aria-hidden', 'true');
   ring.dataset['testid'] = 'flash';
@@ -46,5 +44,5 @@ export function flashAt(host: HTMLElement, place: () => Vec, moved: WatchSource)
     ring.remove();
   };
   const timer = setTimeout(stop, FLASH_MS);
-  stopBefore = stop;
+  return stop;
 }

@@ -87,6 +87,7 @@ export function useArenaView(
   const canvas = shallowRef<CanvasSize>({ widthPx: 600, heightPx: 450 });
   const view = shallowRef(fitView(arena(), canvas.value));
   const pixelRatio = useDevicePixelRatio();
+  const flash = createFlash();
   let fitted = true;
   const fit = (): void => {
     fitted = true;
@@ -176,12 +177,18 @@ function looks({
   };
 }
 
-/** The pointing ring is loaded when it is first wanted. */
-function flash(host: HTMLElement, place: () => Vec, view: ShallowRef<View>): void {
-  import('./flash-place').then(
-    ({ flashAt }) => flashAt(host, place, view),
-    () => undefined, // without a connection the place is in sight all the same
-  );
+/** Loads the pointing ring when it is first wanted. It points out one place at a time. */
+function createFlash(): (host: HTMLElement, place: () => Vec, view: ShallowRef<View>) => void {
+  let stop: Stop = () => undefined;
+  return (host, place, view) => {
+    import('./flash-place').then(
+      ({ flashAt }) => {
+        stop();
+        stop = flashAt(host, place, view);
+      },
+      () => undefined, // without a connection the place is in sight all the same
+    );
+  };
 }
 
 function useElementSize(host: Readonly<ShallowRef<HTMLElement | null>>, resized: (size: CanvasSize) => void): void {

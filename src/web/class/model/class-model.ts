@@ -5,6 +5,7 @@ import { unread } from '#check/hand-in/unread';
 import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
 import { classResult, type ClassResult } from '#check/report/class-result';
 import { unreadable, type CheckResult } from '#check/result';
+import type { Series } from '#check/series/series';
 import type { ClassTask } from '#check/task/task';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
@@ -16,6 +17,14 @@ export interface OpenTask {
   /** Where it is from: the work that is open in the app, a file, or a ready course by its id. */
   readonly from: string;
   readonly task: ClassTask;
+}
+
+/** The series that was brought last, with the id of the task that is checked. */
+export interface Brought {
+  /** `null`: there is none. */
+  readonly chosen: { readonly series: Series; readonly task: string } | null;
+  /** Why another one that was brought later cannot be had, in words. */
+  readonly problem: string | null;
 }
 
 /** Somebody's hand-in on the page. */
@@ -45,6 +54,7 @@ export interface ClassPorts {
 /** A class: the task, what was handed in, and what became of it. It stays while the page is open. */
 export class ClassModel {
   readonly task = shallowRef<OpenTask | null>(null);
+  readonly brought: ShallowRef<Brought> = shallowRef({ chosen: null, problem: null });
   readonly rows: ShallowRef<readonly Row[]> = shallowRef([]);
   readonly isChecking = shallowRef(false);
   /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */

@@ -1,6 +1,6 @@
 import { shallowRef } from 'vue';
 
-import type { ClassModel } from '../model/class-model';
+import { lateModel } from '../../page/late-models';
 import { Lots, type Naming, type WallOrder } from './wall-cards';
 
 /** What the wall shows of the hand-ins: a card for each, or the ways of all in one picture. */
@@ -14,11 +14,5 @@ export class WallState {
   readonly lots = new Lots();
 }
 
-const states = new WeakMap<ClassModel, WallState>();
-
-/** The wall of a class. */
-export function wallOf(model: ClassModel): WallState {
-  const state = states.get(model) ?? new WallState();
-  states.set(model, state);
-  return state;
-}
+/** The wall of the class. */
+export const wallOf = lateModel(() => new WallState());

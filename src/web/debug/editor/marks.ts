@@ -144,6 +144,7 @@ export const stopMarks = (
   points,
   standing,
   staysInView,
+  calmStops,
   look,
   EditorView.updateListener.of(({ docChanged, startState, state }) => {
     if (!docChanged || startState.field(points, false) === undefined) return;
@@ -160,26 +161,40 @@ export function pointLines(state: EditorState): readonly number[] {
 
 /** Shortest time between two changes of the marks, in ms: who drags through time sees no more lines, and each costs. */
 const CALM_MS = 200;
-/** Of an editor: what is to be shown when the time since the last change is over; `null`: nothing new. */
-const calm = new WeakMap<EditorView, { next: Parameters<typeof showStops> | null }>();
+
+/** Shows marks of an editor, five times a second at most; the last ones always. */
+class CalmStops {
+  /** What is to be shown when the time since the last change is over. */
+  private next: Marks | null = null;
+  private resting: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(private readonly view: EditorView) {}
+
+  show(...[lines, line, isNew]: Marks): void {
+    if (this.resting !== undefined) {
+      this.next = [lines, line, isNew !== false || (this.next !== null && this.next[2] !== false)];
+      return;
+    }
+    showStops(this.view, lines, line, isNew);
+    this.resting = setTimeout(() => {
+      this.resting = undefined;
+      const { next } = this;
+      this.next = null;
+      if (next !== null) this.show(...next);
+    }, CALM_MS);
+  }
+
+  destroy(): void {
+    clearTimeout(this.resting);
+  }
+}
+const calmStops = ViewPlugin.fromClass(CalmStops);
 
 /** The same as `showStops`, but five times a second at most; the last one always comes. */
-export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
-  const [view] = shown;
-  const resting = calm.get(view);
-  if (resting !== undefined) {
-    const [editor, lines, line, isNew] = shown;
-    resting.next = [editor, lines, line, isNew || resting.next?.[3] === true];
-    return;
-  }
-  showStops(...shown);
-  const rest: { next: Parameters<typeof showStops> | null } = { next: null };
-  calm.set(view, rest);
-  setTimeout(() => {
-    calm.delete(view);
-    if (rest.next !== null && view.dom.isConnected) showStopsCalmly(...rest.next);
-  }, CALM_MS);
-}
+export const showStopsCalmly = (view: EditorView, ...marks: Marks): void => view.plugin(calmStops)?.show(...marks);
+
+/** The lines with break points, the one where the program stands, and whether it has just come there. */
+type Marks = [lines: readonly number[], line: number | null, isNew?: boolean];
 
 /**
  * Shows break points and where the program stands.

@@ -11,7 +11,6 @@ import { loadTexts, showLanguage, shownLanguage } from '../../page/i18n';
 import { LANGUAGES } from '../../page/i18n/texts';
 import { courses } from '#catalogue/courses';
 import CourseGallery from './CourseGallery.vue';
-import { filter } from './session';
 
 /** The gallery of courses, at the page that the address names. */
 async function galleryAt(id?: string) {
@@ -30,7 +29,6 @@ const shownCourses = (): readonly string[] => idsShown('course-').map((id) => id
 const idsOf = (kind: string): readonly string[] => courses.filter((it) => it.kind === kind).map(({ id }) => id);
 
 beforeEach(() => {
-  filter.value = 'all';
   vi.spyOn(history, 'go').mockImplementation(() => undefined);
 });
 afterEach(() => {
@@ -63,8 +61,8 @@ describe('the cards of all courses', () => {
   });
 
   it('show the picture of their own arena: its size and its walls', async () => {
-    filter.value = 'maze';
     await galleryAt();
+    await tap('filter-maze');
     const { scene } = courses.find(({ id }) => id === 'small-maze')!;
     const picture = byId('course-small-maze').querySelector('svg.preview')!;
     expect(picture.getAttribute('viewBox')).toBe(`0 0 ${String(scene.size[0])} ${String(scene.size[1])}`);
@@ -76,8 +74,8 @@ describe('the cards of all courses', () => {
   it.each(LANGUAGES)('are in the language of the page: %s', async (language) => {
     await loadTexts(language);
     showLanguage(language);
-    filter.value = 'obstacles';
     await galleryAt();
+    await tap('filter-obstacles');
     for (const course of courses.filter(({ kind }) => kind === 'obstacles')) {
       const card = byId(`course-${course.id}`);
       expect(textOf(card.querySelector('h3'))).toBe(flat(course.texts[language].name));
@@ -156,8 +154,6 @@ describe('the filters of the courses', () => {
 });
 
 describe('a card', () => {
-  beforeEach(() => void (filter.value = 'obstacles'));
-
   it('opens its course, with its program, and the gallery goes away', async () => {
     const { page } = await galleryAt();
     await tap('open-slalom');

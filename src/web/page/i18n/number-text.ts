@@ -1,9 +1,16 @@
 import type { Language } from '#core/languages';
 
+import { memo } from '../memo';
 import { localeOf } from './locale';
 
 /** Made once each: making one takes far longer than using it. */
-const formats = new Map<string, Intl.NumberFormat>();
+const formatIn = memo((language: Language) =>
+  memo((decimals: number | 'any') => {
+    const [least, most] = decimals === 'any' ? [0, 3] : [decimals, decimals];
+    const digits = { minimumFractionDigits: least, maximumFractionDigits: most };
+    return new Intl.NumberFormat(localeOf(language), { useGrouping: false, ...digits });
+  }),
+);
 
 /**
  * A number as it is written in a language: `1.5` in German-speaking and Italian-speaking Switzerland, `1,5` in
@@ -12,22 +19,11 @@ const formats = new Map<string, Intl.NumberFormat>();
  * @param decimals exactly this many; left out: as many as the number has, at most three
  */
 export function numberText(value: number, language: Language, decimals?: number): string {
-  const key = `${language} ${String(decimals)}`;
-  let format = formats.get(key);
-  if (format === undefined) {
-    format = new Intl.NumberFormat(localeOf(language), {
-      useGrouping: false,
-      minimumFractionDigits: decimals ?? 0,
-      maximumFractionDigits: decimals ?? 3,
-    });
-    formats.set(key, format);
-  }
-  return format.format(value + 0); // + 0 makes −0 a 0
+  return formatIn(language)(decimals ?? 'any').format(value + 0); // + 0 makes −0 a 0
 }
 
 /** What stands between the whole of a number and its decimals; clocks ask for it with every picture. */
-export const decimalSign = (language: Language): string => (signs[language] ??= numberText(0.5, language, 1).charAt(1));
-const signs: Partial<Record<Language, string>> = {};
+export const decimalSign = memo((language: Language) => numberText(0.5, language, 1).charAt(1));
 
 /** A day and a time of day, as they are written in a language: `21.11.2026, 23:04`. */
 export const dateText = (atMs: number, language: Language): string =>

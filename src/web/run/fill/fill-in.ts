@@ -8,27 +8,20 @@ import type { RunModel } from '../run-model';
 /** Runs a run again. @returns `null`: it was given up */
 type Repeat = (wish: RepeatWish) => Promise<Repeated | null>;
 
-/** The tapes that are being filled in. */
-const under = new WeakMap<Recording, Promise<void>>();
-/** End of the stretch whose filling was given up, by recording. */
-const givenUp = new WeakMap<Recording, number>();
-
 /**
  * Adds the moments missing from a tape, by repeating the run. Further calls in the meantime wait for the same work; if
  * it is impossible, or was given up, the tape is left as it is.
  */
 export function fillIn(recording: Recording, repeat: Repeat): Promise<void> {
-  const filling = under.get(recording) ?? fillGaps(recording, repeat).finally(() => under.delete(recording));
-  under.set(recording, filling);
-  return filling;
+  return (recording.filling ??= fillGaps(recording, repeat).finally(() => (recording.filling = null)));
 }
 
 async function fillGaps(recording: Recording, repeat: Repeat): Promise<void> {
   try {
-    for (let gap = gapIn(recording); gap && gap.untilUs !== givenUp.get(recording); gap = gapIn(recording)) {
+    for (let gap = gapIn(recording); gap && gap.untilUs !== recording.givenUpUs; gap = gapIn(recording)) {
       const wish = wishFor(recording, gap);
       const repeated = wish && (await repeat(wish));
-      if (repeated === null) givenUp.set(recording, gap.untilUs);
+      if (repeated === null) recording.givenUpUs = gap.untilUs;
       else fillGap(recording, gap, repeated.pieces);
     }
   } catch {

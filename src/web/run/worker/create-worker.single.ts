@@ -1,6 +1,8 @@
 import code from 'single:worker';
 
-let address: string | null = null;
+import { once } from '../../page/memo';
+
+const address = once(() => URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
 
 /**
  * Makes the worker of the single file: its code is in the page and gets an address of its own there. It inherits the
@@ -9,6 +11,5 @@ let address: string | null = null;
  * @throws Error if the browser allows no workers
  */
 export function createWorker(): Worker {
-  address ??= URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
-  return new Worker(address);
+  return new Worker(address());
 }

@@ -1,19 +1,12 @@
 import firmwareUrl from '../../../../.cache/vm/vm.wasm?url';
+import { fetchedOnce } from '../../page/memo';
 import { FirmwareError, isCompiled, mayCompile } from './firmware-trouble';
-
-let compiled: Promise<WebAssembly.Module> | null = null;
 
 /**
  * The VM, compiled once per page (while it is downloaded, where the host names its type right) and shared by all workers.
  * Rejects with a `FirmwareError`.
  */
-export function compileFirmware(): Promise<WebAssembly.Module> {
-  compiled ??= compile(new URL(firmwareUrl, import.meta.url).href).catch((error: unknown) => {
-    compiled = null; // offline for a moment: the next try may work
-    throw error;
-  });
-  return compiled;
-}
+export const compileFirmware = fetchedOnce(() => compile(new URL(firmwareUrl, import.meta.url).href));
 
 /** Fetches and compiles the VM at an address. */
 export async function compile(url: string): Promise<WebAssembly.Module> {

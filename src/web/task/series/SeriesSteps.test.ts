@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 
 import { aSeries } from '#check/series/testing/series';
 import { seriesForPupils } from '#check/series/write-series';
@@ -21,7 +21,7 @@ const [, goal] = series.tasks;
 /** What shows once a task was passed. */
 async function passed(change: (page: TestPage) => void = () => undefined): Promise<TestPage> {
   const page = createPage();
-  await keepSeries(series);
+  await keepSeries(page, series);
   openTask(page, series, goal!);
   change(page);
   mountOn(page, NextMission);
@@ -30,32 +30,28 @@ async function passed(change: (page: TestPage) => void = () => undefined): Promi
 }
 
 beforeAll(() => loadTexts('de'));
-beforeEach(() => {
-  for (const task of series.tasks) doneMarks().clear({ series: series.id, task: task.id });
-});
 
 describe('after a task of a series was passed', () => {
   it('it has its mark, and the next one can be opened, which has none yet', async () => {
     const page = await passed();
-    expect(doneMarks().all.value).toEqual({ 'woche-3/b': 0 });
+    expect(doneMarks(page).all.value).toEqual({ 'woche-3/b': 0 });
     await tap('series-next');
     await flushPromises();
     expect(placeOf(page.work.work.value.project)).toEqual({ series: 'woche-3', task: '3' });
-    expect(doneMarks().all.value).toEqual({ 'woche-3/b': 0 });
+    expect(doneMarks(page).all.value).toEqual({ 'woche-3/b': 0 });
   });
 
   it('the way back leads to all of them', async () => {
     const page = await passed();
     await tap('series-back');
     expect(page.gallery.page.value).toEqual({ kind: 'series', from: 'series/woche-3' });
-    page.gallery.close();
   });
 
   it('in a course that was changed there is no mark', async () => {
-    await passed((page) => {
-      page.work.keeper.value = null;
-      page.work.edit({ type: 'remove', ids: ['t'] });
+    const page = await passed(({ work }) => {
+      work.keeper.value = null;
+      work.edit({ type: 'remove', ids: ['t'] });
     });
-    expect([isThere('series-next'), doneMarks().all.value]).toEqual([true, {}]);
+    expect([isThere('series-next'), doneMarks(page).all.value]).toEqual([true, {}]);
   });
 });

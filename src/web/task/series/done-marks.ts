@@ -2,6 +2,7 @@ import { shallowRef, type Ref } from 'vue';
 
 import { isRecord } from '#core/record';
 
+import { lateModel } from '../../page/late-models';
 import type { SeriesPlace } from './series-place';
 
 /** What has been done in this browser, of all series: `series/task` → stars, 0 where the task gives none. */
@@ -64,13 +65,8 @@ function read(store: Storage | null): Done {
   }
 }
 
-let shared: DoneMarks | null = null;
-
 /** The marks of this browser. */
-export function doneMarks(): DoneMarks {
-  shared ??= createDoneMarks(storage());
-  return shared;
-}
+export const doneMarks = lateModel(() => createDoneMarks(storage()));
 
 function storage(): Storage | null {
   try {

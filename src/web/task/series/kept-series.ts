@@ -3,6 +3,7 @@ import type { Series } from '#check/series/series';
 import { seriesToText } from '#check/series/write-series';
 import { isRecord } from '#core/record';
 
+import { lateModel, type WithLate } from '../../page/late-models';
 import { readyScene } from '../../work/catalogue/ready-courses';
 import { entriesIn, inStore, type Entry } from '../../work/storage/database';
 
@@ -11,7 +12,7 @@ const SERIES = 'series.of.';
 const DRAFT = 'series.draft';
 
 /** Those that were opened since the page was loaded: a browser without a database has them, too. */
-const opened = new Map<string, Series>();
+const openedSeries = lateModel(() => new Map<string, Series>());
 
 /**
  * Keeps a series that was opened, so that the way back to it is there after a reload and without a network. It goes when nobody
@@ -19,17 +20,17 @@ const opened = new Map<string, Series>();
  *
  * @param address where it was fetched from; left out: it was in a link or a file
  */
-export async function keepSeries(series: Series, address?: string): Promise<void> {
-  opened.set(series.id, series);
+export async function keepSeries(app: WithLate, series: Series, address?: string): Promise<void> {
+  openedSeries(app).set(series.id, series);
   await put(SERIES + series.id, { text: seriesToText(series), ...(address !== undefined && { address }) }, Date.now());
 }
 
 /** A series that was kept; `null`: this browser has none of that id. */
-export async function keptSeries(id: string): Promise<Series | null> {
-  const known = opened.get(id);
+export async function keptSeries(app: WithLate, id: string): Promise<Series | null> {
+  const known = openedSeries(app).get(id);
   if (known !== undefined) return known;
   const series = seriesIn(await entryOf(SERIES + id));
-  if (series !== null) await keepSeries(series);
+  if (series !== null) await keepSeries(app, series);
   return series;
 }
 

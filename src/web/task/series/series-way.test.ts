@@ -8,6 +8,7 @@ import { seriesForPupils } from '#check/series/write-series';
 
 import { createPage, type TestPage } from '../../app/testing/page';
 import { loadTexts } from '../../page/i18n';
+import { LateModels } from '../../page/late-models';
 import { stubDatabase } from '../../work/storage/testing/memory-database';
 import { createDoneMarks } from './done-marks';
 import { keepDraft, keepSeries, keptDraft, keptSeries, seriesFrom } from './kept-series';
@@ -37,7 +38,7 @@ describe('a task of a series', () => {
       handIn: { version: 1, series: { series: 'woche-3', task: 'b' } },
     });
     expect(taskOfWork(projectOf(page), series)).toBe(goal);
-    await keepSeries(series);
+    await keepSeries(page, series);
     const way = page.scope.run(() => useSeriesWay(page))!;
     await flushPromises();
     expect([way.task.value, way.next.value]).toEqual([goal, plain]);
@@ -104,17 +105,19 @@ describe('what is done', () => {
 
 describe('a series that was opened', () => {
   it('is kept, also under the address that it was fetched from', async () => {
+    const app = { late: new LateModels() };
     const { entries } = stubDatabase();
-    await keepSeries(series, 'https://schule.example/a/series.json');
+    await keepSeries(app, series, 'https://schule.example/a/series.json');
     expect([...entries.keys()]).toEqual(['series.of.woche-3']);
-    expect(await keptSeries('woche-3')).toEqual(series);
-    expect(await keptSeries('other')).toBeNull();
+    expect(await keptSeries(app, 'woche-3')).toEqual(series);
+    expect(await keptSeries(app, 'other')).toBeNull();
   });
 
   it('works while the page is open where the browser keeps nothing', async () => {
+    const app = { late: new LateModels() };
     stubDatabase(false);
-    await keepSeries(series);
-    expect(await keptSeries('woche-3')).toEqual(series);
+    await keepSeries(app, series);
+    expect(await keptSeries(app, 'woche-3')).toEqual(series);
     expect(await seriesFrom('https://schule.example/')).toBeNull();
   });
 

@@ -2,6 +2,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
 import type { Series, SeriesTask } from '#check/series/series';
 
+import type { WithLate } from '../../page/late-models';
 import { keptSeries } from './kept-series';
 import type { SeriesApp } from './open-task';
 import { taskAfter } from './open-task';
@@ -17,13 +18,14 @@ export interface SeriesWay {
 }
 
 /** Finds the series that the open work is a part of. */
-export function useSeriesWay({ work }: Pick<SeriesApp, 'work'>): SeriesWay {
+export function useSeriesWay(app: Pick<SeriesApp, 'work'> & WithLate): SeriesWay {
+  const { work } = app;
   const kept = shallowRef<Series | null>(null);
   const project = computed(() => work.work.value.project);
   watch(
     () => placeOf(project.value)?.series ?? null,
     async (id) => {
-      const found = id === null ? null : await keptSeries(id);
+      const found = id === null ? null : await keptSeries(app, id);
       if (id === (placeOf(project.value)?.series ?? null)) kept.value = found;
     },
     { immediate: true },

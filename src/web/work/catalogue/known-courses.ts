@@ -1,6 +1,6 @@
-import { shallowRef } from 'vue';
-
 import type { Course } from '#catalogue/course';
 
-/** The courses whose names are here: set by ready-courses.ts once it is there; `null` as long as it has not come. */
-export const knownCourses = shallowRef<readonly Course[] | null>(null);
+import { arrival } from '../../page/arrival';
+
+/** The courses whose names are here: they come with ready-courses.ts. */
+export const knownCourses = arrival<readonly Course[]>();

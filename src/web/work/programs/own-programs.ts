@@ -6,6 +6,7 @@ import { MAIN, type Project, type SourceFile } from '#project/project';
 import { isRecord } from '#core/record';
 import type { RunSetup } from '#simulation/run-setup';
 
+import { notesOn } from '../../page/memo';
 import type { WorkModel } from '../model/work-model';
 
 /** A program of a course, with those of its further devices. */
@@ -94,7 +95,7 @@ export const filesOf = ({ files, devices }: Project): OwnProgram['files'] => [
 ];
 
 /** Programs as they came with a course or its solution, by their first file: nobody has written on them. */
-const opened = new WeakMap<object, Project['devices']>();
+const opened = notesOn<Project['files'], Project['devices']>();
 /** Notes that a project is opened as it comes. */
 export const noteOpened = ({ files, devices }: Project): void => void opened.set(files, devices);
 /** Nobody has written on it since it was opened as it came. */

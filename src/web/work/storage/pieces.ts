@@ -75,29 +75,15 @@ function nameIn(part: unknown): string | null {
   return typeof part[KEY] === 'string' ? part[KEY] : null;
 }
 
-const known = new WeakMap<Background | Project, Piece | null>();
+const backgroundPiece = memoOf((background: Background): Piece | null => {
+  const isLarge = background.levels.length + background.picture.length >= PIECE_CHARACTERS;
+  return isLarge ? pieceOf(JSON.stringify(background)) : null;
+});
 
-function backgroundPiece(background: Background): Piece | null {
-  return remembered(background, () => {
-    const isLarge = background.levels.length + background.picture.length >= PIECE_CHARACTERS;
-    return isLarge ? pieceOf(JSON.stringify(background)) : null;
-  });
-}
-
-function projectPiece(project: Project): Piece | null {
-  return remembered(project, () => {
-    const text = packedText(project);
-    return text.length >= PIECE_CHARACTERS ? pieceOf(text) : null;
-  });
-}
-
-function remembered(of: Background | Project, make: () => Piece | null): Piece | null {
-  const before = known.get(of);
-  if (before !== undefined) return before;
-  const piece = make();
-  known.set(of, piece);
-  return piece;
-}
+const projectPiece = memoOf((project: Project): Piece | null => {
+  const text = packedText(project);
+  return text.length >= PIECE_CHARACTERS ? pieceOf(text) : null;
+});
 
 /** Two FNV-1a sums and the length: no two pieces of one pupil have the same. */
 function pieceOf(text: string): Piece {

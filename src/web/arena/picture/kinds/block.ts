@@ -1,6 +1,7 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import { rotationRad } from '#core/angle';
 import type { Block } from '#scene/scene';
+import { once } from '../../../page/memo';
 import type { PlacedBlock } from '../../model/arena-model';
 import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
@@ -133,10 +134,4 @@ export function drawIcon(
   context.restore();
 }
 
-let shared: { readonly arrows: Path2D; readonly lock: Path2D } | null = null;
-
-/** Made when first drawn: `Path2D` exists in browsers only, and this file is tested outside one. */
-function icons(): { readonly arrows: Path2D; readonly lock: Path2D } {
-  shared ??= { arrows: new Path2D(mdiArrowAll), lock: new Path2D(mdiLock) };
-  return shared;
-}
+const icons = once(() => ({ arrows: new Path2D(mdiArrowAll), lock: new Path2D(mdiLock) }));

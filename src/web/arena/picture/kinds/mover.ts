@@ -2,6 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import { isZone } from '#scene/kinds/zone';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Mover, SceneObject } from '#scene/scene';
+import { memo } from '../../../page/memo';
 import { shownLanguage } from '../../../page/i18n';
 import { numberText } from '../../../page/i18n/number-text';
 import { canvasFont, type Palette } from '../../model/palette';
@@ -143,12 +144,5 @@ function drawWatch(
   context.stroke();
 }
 
-const icons = new Map<string, Path2D>();
-
-/** Made when first drawn: `Path2D` exists in browsers only. */
-function iconOf(mover: Mover): Path2D {
-  const sign = moverSign(mover);
-  const icon = icons.get(sign) ?? new Path2D(sign);
-  icons.set(sign, icon);
-  return icon;
-}
+const icon = memo((sign: string) => new Path2D(sign));
+const iconOf = (mover: Mover): Path2D => icon(moverSign(mover));

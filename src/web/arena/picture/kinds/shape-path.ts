@@ -2,6 +2,7 @@ import type { Vec } from '#core/geometry';
 import { distanceToEdge, type Outline } from '#scene/outline';
 import type { Point, Shaped } from '#scene/scene';
 import { outlineHolds, ownOutline } from '#scene/shape/shape';
+import { lastMadeOf } from '../../../page/memo';
 import type { Form } from '../../model/arena-model';
 
 /** The form of an object. */
@@ -61,14 +62,17 @@ export interface Room {
 
 /** Places that are tried along each side of a polygon. Chosen: near enough to the best by eye. */
 const TRIED = 16;
-const rooms = new WeakMap<readonly Point[], { readonly size: Vec; readonly room: Room }>();
 
 /** The place in a form with the most room around it: of a rectangle and an ellipse the middle. */
 export function roomIn(form: Form): Room {
   const { sizeMm, corners } = form;
   if (!corners) return { at: { x: 0, y: 0 }, acrossMm: Math.min(sizeMm.x, sizeMm.y) };
-  const known = rooms.get(corners);
-  if (known?.size.x === sizeMm.x && known.size.y === sizeMm.y) return known.room;
+  return roomInPolygon(corners, form);
+}
+
+const roomInPolygon = lastMadeOf(
+  (_: readonly Point[], form: Form): Room => {
+  const { sizeMm } = form;
   const outline = polygonPath(form);
   let room: Room = { at: { x: 0, y: 0 }, acrossMm: 0 };
   for (let i = 0; i < TRIED * TRIED; i++) {
@@ -77,6 +81,7 @@ export function roomIn(form: Form): Room {
     const acrossMm = outlineHolds(outline, at, 0) ? 2 * distanceToEdge(outline, at) : 0;
     if (acrossMm > room.acrossMm) room = { at, acrossMm };
   }
-  rooms.set(corners, { size: sizeMm, room });
   return room;
-}
+},
+({ sizeMm: one }, { sizeMm: other }) => one.x === other.x && one.y === other.y,
+);

@@ -2,6 +2,7 @@ import { mdiAlert } from '@mdi/js';
 import { rotationRad } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { Mover, Spikes } from '#scene/scene';
+import { once } from '../../../page/memo';
 import type { Form, PlacedBlock } from '../../model/arena-model';
 import type { Outline } from '#scene/outline';
 import { drawIcon, inFrameOf } from './block';
@@ -109,7 +110,4 @@ function teethOfBox(size: Vec, depth: number): readonly Vec[] {
   return points;
 }
 
-let shared: Path2D | null = null;
-
-/** Made when first drawn: `Path2D` exists in browsers only. */
-const alertIcon = (): Path2D => (shared ??= new Path2D(mdiAlert));
+const alertIcon = once(() => new Path2D(mdiAlert));

@@ -1,4 +1,5 @@
 import type { Stroke } from '#scene/scene';
+import { lastMadeOf } from '../../../page/memo';
 import type { Palette } from '../../model/palette';
 import type { View } from '../../view/view-transform';
 
@@ -8,20 +9,12 @@ const NEAR_PX = 0.6;
 /** White and yellow lines have a rim of this many px, so that they remain visible on a light floor. */
 const RIM_PX = 1.5;
 
-/** A line made ready for a zoom: `step` as of `pathStep`. */
-interface MadePath {
-  readonly step: number;
-  readonly path: Path2D;
-}
-
-const made = new WeakMap<Stroke, MadePath>();
-
 /** Lines are rebuilt when the zoom has changed by a factor of 2. */
 export const pathStep = (pxPerMm: number): number => Math.ceil(Math.log2(Math.max(pxPerMm, 1 / 64)));
 
 /** Draws a line with round ends and joints. Its path is kept for the next time. */
 export function drawStroke(context: CanvasRenderingContext2D, view: View, stroke: Stroke, palette: Palette): void {
-  const path = pathOf(stroke, view.pxPerMm);
+  const path = pathOf(stroke, pathStep(view.pxPerMm));
   context.save();
   context.translate(view.leftPx, view.bottomPx);
   context.scale(view.pxPerMm, -view.pxPerMm);
@@ -41,18 +34,15 @@ export function drawStroke(context: CanvasRenderingContext2D, view: View, stroke
 /** Whether a light floor would swallow a line of this colour. */
 export const needsRim = ({ color }: Pick<Stroke, 'color'>): boolean => color === 'white' || color === 'yellow';
 
-function pathOf(stroke: Stroke, pxPerMm: number): Path2D {
-  const step = pathStep(pxPerMm);
-  const known = made.get(stroke);
-  if (known?.step === step) return known.path;
+/** A line made ready for a zoom: `step` as of `pathStep`. */
+const pathOf = lastMadeOf((stroke: Stroke, step: number): Path2D => {
   const path = new Path2D();
   thinned(stroke.points, NEAR_PX / 2 ** step).forEach(([x, y], i) => {
     if (i === 0) path.moveTo(x, y);
     path.lineTo(x, y);
   });
-  made.set(stroke, { step, path });
   return path;
-}
+});
 
 /** The points, without those nearer than this many mm to the previous one; both ends stay. */
 export function thinned(points: Stroke['points'], nearMm: number): Stroke['points'] {

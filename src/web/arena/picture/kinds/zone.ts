@@ -3,6 +3,7 @@ import { rotationRad } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { SceneObject, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
+import { once } from '../../../page/memo';
 import { canvasFont, type Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 import { formOf, formPath, roomIn } from './shape-path';
@@ -218,7 +219,7 @@ function write(context: CanvasRenderingContext2D, text: string, size: number, co
   context.fillText(text, 0, size * 0.355); // half the height of a figure
 }
 
-let shared: { readonly flag: Path2D; readonly check: Path2D } | null = null;
+const glyphs = once(() => ({ flag: new Path2D(mdiFlagCheckered), check: new Path2D(mdiCheckBold) }));
 
 /** Width of the rim around a glyph, in parts of 24 of its size: it fills the white squares of a flag as well. */
 const RIM = 4;
@@ -231,8 +232,7 @@ function drawGlyph(
   color: string,
   rim: string | null = null,
 ): void {
-  // Made when first drawn: `Path2D` exists in browsers only.
-  shared ??= { flag: new Path2D(mdiFlagCheckered), check: new Path2D(mdiCheckBold) };
+  const glyph = glyphs()[name];
   context.save();
   context.scale(half / 12, half / 12);
   context.translate(-12, -12);
@@ -240,9 +240,9 @@ function drawGlyph(
     context.strokeStyle = rim;
     context.lineWidth = RIM;
     context.lineJoin = 'round';
-    context.stroke(shared[name]);
+    context.stroke(glyph);
   }
   context.fillStyle = color;
-  context.fill(shared[name]);
+  context.fill(glyph);
   context.restore();
 }
