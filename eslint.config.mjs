@@ -72,6 +72,29 @@ const sameness = {
   ],
 };
 
+/** What changes belongs to the models of a page (decision 0024): a module of the page remembers nothing by itself. */
+const remembered = [
+  "VariableDeclaration[kind='let']",
+  'VariableDeclaration > VariableDeclarator:not([id.typeAnnotation.typeAnnotation.typeName.name=/^Readonly/]) > NewExpression[callee.name=/^(Weak)?(Map|Set)$/][arguments.length=0]',
+  'VariableDeclaration > VariableDeclarator > CallExpression[callee.name=/^(shallowRef|ref|reactive)$/]',
+  'VariableDeclaration > VariableDeclarator > ArrayExpression[elements.length=0]',
+];
+const forgetful = {
+  'no-restricted-syntax': [
+    'error',
+    ...remembered
+      .flatMap((what) => [`Program > ${what}`, `Program > ExportNamedDeclaration > ${what}`])
+      .map((selector) => ({
+        selector,
+        message: 'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/page/memo.',
+      })),
+  ],
+};
+/** One of each browser document or worker: its language, its overlays, its next frame, its first messages, its run. */
+const ofTheDocument = ['i18n/index', 'bar/page-bar', 'overlays/overlays', 'drawing/frame-gate']
+  .map((name) => `src/web/page/${name}.ts`)
+  .concat('src/web/run/worker/worker.ts', 'src/web/host/listen-to-host.ts');
+
 /** What only one place may import; dependency-cruiser says the same, this says it while typing. */
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
 const planck = { group: ['planck', 'planck/*'], message: 'The physics engine only in src/world/physics.' };
@@ -179,6 +202,8 @@ export default tseslint.config(
 
   // The same run everywhere.
   { files: pureRooms, ignores: [...tests, ...buildCode], rules: sameness },
+
+  { files: ['src/web/**/*.ts'], ignores: [...tests, ...ofTheDocument], rules: forgetful },
 
   // planck's types mark its classes' call signatures as deprecated, and with them every mention of a class.
   { files: ['src/world/physics/**/*.ts'], rules: { '@typescript-eslint/no-deprecated': 'off' } },

@@ -1,4 +1,4 @@
-import { shallowRef } from 'vue';
+import { shallowRef, type ShallowRef } from 'vue';
 
 /** Something that comes late with the page, and is then the same for good. */
 export interface Arrival<T> {
@@ -9,7 +9,7 @@ export interface Arrival<T> {
 
 /** A place for something that comes late. */
 export function arrival<T>(): Arrival<T> {
-  const value = shallowRef<T | null>(null);
+  const value: ShallowRef<T | null> = shallowRef(null);
   return {
     get value() {
       return value.value;

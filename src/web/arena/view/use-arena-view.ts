@@ -1,5 +1,6 @@
 import { computed, onBeforeUnmount, onMounted, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 import { boundsOf, reachesInto } from '#scene/kinds/index';
 import type { Bounds } from '#scene/outline';
 import type { Scene } from '#scene/scene';

@@ -6,6 +6,7 @@
 import type { Project } from '#project/project';
 import type { Background } from '#scene/scene';
 
+import { memoOf } from '../../page/memo';
 import { textOfWork, type Work } from './history';
 import { packed, packedText, sceneText } from './stored-project';
 
