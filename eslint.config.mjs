@@ -86,14 +86,15 @@ const forgetful = {
       .flatMap((what) => [`Program > ${what}`, `Program > ExportNamedDeclaration > ${what}`])
       .map((selector) => ({
         selector,
-        message: 'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/page/memo.',
+        message:
+          'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/kit/state/memo.',
       })),
   ],
 };
 /** One of each browser document or worker: its language, its overlays, its next frame, its first messages, its run. */
 const ofTheDocument = ['i18n/index', 'bar/page-bar', 'overlays/overlays', 'drawing/frame-gate']
-  .map((name) => `src/web/page/${name}.ts`)
-  .concat('src/web/run/worker/worker.ts', 'src/web/host/listen-to-host.ts');
+  .map((name) => `src/web/kit/${name}.ts`)
+  .concat('src/web/session/run/worker/worker.ts', 'src/web/exchange/host/listen-to-host.ts');
 
 /** What only one place may import; dependency-cruiser says the same, this says it while typing. */
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });

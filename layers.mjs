@@ -55,65 +55,65 @@ export const layers = {
 };
 
 /**
- * The same for the rooms of the page: each folder of `src/web/`, from the floor of helpers to the app that knows all, and
- * the rooms it may reach.
+ * The same for the page. Its rooms stand in wings, from the floor of controls to the app that joins all: a room reaches other
+ * rooms of its wing and of wings before it, as its row says, and never a wing behind it. All reach the kit.
  */
-export const webLayers = {
-  page: [],
-  run: ['page'],
-  work: ['page', 'run'],
-  visit: ['page', 'run', 'work'],
-  layout: ['page', 'run', 'work', 'visit'],
-  task: ['page', 'run', 'work', 'layout'],
-  console: ['page', 'run', 'work', 'layout', 'debug', 'why'],
-  'look-back': ['page', 'run', 'work', 'console', 'share'],
-  chart: ['page', 'run', 'work', 'console', 'look-back'],
-  'device-log': ['page', 'run', 'work'],
-  debug: ['page', 'run', 'work'],
-  why: ['page', 'run', 'work', 'debug'],
-  board: ['page', 'run', 'work', 'visit', 'layout', 'device-log', 'debug'],
-  'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
-  narration: ['page', 'run', 'work', 'course-editor'],
-  arena: [
-    'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'several-devices',
-    'look-back',
-  ], // prettier-ignore
-  projector: ['page', 'run', 'work', 'layout', 'task', 'console', 'arena'],
-  'several-devices': ['page', 'run', 'work', 'board'],
-  code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices', 'debug'],
-  device: ['page', 'run', 'work', 'layout', 'arena'],
-  galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
-  print: ['page', 'run', 'work', 'task', 'arena', 'look-back', 'share'],
-  share: ['page', 'run', 'work', 'visit', 'task', 'console', 'device-log'],
-  'first-steps': [
-    'page',
-    'run',
-    'work',
-    'layout',
-    'task',
-    'console',
-    'course-editor',
-    'code',
-    'device',
-    'share',
-    'debug',
-    'class',
-    'task-maker',
-    'series',
-  ],
-  'real-device': ['page', 'work'],
-  'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
-  'handed-out': ['page', 'run', 'work', 'course-editor'],
-  class: ['page', 'run', 'work', 'layout', 'task', 'galleries', 'share'],
-  'task-maker': [
-    'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'print', 'board', 'handed-out',
-  ], // prettier-ignore
-  series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'task-maker'],
-  offline: ['page'],
-  host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
-  app: [
-    'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
-    'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker', 'series', 'why', 'handed-out', 'projector', 'look-back',
-  ], // prettier-ignore
+export const wings = {
+  kit: null,
+  session: {
+    run: [],
+    work: ['session/run'],
+    visit: ['session/run', 'session/work'],
+    layout: ['session/run', 'session/work', 'session/visit'],
+    task: ['session/run', 'session/work', 'session/layout'],
+  },
+  course: {
+    editor: ['session'],
+    locks: ['session/run', 'session/work', 'course/editor'],
+  },
+  pupil: {
+    debug: ['session/run', 'session/work'],
+    why: ['session/run', 'session/work', 'pupil/debug'],
+    console: ['session', 'pupil/debug', 'pupil/why'],
+    'look-back': ['session', 'pupil/console'],
+    chart: ['session', 'pupil/console', 'pupil/look-back'],
+    'device-log': ['session/run', 'session/work'],
+    board: ['session', 'pupil/device-log', 'pupil/debug'],
+    narration: ['session', 'course/editor'],
+    'several-devices': ['session', 'pupil/board'],
+    arena: [
+      'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
+    ], // prettier-ignore
+    code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
+    device: ['session', 'pupil/arena'],
+    galleries: ['session', 'pupil/device'],
+    'real-device': ['session/work'],
+    'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
+  },
+  exchange: {
+    share: ['session', 'pupil/console', 'pupil/device-log'],
+    offline: [],
+    host: ['session', 'course/editor', 'pupil/board', 'pupil/console', 'pupil/debug', 'exchange/share'],
+  },
+  teacher: {
+    projector: ['session', 'pupil/console', 'pupil/arena'],
+    print: ['session', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
+    class: ['session', 'pupil/galleries', 'exchange/share'],
+    'task-maker': [
+      'session', 'course/editor', 'course/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
+      'teacher/print',
+    ], // prettier-ignore
+    series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker'],
+  },
+  help: ['session', 'course/editor', 'pupil/console', 'pupil/code', 'pupil/device', 'pupil/debug', 'teacher'],
+  app: ['session', 'course', 'pupil', 'exchange', 'teacher', 'help'],
 };
+
+/** The rows of the page's rooms by the folder below `src/web/`: what each may import, rooms or whole wings. */
+export const webLayers = Object.fromEntries(
+  Object.entries(wings).flatMap(([wing, rooms]) =>
+    rooms === null || Array.isArray(rooms)
+      ? [[wing, rooms === null ? [] : ['kit', ...rooms]]]
+      : Object.entries(rooms).map(([room, allowed]) => [`${wing}/${room}`, ['kit', ...allowed]]),
+  ),
+);

@@ -107,7 +107,7 @@ function installable(): Plugin {
       };
       emit('manifest.webmanifest', JSON.stringify(manifest));
       emit('logo.svg', await readFile(here('src/web/logo.svg')));
-      for (const name of Object.keys(ICONS)) emit(name, await readFile(here(`src/web/offline/icons/${name}`)));
+      for (const name of Object.keys(ICONS)) emit(name, await readFile(here(`src/web/exchange/offline/icons/${name}`)));
     },
     transformIndexHtml: {
       order: 'post',
@@ -129,7 +129,7 @@ const common = {
   resolve: {
     alias: [
       // What jsPDF would fetch to print web pages; courses are printed from their own data.
-      { find: /^(html2canvas|dompurify|canvg)$/, replacement: here('src/web/print/left-out.ts') },
+      { find: /^(html2canvas|dompurify|canvg)$/, replacement: here('src/web/teacher/print/left-out.ts') },
     ],
   },
   define: {
@@ -172,7 +172,7 @@ async function workerCode(): Promise<string> {
     build: {
       write: false,
       target: OLDEST,
-      lib: { entry: here('src/web/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
+      lib: { entry: here('src/web/session/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
       rolldownOptions: { output: { codeSplitting: false } },
     },
   });
@@ -339,8 +339,8 @@ const single: UserConfig = {
   resolve: {
     alias: [
       ...common.resolve.alias,
-      { find: /^.*\/worker\/create-worker$/, replacement: here('src/web/run/worker/create-worker.single.ts') },
-      { find: /^.*\/worker\/firmware$/, replacement: here('src/web/run/worker/firmware.single.ts') },
+      { find: /^.*\/worker\/create-worker$/, replacement: here('src/web/session/run/worker/create-worker.single.ts') },
+      { find: /^.*\/worker\/firmware$/, replacement: here('src/web/session/run/worker/firmware.single.ts') },
     ],
   },
   build: {

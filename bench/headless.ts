@@ -6,7 +6,7 @@ import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene, type Stroke } from '#scene/scene';
 import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
-import { TapeBox } from '#web/run/worker/tape-box';
+import { TapeBox } from '#web/session/run/worker/tape-box';
 import { atBreakPoints } from '#vm/debug/stops';
 import { checkMemorySubject, checkSubject } from './check';
 import { FULL, fullCourse } from './full-course';

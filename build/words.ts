@@ -3,7 +3,7 @@
  * `import words from './words'` and gets each text in every language, named as in the files. Types: `scripts/word-types.mjs`.
  *
  * The page fetches one language at a time: there, the texts come in files of their own, and are put into place by
- * `src/web/page/i18n/word-files.ts`.
+ * `src/web/kit/i18n/word-files.ts`.
  */
 import { existsSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
@@ -18,7 +18,7 @@ export type Catalogue = string | { readonly [name: string]: Catalogue };
 const PART = '\0words:';
 const FILES = 'virtual:word-files';
 const FILE = '\0word-file:';
-const REGISTRY = fileURLToPath(new URL('../src/web/page/i18n/word-files.ts', import.meta.url)).replaceAll('\\', '/');
+const REGISTRY = fileURLToPath(new URL('../src/web/kit/i18n/word-files.ts', import.meta.url)).replaceAll('\\', '/');
 
 /** The folder of words that an import means; `null`: it means something else. */
 export function wordsFolder(specifier: string, importer: string | undefined): string | null {

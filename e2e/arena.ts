@@ -1,5 +1,5 @@
 import type { Vec } from '../src/core/geometry';
-import { fitView } from '../src/web/arena/view/view-transform';
+import { fitView } from '../src/web/pupil/arena/view/view-transform';
 import type { App, Place } from './app';
 import type { Shown } from './page';
 

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { LANGUAGES, type Language } from '../src/core/languages';
-import { localeOf } from '../src/web/page/i18n/locale';
+import { localeOf } from '../src/web/kit/i18n/locale';
 import { expect, test } from './app';
 import { driveFirst, passFirstCourse, shareIt, takeTour, writeFirstProgram, type Beginner } from './first-hour';
 import { programIn } from './page';
@@ -19,7 +19,7 @@ const isKept = (name: string): boolean =>
 
 /** What the verdict says in a language when a course is passed. */
 function passedIn(language: Language): string {
-  const words = new URL(`../src/web/page/words/${language}.json`, import.meta.url);
+  const words = new URL(`../src/web/kit/words/${language}.json`, import.meta.url);
   return (JSON.parse(readFileSync(words, 'utf8')) as { readonly verdict: { readonly passed: string } }).verdict.passed;
 }
 

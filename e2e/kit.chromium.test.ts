@@ -11,7 +11,7 @@ test.beforeAll(async () => {
   server = await createServer({ configFile: 'vite.config.ts', logLevel: 'error', server: { port: 0, hmr: false } });
   await server.listen();
   const { port } = server.httpServer?.address() as AddressInfo;
-  gallery = `http://localhost:${port}/page/gallery/`;
+  gallery = `http://localhost:${port}/kit/gallery/`;
 });
 test.afterAll(() => server.close());
 

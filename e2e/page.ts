@@ -1,4 +1,4 @@
-import type { Settings } from '../src/web/work/settings/settings';
+import type { Settings } from '../src/web/session/work/settings/settings';
 import { openedCourse } from './opened-course';
 import { expect, type App } from './app';
 

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 import { words } from '../build/words';
-import type * as Testing from '../src/web/real-device/testing/simulated-board';
+import type * as Testing from '../src/web/pupil/real-device/testing/simulated-board';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
@@ -22,7 +22,7 @@ type WithCable = Window & { cable?: Cable };
 
 /** A simulated board in this process. */
 async function switchedOn(files: Readonly<Record<string, string>>): Promise<Testing.SimulatedBoard> {
-  const path = fileURLToPath(new URL('../src/web/real-device/testing/simulated-board.ts', import.meta.url));
+  const path = fileURLToPath(new URL('../src/web/pupil/real-device/testing/simulated-board.ts', import.meta.url));
   const { module } = await runnerImport<typeof Testing>(path, {
     configFile: false,
     logLevel: 'warn',

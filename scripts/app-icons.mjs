@@ -1,10 +1,10 @@
-// node scripts/app-icons.mjs: draws the icons of the installed app from src/web/logo.svg, with Chromium. They lie in src/web/offline/icons.
+// node scripts/app-icons.mjs: draws the icons of the installed app from src/web/logo.svg, with Chromium. They lie in src/web/exchange/offline/icons.
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { main, note, root } from './progress.mjs';
 
-const FOLDER = 'src/web/offline/icons';
+const FOLDER = 'src/web/exchange/offline/icons';
 /** The ground of the logo; a maskable icon is all of it, the drawing inside the middle 80 % that no mask cuts. */
 const GROUND = '#F57C00';
 const ICONS = [

@@ -56,7 +56,7 @@ async function buildProbe() {
   const inputs = {
     sources: ['src', 'e2e/probe', 'package-lock.json', '.cache/vm'],
     product: 'dist/e2e/index.html',
-    counts: (path) => path.startsWith('src/web/run/sound/') || !/^src\/(web|cli)\//.test(path),
+    counts: (path) => path.startsWith('src/web/session/run/sound/') || !/^src\/(web|cli)\//.test(path),
   };
   await buildWhenChanged('probe', inputs, () =>
     step('Probe page', () =>

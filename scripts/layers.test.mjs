@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { webLayers, wings } from '../layers.mjs';
 import { folderCircles, forbiddenBetween, graphOf, importsOf, styleImportsIn } from './layers.mjs';
 
 describe('folders that import each other', () => {
@@ -14,7 +15,7 @@ describe('folders that import each other', () => {
 
   it('are none where imports only go down, and where a picture is fetched from above', () => {
     const imports = [
-      ['web/app/x.ts', 'web/page/y.ts'],
+      ['web/app/x.ts', 'web/kit/y.ts'],
       ['web/main.ts', 'web/app/x.ts'],
       ['web/app/x.ts', 'web/logo.svg'],
     ];
@@ -35,28 +36,42 @@ describe('the graph of the rooms', () => {
 
 describe('a stylesheet', () => {
   const component = '<style scoped src="../work/own.css"></style>\n<style>\n@import "./near.css";\n</style>';
-  const imports = styleImportsIn('src/web/task/Card.vue', component);
+  const imports = styleImportsIn('src/web/session/task/Card.vue', component);
 
   it('is an import of the component that takes it in, by address or by name', () => {
     expect(imports).toEqual([
-      ['src/web/task/Card.vue', 'src/web/work/own.css'],
-      ['src/web/task/Card.vue', 'src/web/task/near.css'],
+      ['src/web/session/task/Card.vue', 'src/web/session/work/own.css'],
+      ['src/web/session/task/Card.vue', 'src/web/session/task/near.css'],
     ]);
-    expect(styleImportsIn('src/web/page/all.css', '@import url(./one.css);\nb { color: red; }')).toEqual([
-      ['src/web/page/all.css', 'src/web/page/one.css'],
+    expect(styleImportsIn('src/web/kit/all.css', '@import url(./one.css);\nb { color: red; }')).toEqual([
+      ['src/web/kit/all.css', 'src/web/kit/one.css'],
     ]);
   });
 
   it('of another room is taken in only where the table allows it', () => {
     const rooms = (table) => forbiddenBetween(imports, { folder: 'src/web', table });
-    expect(rooms({ task: ['work'], work: [] })).toEqual([]);
-    expect(rooms({ task: [], work: [] })).toEqual([
-      'src/web/task/Card.vue → src/web/work/own.css\n    task may import nothing (layers.mjs)',
+    expect(rooms({ 'session/task': ['session/work'], 'session/work': [] })).toEqual([]);
+    expect(rooms({ 'session/task': ['session'], 'session/work': [] })).toEqual([]);
+    expect(rooms({ 'session/task': [], 'session/work': [] })).toEqual([
+      'src/web/session/task/Card.vue → src/web/session/work/own.css\n    session/task may import nothing (layers.mjs)',
     ]);
   });
 
   it('ties a circle between folders as any import does', () => {
-    const back = [['src/web/work/x.ts', 'src/web/task/y.ts']];
-    expect(folderCircles([...imports, ...back], 'src/web')).toEqual(['src/web/task ↔ src/web/work']);
+    const back = [['src/web/session/work/x.ts', 'src/web/session/task/y.ts']];
+    expect(folderCircles([...imports, ...back], 'src/web')).toEqual(['src/web/session/task ↔ src/web/session/work']);
+  });
+});
+
+describe('a room of the page', () => {
+  const order = Object.keys(wings);
+  const wingOf = (room) => room.split('/')[0];
+
+  it.each(Object.entries(webLayers))('%s reaches no wing behind its own', (room, allowed) => {
+    for (const other of allowed) expect(order.indexOf(wingOf(other))).toBeLessThanOrEqual(order.indexOf(wingOf(room)));
+  });
+
+  it.each(Object.entries(webLayers))('%s reaches rooms that exist', (_room, allowed) => {
+    for (const other of allowed) expect(other in webLayers || other in wings, other).toBe(true);
   });
 });

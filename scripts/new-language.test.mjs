@@ -55,8 +55,8 @@ describe('a fifth language', () => {
       for (const [path, text] of await newFiles(folder)) files.set(path.replaceAll('\\', '/'), text);
     files.set('src/core/languages.ts', withLine(files.get('src/core/languages.ts')));
     expect(problemsOf(files, sameWords)).toEqual([]);
-    files.delete(`src/web/page/words/${NEW}.json`);
-    expect(problemsOf(files)).toContain(`src/web/page/words/*.json bar.run: no text in ${NEW}`);
+    files.delete(`src/web/kit/words/${NEW}.json`);
+    expect(problemsOf(files)).toContain(`src/web/kit/words/*.json bar.run: no text in ${NEW}`);
   });
 
   it('is spoken by every part that has words', async () => {
@@ -88,7 +88,7 @@ describe('a fifth language', () => {
   });
 
   it('is spoken by what is fetched one language at a time: the first page, errors, help, reference, device check', async () => {
-    const { loadTexts, loadErrorTexts, setLanguage: _, showLanguage, t } = await inPlace('web/page/i18n/index.ts');
+    const { loadTexts, loadErrorTexts, setLanguage: _, showLanguage, t } = await inPlace('web/kit/i18n/index.ts');
     await loadTexts(NEW);
     showLanguage(NEW);
     await loadErrorTexts();
@@ -97,12 +97,12 @@ describe('a fifth language', () => {
     expect((await loadReferenceTexts(NEW))['microbit.display']).toMatch(/^¶/);
     const { loadRuleTexts } = await inPlace('device-check/rule-texts.ts');
     expect((await loadRuleTexts(NEW))['f-string']).toMatch(/^¶/);
-    const { loadGuide } = await inPlace('web/first-steps/guide/load-guide.ts');
+    const { loadGuide } = await inPlace('web/help/guide/load-guide.ts');
     expect((await loadGuide(NEW, null)).content.title).toMatch(/^¶/);
   });
 
   it('is offered and understood: by the page, the command line and hosts', async () => {
-    const { preferredLanguage } = await inPlace('web/page/i18n/index.ts');
+    const { preferredLanguage } = await inPlace('web/kit/i18n/index.ts');
     expect(preferredLanguage(['eo', 'de'])).toBe(NEW);
     const { LANGUAGES } = await inPlace('core/languages.ts');
     expect(LANGUAGES).toContain(NEW);

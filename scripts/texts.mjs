@@ -12,7 +12,7 @@ const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;
 /** Words of programs: their member `program` stands under the English texts, and a test of its own looks after it. */
 const OF_PROGRAMS = /^courses\/|\/(examples|programs)\/words\/$/;
 /** Parts whose texts are told by `t` under their names: folder → what stands before the names. */
-const KEYED = { 'src/web/page/words/': '', 'src/advice/words/': 'error.' };
+const KEYED = { 'src/web/kit/words/': '', 'src/advice/words/': 'error.' };
 
 /**
  * @typedef {{ where: string, texts: Record<string, string> }} Entry a text in its languages, and where it stands

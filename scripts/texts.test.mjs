@@ -17,10 +17,10 @@ const found = (texts) => problems(inWords({ ...good, ...texts })).join('\n');
 
 /** The texts of the first page with one text each, and a component that shows it. */
 const catalogues = (english) => ({
-  'src/web/page/words/de.json': '{ "bar": { "stop": "Stopp" } }',
-  'src/web/page/words/fr.json': '{ "bar": { "stop": "Arrêter" } }',
-  'src/web/page/words/it.json': '{ "bar": { "stop": "Ferma" } }',
-  'src/web/page/words/en.json': `{ "bar": { ${english} } }`,
+  'src/web/kit/words/de.json': '{ "bar": { "stop": "Stopp" } }',
+  'src/web/kit/words/fr.json': '{ "bar": { "stop": "Arrêter" } }',
+  'src/web/kit/words/it.json': '{ "bar": { "stop": "Ferma" } }',
+  'src/web/kit/words/en.json': `{ "bar": { ${english} } }`,
 });
 const button = {
   'src/web/Stop.vue': '<script setup lang="ts">\n</script>\n<template>{{ t(\'bar.stop\') }}</template>',
@@ -128,7 +128,7 @@ describe('the catalogues', () => {
   });
 
   it('may not lack a key', () => {
-    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/page/words/*.json bar.stop: no text in en']);
+    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/kit/words/*.json bar.stop: no text in en']);
   });
 
   it('may not have a key more', () => {
@@ -138,7 +138,7 @@ describe('the catalogues', () => {
   });
 
   it('may not have a key that nobody shows', () => {
-    expect(problems(catalogues('"stop": "Stop"'))).toEqual(['src/web/page/words/*.json bar.stop: used nowhere']);
+    expect(problems(catalogues('"stop": "Stop"'))).toEqual(['src/web/kit/words/*.json bar.stop: used nowhere']);
   });
 
   it('count a key as shown that is put together: bar.${id}', () => {

@@ -1,4 +1,4 @@
-// What the language of the oldest browsers (ES2022, `scripts/oldest.mjs`) lacks, and `src/web/page/oldest/` fills in.
+// What the language of the oldest browsers (ES2022, `scripts/oldest.mjs`) lacks, and `src/web/kit/oldest/` fills in.
 
 interface ReadonlyArray<T> {
   findLast<S extends T>(test: (value: T, index: number, row: readonly T[]) => value is S): S | undefined;

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { defaultScene, type Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
-import { fitView } from '../../src/web/arena/view/view-transform';
+import { fitView } from '../../src/web/pupil/arena/view/view-transform';
 import { aThingAt, FULL, fullCourse, SIZE } from '../full-course';
 import { median, repeat, type Subject } from '../subject';
 import { WARM_UP_MS } from './frames';

@@ -1,4 +1,4 @@
-import type { OnItsWay } from '../../src/web/run/worker/pictures';
+import type { OnItsWay } from '../../src/web/session/run/worker/pictures';
 
 declare global {
   interface Window {

@@ -1,6 +1,6 @@
 import type { SoundEvent } from '#board/sound/sound-event';
-import { SoundMixer } from '../../src/web/run/sound/sound-mixer';
-import * as synthesis from '../../src/web/run/sound/synthesis';
+import { SoundMixer } from '../../src/web/session/run/sound/sound-mixer';
+import * as synthesis from '../../src/web/session/run/sound/synthesis';
 
 /** A stretch of time, in ms. */
 export interface Stretch {

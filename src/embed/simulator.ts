@@ -1,6 +1,6 @@
 /**
  * What an embedding page can do with the app, and the events it gets: the one port behind every dialect. The app
- * implements it (`src/web/host`); protocol adapters (`adapter.ts`) translate it to a dialect.
+ * implements it (`src/web/exchange/host`); protocol adapters (`adapter.ts`) translate it to a dialect.
  */
 import type { Language } from '#core/languages';
 import type { Project, ProjectSettings, SourceFile } from '#project/project';

@@ -1,21 +1,21 @@
-import './page/oldest/fill';
+import './kit/oldest/fill';
 
-import './page/styles/base.css';
-import './page/styles/tokens.css';
-import './page/styles/page.css';
-import './page/styles/controls.css';
-import './page/styles/blocks.css';
+import './kit/styles/base.css';
+import './kit/styles/tokens.css';
+import './kit/styles/page.css';
+import './kit/styles/controls.css';
+import './kit/styles/blocks.css';
 
 import { createApp } from 'vue';
 
 import App from './app/App.vue';
-import { nothingKept, openedFrom, openTabStorage } from './work/model/keep-work';
-import { storedSettings } from './work/settings/settings-model';
-import { hostWish } from './visit/address';
-import { isPhoneNow } from './layout/layout-model';
-import { keepEarlyMessages } from './host/listen-to-host';
-import { setLanguage } from './page/i18n';
-import { controls } from './page/controls/controls';
+import { nothingKept, openedFrom, openTabStorage } from './session/work/model/keep-work';
+import { storedSettings } from './session/work/settings/settings-model';
+import { hostWish } from './session/visit/address';
+import { isPhoneNow } from './session/layout/layout-model';
+import { keepEarlyMessages } from './exchange/host/listen-to-host';
+import { setLanguage } from './kit/i18n';
+import { controls } from './kit/controls/controls';
 
 /** When the page looks after visits without a network, in ms. Chosen: what the first run needs has come by then. */
 const OFFLINE_AFTER_MS = 4000;
@@ -37,7 +37,7 @@ async function start(): Promise<void> {
   ]);
   createApp(App, { opened, wish }).use(controls).mount('#app');
   setTimeout(() => {
-    import('./offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
+    import('./exchange/offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
   }, OFFLINE_AFTER_MS);
 }
 
@@ -46,11 +46,11 @@ const isNewcomer = (): boolean =>
   !storedSettings().welcomed && window.parent === window && location.search === '' && location.hash === '';
 
 /** The greeting is there with the first picture of the page, instead of changing it later. */
-const fetchGreeting = (): Promise<unknown> => import('./first-steps/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
+const fetchGreeting = (): Promise<unknown> => import('./help/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
 
 /** What only a phone has is there with its first picture. */
 const fetchPhoneParts = (): Promise<unknown> =>
-  Promise.all([import('./app/PhoneNav.vue'), import('./board/MiniBoard.vue')]).catch(() => undefined);
+  Promise.all([import('./app/PhoneNav.vue'), import('./pupil/board/MiniBoard.vue')]).catch(() => undefined);
 
 keepEarlyMessages();
 void start();

@@ -3,9 +3,9 @@ import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { controls } from '../page/controls/controls';
-import { noHost, type HostWish } from '../visit/host-view';
-import { nothingKept } from '../work/model/keep-work';
+import { controls } from '../kit/controls/controls';
+import { noHost, type HostWish } from '../session/visit/host-view';
+import { nothingKept } from '../session/work/model/keep-work';
 import App from './App.vue';
 import { downloads } from './testing/downloads';
 import { named, setWindow, textOf } from './testing/mount-on';

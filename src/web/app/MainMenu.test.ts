@@ -3,13 +3,13 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { loadTexts, showLanguage } from '../page/i18n';
+import { loadTexts, showLanguage } from '../kit/i18n';
 import LanguageList from './LanguageList.vue';
 import LanguageMenu from './LanguageMenu.vue';
 import MainList from './MainList.vue';
 import MainMenu from './MainMenu.vue';
-import SpeedList from '../arena/SpeedList.vue';
-import SpeedMenu from '../arena/SpeedMenu.vue';
+import SpeedList from '../pupil/arena/SpeedList.vue';
+import SpeedMenu from '../pupil/arena/SpeedMenu.vue';
 import { downloads } from './testing/downloads';
 import { press } from './testing/editing';
 import { mountOn, named, setWindow, textOf } from './testing/mount-on';

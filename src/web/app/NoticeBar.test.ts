@@ -3,7 +3,7 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick, shallowRef } from 'vue';
 
-import { loadTexts, showLanguage } from '../page/i18n';
+import { loadTexts, showLanguage } from '../kit/i18n';
 import AppDialog from './AppDialog.vue';
 import NoticeBar from './NoticeBar.vue';
 import { fill, press } from './testing/editing';

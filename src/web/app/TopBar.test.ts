@@ -3,7 +3,7 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { noHost } from '../visit/host-view';
+import { noHost } from '../session/visit/host-view';
 import PhoneNav from './PhoneNav.vue';
 import PlayOverlay from './PlayOverlay.vue';
 import RunStrip from './RunStrip.vue';

@@ -2,16 +2,16 @@ import { watch, type ShallowRef } from 'vue';
 
 import type { Scene } from '#scene/scene';
 
-import { fetchAdvice } from '../console/advice/explain';
-import { RadioModel } from '../run/radio-model';
-import { RunModel, type RunHost } from '../run/run-model';
-import { SensorsModel } from '../run/sensors-model';
-import type { RunParts } from '../run/parts';
-import { createWorker } from '../run/worker/create-worker';
-import { compileFirmware } from '../run/worker/firmware';
-import { troubleKey } from '../run/worker/firmware-trouble';
-import type { VisitParts } from '../visit/parts';
-import { runSetup } from '../work/run-setup';
+import { fetchAdvice } from '../pupil/console/advice/explain';
+import { RadioModel } from '../session/run/radio-model';
+import { RunModel, type RunHost } from '../session/run/run-model';
+import { SensorsModel } from '../session/run/sensors-model';
+import type { RunParts } from '../session/run/parts';
+import { createWorker } from '../session/run/worker/create-worker';
+import { compileFirmware } from '../session/run/worker/firmware';
+import { troubleKey } from '../session/run/worker/firmware-trouble';
+import type { VisitParts } from '../session/visit/parts';
+import { runSetup } from '../session/work/run-setup';
 import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
 
 /** How long after the start of the first run the page fetches what explains errors, in ms. */

@@ -9,8 +9,8 @@ import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { randomEdit } from '#scene/testing/random-scene';
 
-import { useSelectionActs } from '../course-editor/state/use-selection-acts';
-import { appSimulator } from '../host/app-simulator';
+import { useSelectionActs } from '../course/editor/state/use-selection-acts';
+import { appSimulator } from '../exchange/host/app-simulator';
 import { editingPage, samples, type EditingPage } from './testing/editing';
 import { show, startRun } from './testing/run';
 
@@ -21,7 +21,7 @@ const BUILDING = [
   ...(['wall', 'maze', 'zone', 'label', 'start'] as const),
 ];
 
-beforeAll(() => import('../handed-out/keeper')); // its first coming takes a while on a busy machine
+beforeAll(() => import('../course/locks/keeper')); // its first coming takes a while on a busy machine
 beforeEach(() => {
   sessionStorage.clear();
   localStorage.clear();

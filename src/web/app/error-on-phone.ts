@@ -1,11 +1,11 @@
 import type { Ended } from '#simulation/simulation';
 
-import { fetchAdvice } from '../console/advice/explain';
-import { errorText } from '../console/error-text';
-import type { LayoutParts } from '../layout/parts';
-import type { PageParts } from '../page/parts';
-import type { RunModel } from '../run/run-model';
-import type { WorkParts } from '../work/model/parts';
+import { fetchAdvice } from '../pupil/console/advice/explain';
+import { errorText } from '../pupil/console/error-text';
+import type { LayoutParts } from '../session/layout/parts';
+import type { PageParts } from '../kit/parts';
+import type { RunModel } from '../session/run/run-model';
+import type { WorkParts } from '../session/work/model/parts';
 
 /** What is told of, and where. */
 type PhoneParts = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;

@@ -22,17 +22,17 @@ import { linkKinds, linkOrder, type SharedByKinds } from '#project/link/scene-co
 import { constant, record } from '#project/link/codec';
 import { isLasting, runKinds, type RunKind } from '#simulation/kinds';
 
-import { drawObject, pictureKinds } from '../arena/picture/kinds/index';
-import type { PictureKind } from '../arena/picture/kinds/kind';
-import { lightPalette } from '../arena/model/palette';
-import { fitView } from '../arena/view/view-transform';
-import kindNames from '../course-editor/words/kinds';
-import { kindWords, namesOf, whereText } from '../course-editor/words/object-words';
-import { setLanguage } from '../page/i18n';
-import { printKinds } from '../print/kinds/index';
-import type { PrintKind } from '../print/kinds/kind';
-import { coursePdf } from '../print/pdf-course';
-import { planPrint } from '../print/print-plan';
+import { drawObject, pictureKinds } from '../pupil/arena/picture/kinds/index';
+import type { PictureKind } from '../pupil/arena/picture/kinds/kind';
+import { lightPalette } from '../pupil/arena/model/palette';
+import { fitView } from '../pupil/arena/view/view-transform';
+import kindNames from '../course/editor/words/kinds';
+import { kindWords, namesOf, whereText } from '../course/editor/words/object-words';
+import { setLanguage } from '../kit/i18n';
+import { printKinds } from '../teacher/print/kinds/index';
+import type { PrintKind } from '../teacher/print/kinds/kind';
+import { coursePdf } from '../teacher/print/pdf-course';
+import { planPrint } from '../teacher/print/print-plan';
 
 /** A kind that no course has: a puddle on the floor. All that a new kind needs, in the shape of the tables. */
 interface Puddle extends AnyObject {

@@ -1,7 +1,7 @@
 import { watch } from 'vue';
 
-import type { KeptPage } from '../handed-out/keeper';
-import { isHandedOut } from '../work/model/keeper';
+import type { KeptPage } from '../course/locks/keeper';
+import { isHandedOut } from '../session/work/model/keeper';
 
 /** Keeps what a task locks. What does so comes with the first task. */
 export function keepTask(app: KeptPage): void {
@@ -14,7 +14,7 @@ export function keepTask(app: KeptPage): void {
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
-      void import('../handed-out/keeper').then(
+      void import('../course/locks/keeper').then(
         ({ keep }) => {
           if (isWanted) stop = keep(app, opened);
         },

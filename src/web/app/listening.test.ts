@@ -3,7 +3,7 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, shallowRef } from 'vue';
 
-import { pressBoard } from '../board/drawing/board-press';
+import { pressBoard } from '../pupil/board/drawing/board-press';
 import LiveRegion from './LiveRegion.vue';
 import { mountOn, setWindow, textOf } from './testing/mount-on';
 import { createPage, type TestPage } from './testing/page';

@@ -6,12 +6,12 @@ import { effectScope, nextTick } from 'vue';
 import type { SimulatorEvent } from '#embed/simulator';
 import { defaultScene } from '#scene/scene';
 
-import { noHost } from '../visit/host-view';
+import { noHost } from '../session/visit/host-view';
 import { courses } from '#catalogue/courses';
-import { firstCourse } from '../work/catalogue/first-course';
-import { nothingKept, openedFrom } from '../work/model/keep-work';
-import { workToText } from '../work/storage/history';
-import type { TabStorage } from '../work/storage/tab-storage';
+import { firstCourse } from '../session/work/catalogue/first-course';
+import { nothingKept, openedFrom } from '../session/work/model/keep-work';
+import { workToText } from '../session/work/storage/history';
+import type { TabStorage } from '../session/work/storage/tab-storage';
 import { createParts } from './provide-parts';
 import { setWindow } from './testing/mount-on';
 import { createPage, type TestPage } from './testing/page';

@@ -3,45 +3,45 @@ import { shallowRef, watch, type ShallowRef } from 'vue';
 import { MAIN, type Project } from '#project/project';
 import { defaultScene, type Scene } from '#scene/scene';
 
-import { ConsoleModel } from '../console/console-model';
-import { createJump } from '../console/jump';
-import { provideConsole, type ConsoleParts } from '../console/parts';
-import { DebugSlot } from '../debug/debug-slot';
-import { provideDebug } from '../debug/parts';
-import { provideCourseEditor } from '../course-editor/state/parts';
-import { createCourseEditor, type CourseEditorModel } from '../course-editor/state/course-editor-model';
-import { createEditorPanels } from '../course-editor/state/editor-panels';
-import { createGuide } from '../first-steps/guide-model';
-import { provideFirstSteps } from '../first-steps/parts';
-import { createTour } from '../first-steps/tour-model';
-import { ArenaAlone } from '../layout/arena-alone';
-import { createGallery } from '../layout/gallery-model';
-import { createLayout } from '../layout/layout-model';
-import { provideLayout, type LayoutParts } from '../layout/parts';
-import { createDialogs } from '../page/dialogs';
-import type { Language } from '../page/i18n';
-import { LateModels } from '../page/late-models';
-import { createNotices } from '../page/notices';
-import { providePage, type PageParts } from '../page/parts';
-import { DataLogModel } from '../run/data-log-model';
-import { createHand } from '../run/hand';
-import { provideRun, type RunParts } from '../run/parts';
-import { SoundPlayer } from '../run/sound/sound-player';
-import { heldSettings } from '../visit/held-settings';
-import { HostView, type HostWish } from '../visit/host-view';
-import { provideVisit } from '../visit/parts';
+import { ConsoleModel } from '../pupil/console/console-model';
+import { createJump } from '../pupil/console/jump';
+import { provideConsole, type ConsoleParts } from '../pupil/console/parts';
+import { DebugSlot } from '../pupil/debug/debug-slot';
+import { provideDebug } from '../pupil/debug/parts';
+import { provideCourseEditor } from '../course/editor/state/parts';
+import { createCourseEditor, type CourseEditorModel } from '../course/editor/state/course-editor-model';
+import { createEditorPanels } from '../course/editor/state/editor-panels';
+import { createGuide } from '../help/guide-model';
+import { provideFirstSteps } from '../help/parts';
+import { createTour } from '../help/tour-model';
+import { ArenaAlone } from '../session/layout/arena-alone';
+import { createGallery } from '../session/layout/gallery-model';
+import { createLayout } from '../session/layout/layout-model';
+import { provideLayout, type LayoutParts } from '../session/layout/parts';
+import { createDialogs } from '../kit/dialogs';
+import type { Language } from '../kit/i18n';
+import { LateModels } from '../kit/state/late-models';
+import { createNotices } from '../kit/notices';
+import { providePage, type PageParts } from '../kit/parts';
+import { DataLogModel } from '../session/run/data-log-model';
+import { createHand } from '../session/run/hand';
+import { provideRun, type RunParts } from '../session/run/parts';
+import { SoundPlayer } from '../session/run/sound/sound-player';
+import { heldSettings } from '../session/visit/held-settings';
+import { HostView, type HostWish } from '../session/visit/host-view';
+import { provideVisit } from '../session/visit/parts';
 import { projectOf } from '#catalogue/course';
-import { fetchNameOf, firstCourse } from '../work/catalogue/first-course';
-import { deviceSettings } from '../work/hardware/hardware';
-import { tableNow } from '../work/hardware/use-hardware';
-import { keepWork, type Opened } from '../work/model/keep-work';
-import { provideWork, type WorkParts } from '../work/model/parts';
-import { createSettings } from '../work/settings/settings-model';
-import type { Work } from '../work/storage/history';
-import { provideTask } from '../task/parts';
-import { createTask } from '../task/task-model';
-import { useLiveEdits } from '../work/model/use-live-edits';
-import { WorkModel } from '../work/model/work-model';
+import { fetchNameOf, firstCourse } from '../session/work/catalogue/first-course';
+import { deviceSettings } from '../session/work/hardware/hardware';
+import { tableNow } from '../session/work/hardware/use-hardware';
+import { keepWork, type Opened } from '../session/work/model/keep-work';
+import { provideWork, type WorkParts } from '../session/work/model/parts';
+import { createSettings } from '../session/work/settings/settings-model';
+import type { Work } from '../session/work/storage/history';
+import { provideTask } from '../session/task/parts';
+import { createTask } from '../session/task/task-model';
+import { useLiveEdits } from '../session/work/model/use-live-edits';
+import { WorkModel } from '../session/work/model/work-model';
 import { keepTask } from './keep-task';
 import { tellIdleHand } from './tell-idle-hand';
 import { browserEngine, createRun, type RunEngine } from './create-run';
@@ -64,7 +64,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
     work,
     opened.storage,
     () => page.notices.show({ kind: 'error', key: 'files.storageFull' }),
-    (savedMs) => void import('../work/take-over').then(({ takeOver }) => takeOver({ ...page, work }, savedMs)),
+    (savedMs) => void import('../session/work/take-over').then(({ takeOver }) => takeOver({ ...page, work }, savedMs)),
   );
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
@@ -108,7 +108,7 @@ export function provideParts(parts: AllParts): void {
 function keepPast({ work, run, notices }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'> & PageParts): void {
   work.staysAsItIs = () => {
     if (run.past.value === null) return false;
-    void import('../look-back/tell-past').then(({ tellPast }) => tellPast(notices));
+    void import('../pupil/look-back/tell-past').then(({ tellPast }) => tellPast(notices));
     return true;
   };
 }

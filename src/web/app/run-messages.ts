@@ -1,14 +1,14 @@
 import { filesOfDevice } from '#project/devices';
 import type { Ended } from '#simulation/simulation';
 
-import { placeIn, sourceAt } from '../console/error-text';
-import type { ConsoleParts } from '../console/parts';
-import type { LayoutParts } from '../layout/parts';
-import type { PageParts } from '../page/parts';
-import type { RunModel } from '../run/run-model';
-import { mispluggedNotice } from '../work/hardware/misplugged';
-import { hardwareNow, tableNow } from '../work/hardware/use-hardware';
-import type { WorkParts } from '../work/model/parts';
+import { placeIn, sourceAt } from '../pupil/console/error-text';
+import type { ConsoleParts } from '../pupil/console/parts';
+import type { LayoutParts } from '../session/layout/parts';
+import type { PageParts } from '../kit/parts';
+import type { RunModel } from '../session/run/run-model';
+import { mispluggedNotice } from '../session/work/hardware/misplugged';
+import { hardwareNow, tableNow } from '../session/work/hardware/use-hardware';
+import type { WorkParts } from '../session/work/model/parts';
 
 /** Where a run is talked about. */
 export type RunMessages = WorkParts & ConsoleParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
@@ -27,7 +27,7 @@ export async function showFailure(parts: RunMessages, message: string): Promise<
   const { work, notices } = parts;
   const [hardware, scene] = [hardwareNow(parts), work.scene.value];
   try {
-    const { failureNotice } = await import('../run/failure-notice');
+    const { failureNotice } = await import('../session/run/failure-notice');
     notices.show(failureNotice(message, hardware, scene));
   } catch {
     notices.show({ kind: 'error', key: 'notice.failed', values: { message } });

@@ -3,9 +3,9 @@ import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { editingPage, samples } from './testing/editing';
-import { askForDevice, askForName } from '../several-devices/ask-device';
-import { newBoard } from '../several-devices/new-device';
-import { useDevice } from '../work/hardware/use-device';
+import { askForDevice, askForName } from '../pupil/several-devices/ask-device';
+import { newBoard } from '../pupil/several-devices/new-device';
+import { useDevice } from '../session/work/hardware/use-device';
 import { show, startRun } from './testing/run';
 
 /** A course with a wall that is still to be drawn, and a run that is looked back at with the pen in hand. */

@@ -1,6 +1,6 @@
 import { computed, onScopeDispose, shallowRef, watchEffect, type ComputedRef } from 'vue';
 
-import type { SettingsModel } from '../work/settings/settings-model';
+import type { SettingsModel } from '../session/work/settings/settings-model';
 
 /** Whether the page is dark: as chosen, or as the device wishes. Marks the document for the style sheets. */
 export function useDark({ current }: SettingsModel): ComputedRef<boolean> {

@@ -1,7 +1,7 @@
 import { onScopeDispose } from 'vue';
 
-import { Presses, type BoardKey } from '../board/drawing/presses';
-import type { RunParts } from '../run/parts';
+import { Presses, type BoardKey } from '../pupil/board/drawing/presses';
+import type { RunParts } from '../session/run/parts';
 
 /** Keys of the keyboard that press something on the board. */
 const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };

@@ -1,8 +1,8 @@
 import { computed, onScopeDispose, watch, watchEffect, type ComputedRef } from 'vue';
 
-import type { PageParts } from '../page/parts';
-import type { RunParts } from '../run/parts';
-import type { WorkParts } from '../work/model/parts';
+import type { PageParts } from '../kit/parts';
+import type { RunParts } from '../session/run/parts';
+import type { WorkParts } from '../session/work/model/parts';
 
 /** The tone that the run makes now, in Hz, whether it is heard or not; 0: none. */
 export function useTone({ run }: Pick<RunParts, 'run'>): ComputedRef<number> {

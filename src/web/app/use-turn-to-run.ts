@@ -1,9 +1,9 @@
 import { watch } from 'vue';
 
-import type { LayoutParts } from '../layout/parts';
-import type { RunParts } from '../run/parts';
-import { hasRobot } from '../work/hardware/use-hardware';
-import type { WorkParts } from '../work/model/parts';
+import type { LayoutParts } from '../session/layout/parts';
+import type { RunParts } from '../session/run/parts';
+import { hasRobot } from '../session/work/hardware/use-hardware';
+import type { WorkParts } from '../session/work/model/parts';
 
 /**
  * On a phone, where the program hides the rest, a run turns to what it shows: the arena, or the board where no device has

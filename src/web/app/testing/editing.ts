@@ -2,7 +2,7 @@ import { nextTick } from 'vue';
 
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 
-import { joinEditor } from '../../course-editor/join-editor';
+import { joinEditor } from '../../course/editor/join-editor';
 import { named } from './mount-on';
 import { createPage, type TestPage } from './page';
 

@@ -2,8 +2,8 @@ import { enableAutoUnmount, mount, type VueWrapper } from '@vue/test-utils';
 import { afterEach, beforeAll, beforeEach, vi } from 'vitest';
 import { defineComponent, h, type Component } from 'vue';
 
-import { loadTexts, showLanguage } from '../../page/i18n';
-import { controls } from '../../page/controls/controls';
+import { loadTexts, showLanguage } from '../../kit/i18n';
+import { controls } from '../../kit/controls/controls';
 import { provideParts } from '../provide-parts';
 import type { TestPage } from './page';
 

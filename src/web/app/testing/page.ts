@@ -1,9 +1,9 @@
 import { effectScope, type EffectScope } from 'vue';
 
-import type { WorkerPort } from '../../run/run-client';
-import type { FromWorker, ToWorker } from '../../run/worker/protocol';
-import { noHost, type HostWish } from '../../visit/host-view';
-import { nothingKept } from '../../work/model/keep-work';
+import type { WorkerPort } from '../../session/run/run-client';
+import type { FromWorker, ToWorker } from '../../session/run/worker/protocol';
+import { noHost, type HostWish } from '../../session/visit/host-view';
+import { nothingKept } from '../../session/work/model/keep-work';
 import { createParts, type AllParts } from '../provide-parts';
 
 /** A page without its components: all models, joined as in the browser. Its worker runs no program; the test speaks for it. */

@@ -1,9 +1,9 @@
 import { Simulation } from '#simulation/simulation';
 
-import type { WorkerPort } from '../../run/run-client';
-import { answerRepeat, type RepeatAnswer, type RepeatRequest } from '../../run/worker/look/repeat';
-import type { FromWorker, ToWorker } from '../../run/worker/protocol';
-import { Runner } from '../../run/worker/runner';
+import type { WorkerPort } from '../../session/run/run-client';
+import { answerRepeat, type RepeatAnswer, type RepeatRequest } from '../../session/run/worker/look/repeat';
+import type { FromWorker, ToWorker } from '../../session/run/worker/protocol';
+import { Runner } from '../../session/run/worker/runner';
 
 /** The page's worker, in the thread of the test: it runs programs and repeats runs. A test that is over ends it. */
 export function workerHere(): WorkerPort {

@@ -1,0 +1,38 @@
+import { mendAll, mendOf } from '#editor/mends/mends';
+import type { SceneEdit } from '#scene/edit';
+import type { Outline } from '#scene/outline';
+import type { RuleProblem } from '#scene/rules';
+import type { Scene } from '#scene/scene';
+
+import { t } from '../../../kit/i18n';
+import editingWords from '../words/editing';
+import { problemWords } from '../words/problem-words';
+
+export { problemsOf } from '../words/problem-words';
+
+const words = editingWords.mends;
+
+/** A problem of a course as people read it, and what a tap can do about it. */
+export interface ToldProblem {
+  readonly text: string;
+  readonly mend: { readonly text: string; readonly edit: SceneEdit } | null;
+}
+
+/** Tells of a problem in words. */
+export function told(problem: RuleProblem, scene: Scene, footprint: readonly Outline[]): ToldProblem {
+  const mend = mendOf(scene, problem, footprint);
+  return {
+    text: problemWords(problem, scene),
+    mend: mend && { text: t(words[mend.kind]), edit: mend.edit },
+  };
+}
+
+/** What mends several problems with one tap; `null` unless there are several that can be mended. */
+export function toldMendOfAll(
+  problems: readonly RuleProblem[],
+  scene: Scene,
+  footprint: readonly Outline[],
+): ToldProblem['mend'] {
+  const edit = mendAll(scene, problems, footprint);
+  return edit?.type === 'all' ? { text: t(words.all), edit } : null;
+}

@@ -1,0 +1,262 @@
+import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+
+import type { Vec } from '#core/geometry';
+import { usualToolOptions } from '#editor/tools/tool-options';
+import { nothingSelected, type Selection, type ToolId, type ToolOptions } from '#editor/tools/tool';
+import type { SceneEdit } from '#scene/edit';
+import type { SceneProblem } from '#scene/problem';
+import type { Scene } from '#scene/scene';
+
+import { Clipboard } from './clipboard';
+import { waitsForStart } from './waiting';
+import type { LayoutKind } from '../../../session/layout/layout-model';
+import type { SettingsModel } from '../../../session/work/settings/settings-model';
+import type { WorkModel } from '../../../session/work/model/work-model';
+
+/** What a pointer does in the arena: a tool edits the course, the hand reaches into the run. */
+export type ArenaTool = ToolId | 'hand';
+
+/** The part of the editor that is loaded on first use. */
+export interface EditorParts {
+  /** Why an edit would exceed the limits of a course, or `null`. */
+  problemOf(scene: Scene, edit: SceneEdit): SceneProblem | null;
+  /** Says to screen readers what happened. */
+  wordsFor(happened: Happened): string;
+}
+
+/** Something to announce to screen readers. */
+export type Happened =
+  /** `scene`: the course before the edit. */
+  | { readonly type: 'edit' | 'undo' | 'redo'; readonly scene: Scene; readonly edit: SceneEdit }
+  | { readonly type: 'problem'; readonly problem: SceneProblem }
+  | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
+  | { readonly type: 'tool'; readonly tool: ArenaTool }
+  /** What is selected was copied: nothing looks different. */
+  | { readonly type: 'copied' };
+
+/** Where the menu for things in the arena opens. */
+export interface MenuPlace {
+  /** In the window, px. */
+  readonly xPx: number;
+  readonly yPx: number;
+  readonly atMm: Vec;
+  /** For what is selected, or for the arena. */
+  readonly on: 'things' | 'floor';
+  /** Gets the keyboard back. */
+  readonly host: HTMLElement | null;
+  /** Shows the whole arena. */
+  readonly fit: () => void;
+}
+
+/** A label whose words are being changed in its place: its middle in the window, px. */
+export interface WordsPlace {
+  readonly id: string;
+  readonly xPx: number;
+  readonly yPx: number;
+  /** Gets the keyboard back. */
+  readonly host: HTMLElement | null;
+}
+
+/** What of the arena is seen, for those who bring something from beside it. */
+export interface EditorView {
+  /** The place of the arena (world mm) at a place of the window (px); `null`: it is beside the picture. */
+  readonly at: (xPx: number, yPx: number) => Vec | null;
+  /** The middle of what is seen, world mm. @param abovePx what lies below this, in the window, is covered */
+  readonly middle: (abovePx: number) => Vec;
+  /** How near counts as on a thing, in mm. */
+  readonly reachMm: () => number;
+}
+
+/** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
+export interface CourseEditorModel {
+  /** While somebody looks back it is the hand; what was chosen comes back with the present. */
+  readonly tool: ComputedRef<ArenaTool>;
+  readonly options: Readonly<ShallowRef<ToolOptions>>;
+  readonly selection: Readonly<ShallowRef<Selection>>;
+  /** Whether the palette is unfolded. While it is folded, only the hand works. */
+  readonly isOpen: ComputedRef<boolean>;
+  /** Whether snapping is off. */
+  readonly free: ShallowRef<boolean>;
+  /** The result of the gesture so far; `null` for none. */
+  readonly drag: ShallowRef<SceneEdit | null>;
+  /** What is held over the arena from beside it, as it would lie there; `null`: nothing. */
+  readonly brought: ShallowRef<SceneEdit | null>;
+  /** What is seen of the arena; `null` until the tools have come. */
+  readonly view: ShallowRef<EditorView | null>;
+  /** The course as it would be if the gesture ended now; `null` if none is under way. Saved with the work. */
+  readonly unfinished: WorkModel['unfinished'];
+  /** What the ruler measures, in world mm; `null` for nothing yet. */
+  readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
+  /** The course with which the run on show began; `null` without a run. */
+  readonly runStart: Readonly<ShallowRef<Scene | null>>;
+  /** Whether the run has yet to pick up changes that need a new start: walls, fixed things, the robot's start. */
+  readonly isWaiting: ComputedRef<boolean>;
+  /** The announcement of what has just happened. */
+  readonly said: Readonly<ShallowRef<string>>;
+  /** Why the last edit was refused, or `null`. */
+  readonly problem: ShallowRef<SceneProblem | null>;
+  readonly clipboard: Clipboard;
+  /** Where the pointer is over the arena, world mm; `null`: elsewhere, or a finger. */
+  readonly pointer: ShallowRef<Vec | null>;
+  /** The menu for things in the arena; `null`: closed. */
+  readonly menu: ShallowRef<MenuPlace | null>;
+  /** The label that is being changed in its place; `null`: none. */
+  readonly words: ShallowRef<WordsPlace | null>;
+  /** Says to screen readers what happened. */
+  readonly tell: (happened: Happened) => void;
+  readonly choose: (tool: ArenaTool) => void;
+  readonly setOptions: (part: Partial<ToolOptions>) => void;
+  readonly select: (selection: Selection) => void;
+  /** Applies an edit to the course and the run, as one step to undo. Returns whether it was accepted. */
+  readonly commit: (edit: SceneEdit, select?: Selection) => boolean;
+  readonly undo: () => void;
+  readonly redo: () => void;
+  /** Unfolds the palette, or folds it away. */
+  readonly setOpen: (open: boolean) => void;
+  /** Called by the part that is loaded on first use. */
+  readonly join: (parts: EditorParts) => void;
+}
+
+/** What the editor depends on. */
+export interface EditorSurroundings {
+  readonly work: WorkModel;
+  readonly settings: SettingsModel;
+  readonly kind: Readonly<ShallowRef<LayoutKind>>;
+  readonly runStart: Readonly<ShallowRef<Scene | null>>;
+  /** Whether a run is under way. */
+  readonly isActive: Readonly<ShallowRef<boolean>>;
+  /** The moment that is looked at instead of now; `null`: nobody looks back. */
+  readonly past: Readonly<ShallowRef<unknown>>;
+}
+
+/** Creates the course editor's state, which lives as long as the app. */
+export function createCourseEditor(around: EditorSurroundings): CourseEditorModel {
+  const editor = new CourseEditor(around);
+  // Removed objects must not stay selected.
+  watch(around.work.scene, (scene) => editor.forgetGone(scene), { flush: 'sync' });
+  watch(around.work.openings, () => editor.reset());
+  onScopeDispose(
+    around.work.onStep(({ type, step, without }) => editor.tell({ type, scene: without, edit: step.edit })),
+  );
+  watch(editor.isOpen, (open) => {
+    if (!open) editor.choose('hand');
+  });
+  return editor;
+}
+
+/** Its functions do not use `this` and can be passed on alone. */
+class CourseEditor implements CourseEditorModel {
+  readonly tool: ComputedRef<ArenaTool>;
+  private readonly chosen = shallowRef<ArenaTool>('hand');
+  readonly options = shallowRef<ToolOptions>(usualToolOptions);
+  readonly selection = shallowRef(nothingSelected);
+  readonly free = shallowRef(false);
+  readonly drag = shallowRef<SceneEdit | null>(null);
+  readonly brought: CourseEditorModel['brought'] = shallowRef(null);
+  readonly view: CourseEditorModel['view'] = shallowRef(null);
+  readonly measure: CourseEditorModel['measure'] = shallowRef(null);
+  readonly said = shallowRef('');
+  readonly problem = shallowRef<SceneProblem | null>(null);
+  readonly clipboard = new Clipboard();
+  readonly pointer: CourseEditorModel['pointer'] = shallowRef(null);
+  readonly menu: CourseEditorModel['menu'] = shallowRef(null);
+  readonly words: CourseEditorModel['words'] = shallowRef(null);
+  readonly runStart: CourseEditorModel['runStart'];
+  readonly unfinished: WorkModel['unfinished'];
+  readonly isOpen: ComputedRef<boolean>;
+  readonly isWaiting: ComputedRef<boolean>;
+  private parts: EditorParts | null = null;
+
+  constructor(private readonly around: EditorSurroundings) {
+    const { settings, kind, work, runStart, isActive, past } = around;
+    this.runStart = runStart;
+    this.unfinished = work.unfinished;
+    this.tool = computed(() => (past.value === null ? this.chosen.value : 'hand'));
+    // On a phone the arena needs the room; elsewhere the tools are shown.
+    this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
+    this.isWaiting = computed(
+      () => isActive.value && runStart.value !== null && waitsForStart(runStart.value, work.scene.value),
+    );
+  }
+
+  readonly choose = (tool: ArenaTool): void => {
+    const { work, past } = this.around;
+    if (work.keeper.value?.refusesTool(tool) === true || (past.value !== null && tool !== 'hand')) return;
+    this.drag.value = null;
+    this.measure.value = null;
+    if (tool === this.chosen.value) return;
+    this.chosen.value = tool;
+    if (tool !== 'select' && tool !== 'rotate' && tool !== 'points') this.selection.value = nothingSelected;
+    this.tell({ type: 'tool', tool });
+  };
+
+  readonly setOptions = (part: Partial<ToolOptions>): void => {
+    this.options.value = { ...this.options.value, ...part };
+  };
+
+  readonly select = (selection: Selection): void => {
+    if (isSameSelection(selection, this.selection.value)) return;
+    this.selection.value = selection;
+    this.tell({ type: 'selected', selection, scene: this.around.work.scene.value });
+  };
+
+  readonly commit = (edit: SceneEdit, select?: Selection): boolean => {
+    const { work } = this.around;
+    this.problem.value = this.parts?.problemOf(work.scene.value, edit) ?? null;
+    if (this.problem.value !== null) {
+      this.tell({ type: 'problem', problem: this.problem.value });
+      return false;
+    }
+    this.drag.value = null;
+    const done = work.edit(edit);
+    if (select !== undefined) this.selection.value = select;
+    return done;
+  };
+
+  readonly undo = (): void => {
+    this.drag.value = null;
+    this.around.work.undo();
+  };
+
+  readonly redo = (): void => {
+    this.drag.value = null;
+    this.around.work.redo();
+  };
+
+  readonly setOpen = (open: boolean): void => this.around.settings.change({ showTools: open });
+
+  readonly join = (parts: EditorParts): void => {
+    const isFirst = this.parts === null;
+    this.parts = parts;
+    // The tool for which they were loaded has already been chosen.
+    if (isFirst && this.tool.value !== 'hand') this.tell({ type: 'tool', tool: this.tool.value });
+  };
+
+  /** Deselects what is not in a course. */
+  forgetGone(scene: Scene): void {
+    const { ids, robot } = this.selection.value;
+    if (ids.length === 0) return;
+    const all = new Set(scene.objects.map(({ id }) => id));
+    const left = ids.filter((id) => all.has(id));
+    if (left.length < ids.length) this.selection.value = { ids: left, robot };
+  }
+
+  /** Starts afresh for another course. */
+  reset(): void {
+    this.selection.value = nothingSelected;
+    this.drag.value = null;
+    this.measure.value = null;
+    this.problem.value = null;
+  }
+
+  /** Announces what happened. */
+  readonly tell = (happened: Happened): void => {
+    const words = this.parts?.wordsFor(happened) ?? '';
+    // Screen readers repeat a text only if something in it differs.
+    this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;
+  };
+}
+
+/** Whether two selections are equal. */
+export const isSameSelection = (one: Selection, other: Selection): boolean =>
+  one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);

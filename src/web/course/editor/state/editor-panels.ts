@@ -1,0 +1,60 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import type { Scene } from '#scene/scene';
+
+import type { LayoutParts } from '../../../session/layout/parts';
+import type { WorkParts } from '../../../session/work/model/parts';
+
+/** The parts of the editor that have a window of their own. */
+export type EditorPanel = 'list' | 'course' | 'background' | 'print' | 'parts';
+
+/** Which of the editor's windows is open. */
+export interface EditorPanels {
+  /** `null`: none. */
+  readonly shown: Readonly<ShallowRef<EditorPanel | null>>;
+  readonly open: (panel: EditorPanel) => void;
+  readonly close: () => void;
+  /** Whether what is selected is to be laid onto the shelf of parts, as soon as that is open. */
+  readonly keeps: ShallowRef<boolean>;
+  /** A course to be printed instead of the open one, after which the shelf of parts is open again; `null`: none. */
+  readonly printed: ShallowRef<Scene | null>;
+  /** The picture file from which the floor is being made; `null`: none. */
+  readonly picture: ShallowRef<Blob | null>;
+  /** Opens a picture as a floor to be. Returns `false` where the page has no arena. */
+  readonly offer: (picture: Blob) => boolean;
+}
+
+/** Creates the model of the editor's windows, all closed. */
+export function createEditorPanels({
+  layout,
+  settings,
+}: Pick<LayoutParts, 'layout'> & Pick<WorkParts, 'settings'>): EditorPanels {
+  const shown = shallowRef<EditorPanel | null>(null);
+  const picture = shallowRef<Blob | null>(null);
+  const printed = shallowRef<Scene | null>(null);
+  return {
+    shown,
+    open: (panel) => void (shown.value = panel),
+    close() {
+      shown.value = printed.value === null ? null : 'parts';
+      picture.value = printed.value = null;
+    },
+    keeps: shallowRef(false),
+    printed,
+    picture,
+    offer(file) {
+      if (!layout.tabs.value.includes('arena')) return false;
+      settings.change({ showArena: true });
+      layout.tab.value = 'arena';
+      picture.value = file;
+      shown.value = 'background';
+      return true;
+    },
+  };
+}
+
+/**
+ * Returns the focus to where a closing window was opened: the button beside undo, where the tools' keys work.
+ */
+export const focusMore = (): void =>
+  document.querySelector<HTMLElement>('[data-testid="course-more"]')?.focus({ preventScroll: true });

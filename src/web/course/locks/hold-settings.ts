@@ -1,0 +1,47 @@
+import { watch } from 'vue';
+
+import { isSame } from '#core/same';
+
+import { withTravelling } from '../../session/work/settings/travelling';
+import type { WorkParts } from '../../session/work/model/parts';
+import type { Keeper } from '../../session/work/model/keeper';
+
+/** What is fixed with the robot, of the settings. */
+export const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'] as const;
+
+/** Settings that a task locks are as it says, whatever an address, another tab or somebody in a hurry has chosen. */
+export function holdSettings({ settings, work }: WorkParts, keeper: Pick<Keeper, 'locks'>): void {
+  holdSpeed({ settings }, keeper);
+  watch(
+    [() => keeper.locks, () => work.work.value.project.settings, settings.current] as const,
+    ([{ robot, hand }, brought, now]) => {
+      if (brought === undefined) return;
+      const kept = withTravelling(now, brought);
+      // A robot that was measured here is not forgotten for a task.
+      const names = [...(robot ? OF_THE_ROBOT.filter((name) => name !== 'myRobot') : []), ...(hand ? ['arenaSenses' as const] : [])]; // prettier-ignore
+      const others = names.filter((name) => !isSame(kept[name], now[name]));
+      if (others.length > 0) settings.bring(Object.fromEntries(others.map((name) => [name, kept[name]])));
+    },
+    { immediate: true, flush: 'sync' },
+  );
+}
+
+function holdSpeed({ settings }: Pick<WorkParts, 'settings'>, keeper: Pick<Keeper, 'locks'>): void {
+  watch(
+    () => keeper.locks.speed,
+    (kept, _, onEnd) => {
+      if (kept === null) return;
+      const { speed } = settings.current.value;
+      const stop = watch(
+        () => settings.current.value.speed,
+        (now) => now !== kept && settings.hold({ speed: kept }),
+        { immediate: true, flush: 'sync' },
+      );
+      onEnd(() => {
+        stop();
+        settings.hold({ speed });
+      });
+    },
+    { immediate: true, flush: 'sync' },
+  );
+}

@@ -1,0 +1,48 @@
+import type { Refusal } from '#embed/simulator';
+import { movableIds } from '#simulation/at-once';
+import type { InputAction } from '#simulation/input';
+import { placeOfDevice } from '#simulation/several/place-of-device';
+import { createInputCheck } from '#simulation/run-problem';
+
+import type { RunParts } from '../../session/run/parts';
+import type { WorkParts } from '../../session/work/model/parts';
+import { hardwareNow } from '../../session/work/hardware/use-hardware';
+
+/** A host's actions on the run, separate from a user's actions on the page: they need no echo. */
+export interface HostInputs {
+  /** @param device its name; left out: the first, and for radio all */
+  take(action: InputAction, device?: string): Refusal;
+  /** Whether what is done to the run at this moment is the host's. */
+  isOwn(): boolean;
+}
+
+/** Takes what a host does to the run of this app. A page without a run refuses what the run itself would. */
+export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts): HostInputs {
+  const { run, work, sensors } = parts;
+  let isOwn = false;
+  const act = (action: InputAction, place: number | undefined): boolean => {
+    isOwn = true;
+    try {
+      return action.type === 'sensor' && typeof action.value === 'number'
+        ? sensors.set(action.id, action.value, place ?? 0)
+        : run.input(action, place);
+    } finally {
+      isOwn = false;
+    }
+  };
+  return {
+    isOwn: () => isOwn,
+    take(action, device) {
+      const place = placeOfDevice(work.devices.value, device);
+      if (typeof place === 'string') return place;
+      const hardware = hardwareNow(parts, place);
+      if (hardware === null) return 'The course names a board or a robot that this app does not have.';
+      const scene = work.scene.value;
+      const check = createInputCheck(hardware.board, scene, hardware.robot !== null);
+      const problem = check(action, scene, movableIds(new Set(), scene, scene));
+      if (problem !== null) return problem;
+      const isTaken = act(action, device === undefined && action.type === 'radio' ? undefined : place);
+      return isTaken ? null : 'The task that is open is done without the hand.';
+    },
+  };
+}

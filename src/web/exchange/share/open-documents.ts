@@ -1,0 +1,99 @@
+import type { Document, Unreadable } from '#intake/document';
+import { inMB, mostBytes, stemOf } from '#intake/formats';
+
+import type { PageParts } from '../../kit/parts';
+import type { Workplace } from '../../session/work/model/parts';
+import { KEPT_ANYWAY } from '../../session/work/storage/history';
+import { isOurs } from '../../session/work/use-courses';
+import { useOpenings } from '../../session/work/use-openings';
+import { isReadyArena } from '../../session/work/catalogue/examples';
+import { courseName } from '../../session/work/catalogue/first-course';
+import { workName } from '../../session/work/work-name';
+import { t } from '../../kit/i18n';
+import type { ShowsSeries } from './open-series';
+import { reasonOf } from './problem-words';
+import words from './words';
+
+/** Where projects, courses and pictures are taken in. */
+export type TakesDocuments = Workplace &
+  ShowsSeries & {
+    /** The course editor's windows, where a picture becomes the floor. */
+    readonly panels: {
+      /** Returns `false` where the page has no arena. */
+      offer(picture: Blob): boolean;
+    };
+  };
+
+/** A file that was read. */
+export interface Taken {
+  readonly file: File;
+  readonly document: Document;
+}
+
+/**
+ * Opens projects, courses, runs and pictures, and puts the work so far aside; of several the last stays open, the others are
+ * put aside like work of one's own. What cannot be opened gives a message.
+ */
+export async function openDocuments(app: TakesDocuments, taken: readonly Taken[]): Promise<void> {
+  if (taken.length > KEPT_ANYWAY) {
+    // More would push earlier ones, and the pupil's own work, out of what is kept.
+    refuse(app, t(words.tooManyFiles, { count: taken.length, max: KEPT_ANYWAY }));
+    return;
+  }
+  const refusals: string[] = [];
+  for (const one of taken) {
+    const refusal = await openDocument(app, one);
+    if (refusal !== null) refusals.push(refusal);
+  }
+  if (refusals.length > 0) refuse(app, refusals.join(' '));
+  else if (taken.length > 1) {
+    const text = t(words.openedSeveral, { name: workName(app), count: taken.length - 1 });
+    app.notices.show({ kind: 'ok', key: 'notice.text', values: { text } });
+  }
+}
+
+/** @returns why it was not opened; `null`: it was */
+async function openDocument(app: TakesDocuments, { file: loaded, document }: Taken): Promise<string | null> {
+  const file = loaded.name;
+  const { project: before, file: openFile } = app.work.work.value;
+  const isFromFile = openFile !== undefined;
+  switch (document.kind) {
+    case 'picture':
+      return app.panels.offer(loaded) ? null : t(words.problems.picture, { file });
+    case 'recording': {
+      const { openRun } = await import('./open-run');
+      return openRun(app, { ...document, file, stem: plainStem(file) });
+    }
+    case 'project': {
+      const { project } = document;
+      const name = courseName(project.scene, project.course);
+      useOpenings(app).open(project, name, !isFromFile && isOurs(before), plainStem(file));
+      return null;
+    }
+    case 'course': {
+      const { scene } = document;
+      const name = scene.name === '' ? file : scene.name;
+      useOpenings(app).openScene({ scene, course: null }, name, !isFromFile && isReadyArena(before.scene));
+      return null;
+    }
+    case 'unreadable':
+      return refusalOf(loaded, document);
+    default:
+      return t(words.problems.otherKind, { file });
+  }
+}
+
+function refusalOf({ name: file, size: bytes }: File, { problem, problems }: Unreadable): string {
+  if (problems.length > 0) return t(words.problems.file, { file, reason: reasonOf(problems) });
+  if (problem.code === 'large')
+    return t(words.problems.tooLargeFile, { file, size: inMB(bytes), max: inMB(mostBytes(file)) });
+  const isReadAsText = problem.code === 'not-text' || problem.code === 'gone';
+  return t(words.problems[isReadAsText ? 'unreadable' : 'otherKind'], { file });
+}
+
+/** A file's name without its ending and without the number that browsers add to a second download. */
+const plainStem = (file: string): string => stemOf(file).replace(/ ?\(\d+\)$/, '') || file;
+
+function refuse(app: Pick<PageParts, 'notices'>, text: string): void {
+  app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });
+}

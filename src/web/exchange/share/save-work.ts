@@ -1,0 +1,34 @@
+import { projectToText } from '#project/file';
+import type { Project } from '#project/project';
+import { serializeScene } from '#scene/serialize';
+
+import type { PageParts } from '../../kit/parts';
+import type { WorkParts } from '../../session/work/model/parts';
+import { saveText } from '../../session/work/save-file';
+import { nameToSave, workName } from '../../session/work/work-name';
+import { fileName } from '../../session/work/save-file';
+import { travelling } from '../../session/work/settings/travelling';
+
+/** The present work with what it runs on: what is saved and shared. */
+export function presentProject({ work, settings }: WorkParts): Project {
+  return { ...work.work.value.project, settings: travelling(settings.current.value) };
+}
+
+/**
+ * Saves everything as one file.
+ *
+ * @param project what is saved; left out: the present work
+ * @param name what the file is called; left out: as the work
+ */
+export function saveProject(
+  app: Pick<PageParts, 'notices'> & WorkParts,
+  project = presentProject(app),
+  name = nameToSave(app),
+): void {
+  saveText(app, fileName(name, 'parcours.json'), projectToText(project), 'application/json');
+}
+
+/** Saves the course alone. */
+export function saveScene(app: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>): void {
+  saveText(app, fileName(workName(app), 'json'), serializeScene(app.work.scene.value), 'application/json');
+}

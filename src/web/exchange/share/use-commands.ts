@@ -1,0 +1,49 @@
+import { THEMES } from '../../session/work/settings/settings';
+import { saveFile } from '../../session/work/save-file';
+import type { TakesFiles } from './load-files';
+import { latePart } from '../../kit/late-part';
+
+/** The commands that several bars and keys share. */
+export function useCommands(app: TakesFiles) {
+  /** Takes files in, from the picker or dropped onto the page. */
+  function take(files: Iterable<File>): void {
+    const all = [...files]; // a browser empties the list of dropped files at once
+    late(import('./load-files'), (loading) => void loading.takeFiles(app, all));
+  }
+
+  function load(): void {
+    const picker = document.createElement('input');
+    picker.type = 'file';
+    picker.accept = '.py,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
+    picker.multiple = true;
+    picker.addEventListener('change', () => take(picker.files ?? []));
+    picker.click();
+  }
+
+  /** Taking files in, and saving others than programs, comes late. */
+  function late<T>(part: Promise<T>, act: (part: T) => void): void {
+    part.then(act).catch(() => app.notices.show(latePart));
+  }
+
+  return {
+    take,
+    load,
+    /** Everything as one file. */
+    save: (): void => late(import('./save-work'), ({ saveProject }) => saveProject(app)),
+    saveScene: (): void => late(import('./save-work'), ({ saveScene }) => saveScene(app)),
+    /** The file that is shown. */
+    saveProgram: (): void => saveFile(app, app.work.open.value),
+    /** Sound on or off, and in words what that means. */
+    switchSound: (): void => {
+      const muted = !app.settings.current.value.muted;
+      app.settings.change({ muted });
+      app.notices.show({ kind: 'info', key: muted ? 'notice.muted' : 'notice.unmuted' });
+    },
+    /** Switches between light and dark. */
+    switchTheme: (): void => {
+      const dark = document.documentElement.dataset['theme'] === 'dark';
+      app.settings.change({ theme: dark ? 'light' : 'dark' });
+    },
+    themes: THEMES,
+  };
+}

@@ -1,0 +1,38 @@
+import { NO_ROBOT } from '#simulation/hardware';
+
+import { hardwareNow } from '../../session/work/hardware/use-hardware';
+import type { WorkParts, Workplace } from '../../session/work/model/parts';
+import type { LayoutParts } from '../../session/layout/parts';
+import { isOurs, useCourses } from '../../session/work/use-courses';
+import { useDevice } from '../../session/work/hardware/use-device';
+import { boardPrograms } from '../../session/work/catalogue/board-programs';
+import { firstCourse } from '../../session/work/catalogue/first-course';
+import { sightOf, type Stage } from './stage';
+
+/**
+ * Brings a stage into sight. Where nothing of the pupil's own is open, a program that fits comes along: one for the board
+ * alone, or the first course. What they have written stays. A greeting
+ * that is still there has its answer by that.
+ */
+export function changeStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): void {
+  if (stage === 'board') leaveArena(app);
+  else enterArena(app);
+  app.settings.change({ ...sightOf(stage), welcomed: true });
+  app.layout.tab.value = stage === 'board' ? 'code' : 'arena';
+}
+
+const isUntouched = ({ work }: Pick<WorkParts, 'work'>): boolean => isOurs(work.work.value.project);
+
+/** For the board alone: a program that needs no robot. */
+function leaveArena(app: Workplace): void {
+  const [first] = boardPrograms;
+  if (first === undefined || !isUntouched(app) || hardwareNow(app)?.robot === null) return;
+  useCourses(app).openBoardProgram(first);
+}
+
+/** For the arena: a robot, with something to drive where the board was alone. */
+function enterArena(app: Workplace): void {
+  if (app.settings.current.value.robot !== NO_ROBOT) return;
+  if (isUntouched(app) && firstCourse !== undefined) useCourses(app).openCourse(firstCourse);
+  else useDevice(app).allowRobot();
+}

@@ -1,0 +1,38 @@
+import { computed, watch, type ComputedRef } from 'vue';
+
+import type { ConsoleParts } from '../../pupil/console/parts';
+import type { LayoutParts } from '../../session/layout/parts';
+import type { RunParts } from '../../session/run/parts';
+import type { WorkParts } from '../../session/work/model/parts';
+import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
+import type { FirstStepsParts } from '../parts';
+
+type Parts = Pick<RunParts, 'run'> &
+  WorkParts &
+  Pick<LayoutParts, 'gallery' | 'layout'> &
+  ConsoleParts &
+  FirstStepsParts;
+
+/**
+ * Whether a newcomer is greeted: on a page of its own (no host, no link, no requested course), until there is an answer, a
+ * first run or anything else to look at in its place.
+ */
+export function useGreeting({ run, settings, work, gallery, layout, console, tour }: Parts): ComputedRef<boolean> {
+  const isFirstVisit = computed(() => {
+    const { project } = work.work.value;
+    const isAlone = window.parent === window && location.search === '' && gallery.page.value === null;
+    return isAlone && !settings.current.value.welcomed && project.course === firstCourse?.id && isAsFound(project);
+  });
+  // Anyone who has found Run no longer needs a greeting.
+  watch(run.isActive, (active) => {
+    if (active && isFirstVisit.value) settings.change({ welcomed: true });
+  });
+  return computed(
+    () =>
+      isFirstVisit.value &&
+      !run.isActive.value &&
+      !tour.isOpen.value &&
+      console.entries.value.length === 0 &&
+      (layout.kind.value !== 'phone' || layout.tab.value === 'code'),
+  );
+}

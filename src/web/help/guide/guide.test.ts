@@ -1,0 +1,142 @@
+import { describe, expect, it } from 'vitest';
+
+import { LANGUAGES } from '#core/languages';
+import { toolGroups } from '../../course/editor/palette/tool-list';
+import { MENU, stepsFor } from '../tour/tour-steps';
+import type { GuideContent } from './content/content';
+import de from '../words/guide/de.json';
+import en from '../words/guide/en.json';
+import fr from '../words/guide/fr.json';
+import italian from '../words/guide/it.json';
+import { guideSections, keysOf, sectionOf } from './entries';
+
+const contents: Readonly<Record<(typeof LANGUAGES)[number], GuideContent>> = { de, fr, it: italian, en };
+const entries = guideSections.flatMap((section) => section.entries);
+
+/** The bars, panes and menus whose controls the help explains. */
+const sources = import.meta.glob<string>(
+  [
+    '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,LanguageMenu,MainMenu,MainList}.vue',
+    '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
+    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu,GhostItems}.vue',
+    '../greeting/StageItems.vue',
+    '../../course/editor/{EditorActions,EditorMenu}.vue',
+    '../../pupil/debug/*.vue',
+    '../../pupil/look-back/LookBackHead.vue',
+    '../../course/editor/palette/ToolPalette.vue',
+  ],
+  { query: '?raw', import: 'default', eager: true },
+);
+
+/** The controls in a component's template, each by all names that it has. */
+function controlsIn(source: string): readonly (readonly string[])[] {
+  const template = source.slice(source.indexOf('<template>'));
+  const tags = template.matchAll(
+    /<(?:CtlButton|PageButton|button|PageListItem)\b((?:\s+[^\s=>/]+(?:="[^"]*")?)*)\s*(\/?)>/g,
+  );
+  return Array.from(tags, ({ 1: attributes = '', 2: isEmpty, 0: tag, index }) => {
+    const ids = Array.from(attributes.matchAll(/ data-testid="([^"]+)"/g), ({ 1: id = '' }) => id);
+    const patterns = Array.from(attributes.matchAll(/:data-testid="`([^`]+)`"/g), ({ 1: id = '' }) =>
+      id.replace(/\$\{[^}]*\}/g, '*'),
+    );
+    const labels = attributes.matchAll(/:(?:label|text|title|aria-label)="([^"]*)"/g);
+    const inner = isEmpty === '/' ? '' : (template.slice(index + tag.length).split('</')[0] ?? '');
+    const said = [...Array.from(labels, ({ 1: label = '' }) => label), inner].join(' ');
+    const keys = Array.from(said.matchAll(/'([a-zA-Z]+\.[a-zA-Z]+)'/g), ({ 1: key = '' }) => key);
+    const texts = Array.from(said.matchAll(/\bt\((\w+\.\w+)\)/g), ({ 1: text = '' }) => text);
+    return [...ids, ...patterns, ...keys, ...texts];
+  });
+}
+
+describe('the help', () => {
+  it('explains every control of the bars, panes and menus', () => {
+    const covered = new Set(entries.flatMap(({ covers }) => covers));
+    const nameless: string[] = [];
+    let count = 0;
+    for (const [file, source] of Object.entries(sources))
+      for (const names of controlsIn(source)) {
+        count += 1;
+        const isTool = file.endsWith('ToolPalette.vue'); // they are compared with the list of tools below
+        const isChoice = file.endsWith('MainList.vue') && names.length === 0; // one of the languages
+        if (!isTool && !isChoice && !names.some((name) => covered.has(name)))
+          nameless.push(`${file}: ${names.join(', ')}`);
+      }
+    expect(nameless).toEqual([]);
+    expect(count).toBeGreaterThan(45);
+  });
+
+  it('explains every tool of the palette', () => {
+    const covered = new Set(entries.flatMap(({ covers }) => covers));
+    expect(toolGroups.flat().filter((tool) => !covered.has(tool))).toEqual([]);
+  });
+
+  it('names no control that is gone', () => {
+    const there = new Set(Object.values(sources).flatMap((source) => controlsIn(source).flat()));
+    const elsewhere = new Set(['board', 'arena', 'console', 'console-input', ...toolGroups.flat()]); // no buttons
+    const all = Object.values(sources).join('\n');
+    const isThere = (name: string): boolean =>
+      there.has(name) ||
+      elsewhere.has(name) ||
+      all.includes(`'${name}'`) ||
+      all.includes(`'${name.replace(/^menu-/, '')}'`);
+    // One of an entry's names is enough: labels that change with the state stand beside a `data-testid`.
+    const gone = entries.filter(({ covers }) => covers.length > 0 && !covers.some(isThere));
+    expect(gone.map(({ id }) => id)).toEqual([]);
+  });
+
+  it('has every entry once, and finds its section', () => {
+    const ids = entries.map(({ id }) => id);
+    expect(new Set(ids).size).toBe(ids.length);
+    for (const { id } of entries) expect(sectionOf(id), id).toBeDefined();
+  });
+
+  it('leaves no text empty, in any language, and says nothing in two of them alike', () => {
+    for (const language of LANGUAGES)
+      for (const [id, text] of Object.entries(contents[language].texts)) {
+        expect(text.trim(), `${language} ${id}`).not.toBe('');
+        const others = LANGUAGES.filter((other) => other !== language).map(
+          (other) => (contents[other].texts as Readonly<Record<string, string>>)[id],
+        );
+        expect(others, `${language} ${id}`).not.toContain(text);
+      }
+  });
+
+  it('leaves the same places open for values in every language', () => {
+    for (const key of ['found', 'commands', 'insert', 'inserted'] as const)
+      for (const language of LANGUAGES)
+        expect(contents[language][key].match(/\{\w+\}/g), `${language} ${key}`).toEqual(de[key].match(/\{\w+\}/g));
+  });
+
+  it('spells German the Swiss way, and puts narrow spaces where French has them', () => {
+    expect(JSON.stringify(de)).not.toContain('ß');
+    expect(JSON.stringify(fr).match(/ [;:?!»]|« /g)).toBeNull();
+  });
+
+  it('shows keys for every shortcut', () => {
+    for (const [id, keys] of Object.entries(keysOf)) expect(keys.length, id).toBeGreaterThan(0);
+  });
+});
+
+describe('the tour', () => {
+  it('has at most eight steps, each but once, and begins with the program', () => {
+    for (const hasArena of [true, false]) {
+      const steps = stepsFor(hasArena);
+      expect(steps.length).toBeLessThanOrEqual(8);
+      expect(new Set(steps.map(({ id }) => id)).size).toBe(steps.length);
+      expect(steps[0]?.id).toBe('code');
+    }
+    expect(stepsFor(false).some(({ pane }) => pane === 'arena')).toBe(false);
+  });
+
+  it('points at controls that exist', () => {
+    const all = Object.values(sources).join('\n');
+    const editors = '"editor" "arena" "console"'; // the panes' own contents
+    for (const { targets } of [...stepsFor(true), ...stepsFor(false), { targets: [MENU] }])
+      for (const selector of targets) {
+        const name = /data-testid=("[^"]+")/.exec(selector)?.[1] ?? selector.replace('.', '');
+        expect(all.includes(`data-testid=${name}`) || all.includes(name) || editors.includes(name), selector).toBe(
+          true,
+        );
+      }
+  });
+});

@@ -1,0 +1,11 @@
+import type { GuideModel } from './guide-model';
+import { part } from '../kit/part';
+import type { TourModel } from './tour-model';
+
+/** What helps beginners: the help and the tour. */
+export interface FirstStepsParts {
+  readonly guide: GuideModel;
+  readonly tour: TourModel;
+}
+
+export const [provideFirstSteps, useFirstSteps] = part<FirstStepsParts>('first steps');

@@ -1,8 +1,0 @@
-import type { PageParts } from '../page/parts';
-import { t } from '../page/i18n';
-import words from './words';
-
-/** Tells whoever wants to build while looking back why nothing changes, and the way out. */
-export function tellPast(notices: PageParts['notices']): void {
-  notices.show({ kind: 'info', key: 'notice.text', values: { text: t(words.standsStill) } });
-}

@@ -1,0 +1,39 @@
+import type { Pose, Vec } from '#core/geometry';
+import type { Point } from '#scene/scene';
+import type { RobotType } from '#robots/robot';
+import type { RobotSnapshot } from '#simulation/snapshot';
+import type { LightForm } from '../../../session/work/settings/light-wish';
+
+/** The drawn state of a robot, during a run or at its start. */
+export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' | 'turnedRad' | 'state'>;
+
+/** The robot type as the arena sees it: the name of its drawing and its outline. A `RobotType` fits. */
+export type RobotLook = Pick<RobotType, 'id'> &
+  Partial<Pick<RobotType, 'mountMm'>> & { readonly body: Pick<RobotType['body'], 'outlineMm'> };
+
+/** The drawn form of a shape: a rectangle, an ellipse or a polygon about its middle. mm. */
+export interface Form {
+  readonly sizeMm: Vec;
+  readonly round?: boolean | undefined;
+  readonly corners?: readonly Point[] | undefined;
+}
+
+/** A block at its current pose. */
+export interface PlacedBlock extends Form {
+  readonly id: string;
+  readonly pose: Pose;
+}
+
+/** The overlays. */
+export interface ArenaOptions {
+  /** The ultrasonic cone with its hit point and distance. */
+  readonly cone: boolean;
+  /** The spot of floor that each line sensor sees, and its reading. */
+  readonly spots: boolean;
+  /** The point around which the robot turns. */
+  readonly centre: boolean;
+  /** The path of the robot so far. */
+  readonly trace: boolean;
+  /** Forms of the chains of lights that lie on the robot, by the name of their pin's wire. */
+  readonly lights: Readonly<Record<string, LightForm>>;
+}

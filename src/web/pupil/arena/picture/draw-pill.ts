@@ -1,0 +1,81 @@
+import type { Vec } from '#core/geometry';
+import { createShelf } from '../../../kit/drawing/shelf';
+import { once } from '../../../kit/state/memo';
+import { canvasFont, type Palette } from '../model/palette';
+import type { CanvasSize } from '../view/view-transform';
+
+/** How a pill looks; lengths in px. */
+export interface PillLook {
+  readonly ground: string;
+  readonly height: number;
+  readonly fontPx: number;
+}
+
+/** Draws a short text on a pill, dark unless its look is given, centred at a place in CSS px and kept on the canvas. */
+export function drawPill(
+  context: CanvasRenderingContext2D,
+  text: string,
+  at: Vec,
+  canvas: CanvasSize,
+  palette: Palette,
+  look: PillLook = { ground: palette.pill, height: 24, fontPx: 13 },
+): void {
+  const { height } = look;
+  const { bitmap, width } = pillOf(text, look, palette.pillText, context.getTransform().a);
+  const x = Math.min(Math.max(at.x, width / 2 + 4), canvas.widthPx - width / 2 - 4);
+  const y = Math.min(Math.max(at.y, height / 2 + 4), canvas.heightPx - height / 2 - 4);
+  context.drawImage(bitmap, x - width / 2, y - height / 2, width, height);
+}
+
+interface Pill {
+  readonly bitmap: HTMLCanvasElement;
+  /** CSS px. */
+  readonly width: number;
+}
+
+/** So many are kept. Chosen: a robot on its rounds shows that many distances, each of them again and again; 1 MB at most. */
+const MOST = 120;
+
+const made = createShelf<Pill>(MOST);
+
+/**
+ * A pill, painted once: words on a canvas of the page make the browser lay out styles in the middle of a frame, and this
+ * one is not on the page (measured: a sixth of the script's time while driving).
+ */
+function pillOf(text: string, look: PillLook, ink: string, ratio: number): Pill {
+  return made([ratio, look.ground, look.height, ink, text], () => painted(text, look, ink, ratio));
+}
+
+const fontOf = ({ fontPx }: PillLook): string => `600 ${String(fontPx)}px ${canvasFont}`;
+
+/** Only measures. */
+const rulerOnce = once(() => document.createElement('canvas').getContext('2d'));
+
+/** With room for the round ends. */
+function widthOf(text: string, look: PillLook): number {
+  const ruler = rulerOnce();
+  if (ruler === null) return 0;
+  ruler.font = fontOf(look);
+  return Math.ceil(ruler.measureText(text).width) + look.height - 2;
+}
+
+function painted(text: string, look: PillLook, ink: string, ratio: number): Pill {
+  const width = widthOf(text, look);
+  const { height, ground } = look;
+  const bitmap = document.createElement('canvas');
+  bitmap.width = Math.ceil(width * ratio); // before there is a context: a canvas that changes its size is made twice
+  bitmap.height = Math.ceil(height * ratio);
+  const context = bitmap.getContext('2d');
+  if (context === null) return { bitmap, width };
+  context.scale(bitmap.width / width, bitmap.height / height);
+  context.fillStyle = ground;
+  context.beginPath();
+  context.roundRect(0, 0, width, height, height / 2);
+  context.fill();
+  context.font = fontOf(look);
+  context.fillStyle = ink;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.fillText(text, width / 2, height / 2 + 1);
+  return { bitmap, width };
+}

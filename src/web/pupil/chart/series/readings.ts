@@ -1,0 +1,153 @@
+import type { BoardSnapshot, DeviceSnapshot } from '#simulation/snapshot';
+import type { RobotType } from '#robots/robot';
+import type { Key, Leaf } from '#tape/rows/leaves';
+
+import { t } from '../../../kit/i18n';
+import words from './words';
+import type { Series } from './series';
+
+/** A curve of something that a snapshot shows. */
+export interface Reading extends Series {
+  /** Where it stands in a device's snapshot. */
+  readonly paths: readonly (readonly Key[])[];
+  /** Its value, of what stands there. */
+  value(leaves: readonly (Leaf | undefined)[]): number | null;
+  /** The curve is how fast that grows, in a second. */
+  readonly isRate: boolean;
+}
+
+/** On or off. */
+const SWITCH = '0/1';
+const DEGREES_PER_RAD = 180 / Math.PI;
+
+type More = Partial<Pick<Reading, 'unit' | 'isRate'>> & { readonly times?: number };
+
+const numberOf = (leaf: Leaf | undefined): number | null => {
+  if (typeof leaf === 'boolean') return leaf ? 1 : 0;
+  return typeof leaf === 'number' ? leaf : null;
+};
+
+/** A reading at one path, id and path being the same. */
+function of(name: string, path: readonly Key[], { unit = '', times = 1, isRate = false }: More = {}): Reading {
+  const value = ([leaf]: readonly (Leaf | undefined)[]): number | null => {
+    const number = numberOf(leaf);
+    return number === null ? null : number * times;
+  };
+  const id = isRate ? `rate ${path.join('/')}` : path.join('/');
+  return { id, name, unit, isStepped: unit === SWITCH, paths: [path], value, isRate };
+}
+
+const onOff = (name: string, path: readonly Key[]): Reading => of(name, path, { unit: SWITCH });
+
+/**
+ * What a device's snapshot has to draw.
+ *
+ * @param type of its robot, if it has one
+ */
+export function readingsOf(device: DeviceSnapshot, type: RobotType | undefined): readonly Reading[] {
+  return [...(type ? robotReadings(device, type) : []), ...boardReadings(device)];
+}
+
+/** Sensors with a side are called by it, others as on the robot: `L1`. */
+function sideName(name: string): string {
+  if (name === 'left' || name === 'right') return t(`arena.${name}`);
+  return name === 'middle' ? t(words.middle) : name;
+}
+
+function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Reading[] {
+  if (robot === null) return [];
+  const { state, scale } = robot;
+  const wheel = (side: 0 | 1): Reading =>
+    of(t(side === 0 ? words.wheelLeft : words.wheelRight), ['robot', 'wheelTurnRad', side], {
+      unit: 'cm/s',
+      times: (type.body.wheels[side].radiusMm * scale) / 10,
+      isRate: true,
+    });
+  const at = (name: keyof typeof state, ...more: Key[]): readonly Key[] => ['robot', 'state', name, ...more];
+  return [
+    ...(state.ultrasonic === null
+      ? []
+      : [of(t('arena.distance'), at('ultrasonic', 'distanceMm'), { unit: 'cm', times: 0.1 })]),
+    ...state.lineSensors.flatMap(({ name, reading }, place) => [
+      onOff(t(words.line, { name: sideName(name) }), at('lineSensors', place, 'bright')),
+      ...(reading === undefined
+        ? []
+        : [of(t(words.lineAnalog, { name: sideName(name) }), at('lineSensors', place, 'reading'))]),
+    ]),
+    of(t(words.speed), ['robot', 'pathMm'], { unit: 'cm/s', times: 0.1, isRate: true }),
+    wheel(0),
+    wheel(1),
+    of(t(words.motorLeft), at('duty', 'left'), { unit: '%', times: 100 }),
+    of(t(words.motorRight), at('duty', 'right'), { unit: '%', times: 100 }),
+    of(t(words.heading), ['robot', 'pose', 'headingRad'], { unit: '°', times: DEGREES_PER_RAD }),
+    of(t(words.turned), ['robot', 'turnedRad'], { unit: '°', times: DEGREES_PER_RAD }),
+    of('x', ['robot', 'pose', 'x'], { unit: 'cm', times: 0.1 }),
+    of('y', ['robot', 'pose', 'y'], { unit: 'cm', times: 0.1 }),
+    of(t(words.way), ['robot', 'pathMm'], { unit: 'cm', times: 0.1 }),
+    of(t(words.touches), ['robot', 'collisions']),
+    onOff(t(words.lightLeft), at('leds', 'left')),
+    onOff(t(words.lightRight), at('leds', 'right')),
+    ...state.rgb.map((_, place) => colourLight(t(words.colourLight, { number: place + 1 }), at('rgb', place))),
+    ...Object.keys(state.servos).map((port) => of(`Servo ${port}`, at('servos', port), { unit: '°' })),
+    ...(state.bumper === null
+      ? []
+      : [onOff(t(words.bumperLeft), at('bumper', 'left')), onOff(t(words.bumperRight), at('bumper', 'right'))]),
+  ];
+}
+
+/** The brightest of its three colours. */
+function colourLight(name: string, path: readonly Key[]): Reading {
+  return {
+    ...{ id: path.join('/'), name, unit: '%', isStepped: true, isRate: false },
+    paths: ['r', 'g', 'b'].map((colour) => [...path, colour]),
+    value(leaves) {
+      const colours = leaves.map(numberOf).filter((colour) => colour !== null);
+      return colours.length === 0 ? null : Math.max(...colours) / 2.55;
+    },
+  };
+}
+
+const sensorNames: Readonly<Record<string, () => string>> = {
+  accelerometerX: () => t('sensors.accelerometer', { axis: 'x' }),
+  accelerometerY: () => t('sensors.accelerometer', { axis: 'y' }),
+  accelerometerZ: () => t('sensors.accelerometer', { axis: 'z' }),
+  compassX: () => t('sensors.compass', { axis: 'x' }),
+  compassY: () => t('sensors.compass', { axis: 'y' }),
+  compassZ: () => t('sensors.compass', { axis: 'z' }),
+  compassHeading: () => t('sensors.compassHeading'),
+  temperature: () => t('sensors.temperature'),
+  lightLevel: () => t('sensors.lightLevel'),
+  soundLevel: () => t('sensors.soundLevel'),
+};
+const sensorUnits: Readonly<Record<string, string>> = {
+  ...{ accelerometerX: 'mg', accelerometerY: 'mg', accelerometerZ: 'mg' },
+  ...{ compassX: 'nT', compassY: 'nT', compassZ: 'nT', compassHeading: '°', temperature: '°C' },
+};
+
+function boardReadings(board: BoardSnapshot): readonly Reading[] {
+  return [
+    ...Object.entries(sensorNames).flatMap(([id, name]) =>
+      id in board.sensors ? [of(name(), ['sensors', id], { unit: sensorUnits[id] ?? '' })] : [],
+    ),
+    onOff(t(words.button, { name: 'A' }), ['buttons', 'a']),
+    onOff(t(words.button, { name: 'B' }), ['buttons', 'b']),
+    ...Object.keys(board.touch).map((pad) => onOff(t(words.touch, { name: pad }), ['touch', pad])),
+    ...board.motors.map((_, place) =>
+      of(t(words.motor, { number: place + 1 }), ['motors', place], { unit: '%', times: 100 }),
+    ),
+    ...board.rgb.map((_, place) => colourLight(t(words.boardLight, { number: place + 1 }), ['rgb', place])),
+    of(t(words.tone), ['sound', 'hz'], { unit: 'Hz' }),
+  ];
+}
+
+/** What is drawn before anybody has chosen: ids in their order, those that are there. */
+const USUAL: readonly (readonly string[])[] = [
+  ['robot/state/ultrasonic/distanceMm', 'rate robot/pathMm'],
+  ['sensors/accelerometerX', 'sensors/accelerometerY'],
+];
+
+/** The ids of the curves that are drawn before anybody has chosen. */
+export function usualReadings(readings: readonly Reading[]): readonly string[] {
+  const known = new Set(readings.map(({ id }) => id));
+  return USUAL.map((ids) => ids.filter((id) => known.has(id))).find((ids) => ids.length > 0) ?? [];
+}

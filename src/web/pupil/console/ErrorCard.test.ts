@@ -1,0 +1,117 @@
+// @vitest-environment happy-dom
+import { flushPromises } from '@vue/test-utils';
+import { beforeAll, describe, expect, it } from 'vitest';
+
+import { mountOn, named, textOf } from '../../app/testing/mount-on';
+import { createPage } from '../../app/testing/page';
+import { startRun } from '../../app/testing/run';
+import { fetchAdvice } from './advice/explain';
+import type { ErrorReport } from './advice/error-advice';
+import ErrorCard from './ErrorCard.vue';
+
+const text = 'def gruss():\n    pint("Hallo")\n\ngruss()\n';
+const nameError: ErrorReport = {
+  failure: { type: 'NameError', message: "name 'pint' isn't defined", traceback: 'Traceback' },
+  source: { text, line: 2 },
+  table: null,
+};
+
+/** A page with this program in these files. */
+function pageWith(...files: readonly string[]) {
+  const page = createPage();
+  page.work.openProject(
+    { files: files.map((name) => ({ name, text })), scene: page.work.scene.value, course: null },
+    null,
+  );
+  return page;
+}
+
+describe('the card of an error', () => {
+  beforeAll(() => fetchAdvice());
+
+  it('names the line, what is wrong in the pupil’s language, and the device’s own words', () => {
+    const card = mountOn(pageWith('main.py'), ErrorCard, { place: { file: 'main.py', line: 2 }, report: nameError });
+    expect(textOf(card.get('p').element)).toMatch(/^Zeile 2: .*pint/);
+    expect(card.get('code').text()).toContain('NameError');
+    expect(card.get('code').text()).toContain("name 'pint' isn't defined");
+  });
+
+  it('leads to the line', () => {
+    const page = pageWith('main.py');
+    page.layout.tab.value = 'console';
+    mountOn(page, ErrorCard, { place: { file: 'main.py', line: 2 }, report: nameError });
+    named('Zur Zeile 2').click();
+    expect(page.jump.target.value).toEqual({ file: 'main.py', line: 2 });
+    expect(page.layout.tab.value).toBe('code');
+  });
+
+  it('names the file where it is not main.py, and opens it', () => {
+    const page = pageWith('main.py', 'helfer.py');
+    const card = mountOn(page, ErrorCard, { place: { file: 'helfer.py', line: 2 }, report: nameError });
+    expect(textOf(card.get('p').element)).toMatch(/^helfer\.py, Zeile 2:/);
+    named('Zur Zeile 2').click();
+    expect(page.work.work.value.open).toBe('helfer.py');
+  });
+
+  it('asks nothing where no name is like it', async () => {
+    const report = { ...nameError, failure: { ...nameError.failure, message: "name 'qqxzzw' isn't defined" } };
+    const card = mountOn(pageWith('main.py'), ErrorCard, { place: { file: 'main.py', line: 2 }, report });
+    await import('./advice/did-you-mean');
+    await flushPromises();
+    expect(card.findAll('p b')).toHaveLength(1);
+  });
+
+  it('of a line typed at the REPL has no place to lead to', () => {
+    const report = { ...nameError, source: null };
+    const card = mountOn(pageWith('main.py'), ErrorCard, { place: null, report });
+    expect(card.find('button').exists()).toBe(false);
+    expect(textOf(card.get('p').element)).not.toContain('Zeile');
+  });
+
+  it('of an exception that nobody knows says at least that it ended the program', () => {
+    const report = { ...nameError, failure: { type: 'MeinFehler', message: 'oh', traceback: '' }, source: null };
+    const card = mountOn(pageWith('main.py'), ErrorCard, { place: null, report });
+    expect(textOf(card.get('p').element)).toContain('Fehler');
+    expect(card.get('code').text()).toBe('MeinFehler: oh');
+  });
+
+  it('offers to write a loop of TigerJython anew, once', async () => {
+    const page = pageWith('main.py');
+    const before = 'repeat 4:\n    print(1)';
+    page.work.setText('main.py', before);
+    const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
+    const report = { failure, source: { text: before, line: 1 }, table: null };
+    const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
+    named('Ändern in for i in range(4):').click();
+    const after = 'for i in range(4):\n    print(1)';
+    expect(page.jump.mending.value).toEqual({ file: 'main.py', before, after });
+    page.work.setText('main.py', after);
+    await flushPromises();
+    expect(card.find('.mend').exists()).toBe(false);
+  });
+
+  it('leads to the variables of then, but not where the program could not be read: no line of it has run', async () => {
+    const page = pageWith('main.py');
+    await startRun(page);
+    for (const [type, leads] of [
+      ['ValueError', true],
+      ['SyntaxError', false],
+    ] as const) {
+      // prettier-ignore
+      const failure = { type, message: 'x', traceback: '', line: 1 };
+      page.say({ type: 'program-ended', device: 0, ended: { kind: 'exception', exception: failure, timeUs: 1000 } });
+      const report = { failure: page.run.ended.value!.exception!, source: { text: 'x', line: 1 }, table: null };
+      const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
+      expect(card.find('[data-testid="error-look"]').exists(), type).toBe(leads);
+    }
+  });
+
+  it('leads to the line in which a bracket opens', () => {
+    const page = pageWith('main.py');
+    const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
+    const report = { failure, source: { text: 'print(1\n\nx = 3', line: 3 }, table: null };
+    mountOn(page, ErrorCard, { place: { file: 'main.py', line: 3 }, report });
+    named('Zur Zeile 1').click();
+    expect(page.jump.target.value).toEqual({ file: 'main.py', line: 1 });
+  });
+});

@@ -1,0 +1,26 @@
+import { arrival } from '../../../kit/state/arrival';
+import { loadErrorTexts } from '../../../kit/i18n';
+import { fetchedOnce } from '../../../kit/state/memo';
+import type { Advice, adviceFor as AdviceFor, ErrorReport } from './error-advice';
+
+/** The knowledge about errors. It is fetched with the first run, not when the page opens. */
+const advice = arrival<typeof AdviceFor>();
+
+/** Fetches what explains errors, unless it is there. Never rejects: without a connection errors stay unexplained. */
+export function fetchAdvice(): Promise<void> {
+  return fetchOnce().catch(() => undefined); // the next error asks again
+}
+const fetchOnce = fetchedOnce(async () => {
+  const [late] = await Promise.all([import('./error-advice'), loadErrorTexts()]);
+  advice.come(late.adviceFor);
+});
+
+/**
+ * What a pupil should read about an exception (see `adviceFor`). Until that is fetched, only that there was one, in the
+ * device's words. Read in templates, it is followed when more is known.
+ */
+export function explain({ failure, source, table }: ErrorReport): Advice {
+  if (advice.value !== null) return advice.value(failure, source, table);
+  const { type, message } = failure;
+  return { key: 'error.other', values: {}, device: message === '' ? type : `${type}: ${message}` };
+}

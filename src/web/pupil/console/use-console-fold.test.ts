@@ -1,0 +1,101 @@
+// @vitest-environment happy-dom
+import { afterEach, describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
+
+import { mountOn, setWindow } from '../../app/testing/mount-on';
+import { createPage } from '../../app/testing/page';
+import { startRun } from '../../app/testing/run';
+import ConsolePane from './ConsolePane.vue';
+
+/** A console in a window of this size. */
+function consoleIn(width: number, height: number) {
+  setWindow(width, height);
+  const page = createPage();
+  const pane = mountOn(page, ConsolePane);
+  const print = async (text: string): Promise<void> => {
+    page.console.write(text);
+    page.console.toText();
+    await nextTick();
+  };
+  const fold = async (): Promise<void> => {
+    pane.get<HTMLElement>('[data-testid="console-fold"]').element.click();
+    await nextTick();
+  };
+  return { page, pane, print, fold, isFolded: () => page.layout.isConsoleFolded.value };
+}
+
+describe('the console beside the arena', () => {
+  afterEach(() => setWindow(1024, 768));
+
+  it('shows its head alone while it is empty', async () => {
+    const { page, pane, isFolded } = consoleIn(1366, 625);
+    expect(isFolded()).toBe(true);
+    expect(pane.get('.frame').isVisible()).toBe(false);
+    await startRun(page);
+    expect(isFolded()).toBe(true);
+  });
+
+  it('opens for what the program prints, and closes when it is cleared', async () => {
+    const { page, pane, print, isFolded } = consoleIn(1366, 625);
+    await startRun(page);
+    await print('Hallo\n');
+    expect([isFolded(), pane.get('.frame').isVisible()]).toEqual([false, true]);
+    page.console.clear();
+    await nextTick();
+    expect(isFolded()).toBe(true);
+  });
+
+  it('stays closed for the greeting of the REPL', async () => {
+    const { page, print, isFolded } = consoleIn(1366, 625);
+    await startRun(page);
+    page.console.addNote('console.finished');
+    await print('MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2\r\nType "help()" for more information.\r\n>>> ');
+    expect(isFolded()).toBe(true);
+  });
+
+  it('opens and closes by hand, until the next run', async () => {
+    const { page, print, fold, isFolded } = consoleIn(1366, 625);
+    await fold();
+    expect(isFolded()).toBe(false);
+    await startRun(page);
+    expect(isFolded()).toBe(true);
+    await print('1\n');
+    await fold();
+    await print('2\n');
+    expect(isFolded()).toBe(true);
+    void page.run.stop();
+    await startRun(page);
+    expect(isFolded()).toBe(false);
+  });
+
+  it('opens for an error, also when it was closed by hand', async () => {
+    const { page, print, fold, isFolded } = consoleIn(1366, 625);
+    await print('1\n');
+    await fold();
+    page.console.addError(null, {
+      failure: { type: 'ValueError', message: 'x', typed: false },
+      source: '',
+      table: null,
+    } as never);
+    await nextTick();
+    expect(isFolded()).toBe(false);
+  });
+
+  it('opens for the greeting of a first visit', async () => {
+    const { page, isFolded } = consoleIn(1366, 625);
+    page.layout.leastConsolePx.value = 184;
+    await nextTick();
+    expect(isFolded()).toBe(false);
+  });
+
+  it('does not fold where it has a place of its own: below the others, or behind a tab', () => {
+    for (const [width, height] of [
+      [820, 1180],
+      [390, 844],
+    ] as const) {
+      const { pane } = consoleIn(width, height);
+      expect(pane.find('[data-testid="console-fold"]').exists()).toBe(false);
+      expect(pane.get('.frame').isVisible()).toBe(true);
+    }
+  });
+});

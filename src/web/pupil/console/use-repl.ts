@@ -1,0 +1,32 @@
+import { computed } from 'vue';
+
+import { promptOf } from './log/prompt';
+import type { TextKey } from '../../kit/i18n/texts';
+import type { RunParts } from '../../session/run/parts';
+import type { WorkParts } from '../../session/work/model/parts';
+import type { ConsoleParts } from './parts';
+
+/** What the serial line is good for now: text for the program, lines for the REPL, or nothing at all. */
+export function useRepl({
+  run,
+  console,
+  work,
+}: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & Pick<ConsoleParts, 'console'>) {
+  const ended = run.ended;
+  /** The REPL has greeted; before that the display shows the error, half a minute at times. */
+  const isRepl = computed(() => run.isActive.value && ended.value !== null && run.shown.value?.repl === true);
+  const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
+  return {
+    isRepl,
+    /** Whether there is a listener: after a panic there is none until the next run. */
+    isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
+    mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
+    /** Says in the field what it is for. */
+    hint: computed((): TextKey => {
+      if (run.isWaitingForInput.value) return 'console.input';
+      if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';
+      if (ended.value !== null) return 'console.replInput';
+      return readsInput.value ? 'console.input' : 'console.sendInput';
+    }),
+  };
+}

@@ -1,0 +1,203 @@
+import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+
+import { isSame } from '#core/same';
+import { filesOfDevice } from '#project/devices';
+import type { Shown } from '#vm/debug/shown';
+import type { BreakPoint, LineStep } from '#vm/debug/stops';
+import type { Variables } from '#vm/debug/variables';
+import type { PointsOfDevices } from '../../session/run/debug-port';
+import { BreakPoints } from './break-points';
+import { changesBetween, type Before } from './changes';
+import { fileKey } from './file-key';
+import { Past, type PastParts } from './past';
+import { changedFile } from './ran-program';
+
+/** Whether there is something to see of the program of the device that is shown. */
+export interface Stillness {
+  /** It stands still, and would go on. */
+  readonly isStanding: ComputedRef<boolean>;
+  /** So it does, or a moment is looked at that has been. */
+  readonly isStill: ComputedRef<boolean>;
+  /** The variables are shown in the board's place. */
+  readonly showsVariables: ShallowRef<boolean>;
+}
+
+/** A place in a program. */
+export interface Place {
+  readonly file: string;
+  readonly line: number;
+}
+
+/** A place in a program that may have been written on since. */
+export interface Here {
+  readonly file: string;
+  /** `null`: the line is not there any more. */
+  readonly line: number | null;
+  /** What the line said when it ran, where the file is another one by now; else `null`. */
+  readonly ran: string | null;
+}
+
+/** What a program was found with. */
+interface Found {
+  readonly device: number;
+  readonly variables: Variables;
+  /** What each variable that has changed since the stop before was then. */
+  readonly before: Before;
+}
+
+/** The time line has stood for this long when variables are asked for, in ms. Chosen: a drag asks for none. */
+const SETTLED_MS = 150;
+
+/** Where programs stop, how they go on line by line, and what their variables are. */
+export class Debug {
+  readonly points = new BreakPoints(tabStore());
+  /** Where the device that is shown stands, in a moment of the past, too; `null`: its program runs, or is over. */
+  readonly place: ComputedRef<Place | null>;
+  /** The same in the program as it is written now. */
+  readonly here: ComputedRef<Here | null>;
+  /** Of the device that is shown, while its program stands. */
+  readonly found: ShallowRef<Found | null> = shallowRef(null);
+  private readonly last = new Map<number, Variables>();
+  private toldPoints: PointsOfDevices = [];
+
+  /** The run again, for all that was before. */
+  readonly past: Past;
+
+  constructor(
+    private readonly app: PastParts,
+    private readonly slot: Stillness,
+  ) {
+    const { run, work } = app;
+    const { isStanding, isStill, showsVariables } = slot;
+    this.past = new Past(app, (device, variables) => this.find(device, variables));
+    this.place = computed(() => {
+      const position = isStill.value ? (run.shown.value?.position ?? null) : null;
+      return position === null ? null : { file: position.file, line: position.line };
+    });
+    this.here = computed(() => {
+      if (this.place.value === null) return null;
+      const { file, line } = this.place.value;
+      const changed = changedFile(app, work.place.value, file);
+      if (changed === null) return { file, line, ran: null };
+      return { file, line: changed.now(line), ran: changed.text.split(/\r?\n/)[line - 1]?.trim() ?? '' };
+    });
+    const written = () => work.work.value.project;
+    watch([this.points.lines, written, work.devices, run.recording], () => this.tellPoints(), {
+      immediate: true,
+    });
+    watch(work.openings, () => this.points.clear());
+    watch(run.recording, () => this.last.clear());
+    const moment = computed(() => (isStanding.value ? `${work.place.value} ${run.nowUs.value}` : null));
+    watch(moment, (now) => now !== null && this.look(), { immediate: true });
+    watch(isStill, (still) => still || this.forget());
+    let shownIn: unknown = null;
+    watch(run.debug.held, (held) => {
+      if (held !== null) work.showDevice(held.device); // who waits for another device's line would see nothing of it
+      if (isStanding.value) this.look();
+      if (held === null || shownIn === run.recording.value) return;
+      shownIn = run.recording.value; // once a run: who goes back to the board stays there
+      showsVariables.value = true;
+    });
+    watch(run.debug.told, (told) => {
+      if (told !== null && isStanding.value && told.device === work.place.value) this.find(told.device, told.variables);
+    });
+    this.followPast(showsVariables);
+  }
+
+  /** Variables of the past cost a run: they are asked for when they are seen, and time stands on the screen. */
+  private followPast(showsVariables: Readonly<Ref<boolean>>): void {
+    const { run, work } = this.app;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    watch(
+      [run.past, work.place, showsVariables],
+      ([past, , isSeen]) => {
+        clearTimeout(timer);
+        if (past !== null && isSeen) timer = setTimeout(() => void this.past.look(), SETTLED_MS);
+      },
+      { immediate: true },
+    );
+  }
+
+  /** Goes on line by line: the program that is shown makes a step, or goes on up to a line. */
+  step(step: LineStep): void {
+    if (this.slot.isStanding.value) this.app.run.debug.step(step, this.app.work.place.value);
+    else void this.stepInPast(step);
+  }
+
+  /** Where no line follows any more that has been, the present is there again; and from it, it goes on. */
+  private async stepInPast(step: LineStep): Promise<void> {
+    const { run, work } = this.app;
+    const turn = ++this.turns;
+    const isNow = run.past.value === run.present.value;
+    if (!isNow && (await this.past.step(step))) return;
+    if (turn !== this.turns || run.past.value === null) return; // somebody wants something else by now
+    run.look.leave();
+    if (isNow && this.slot.isStanding.value) run.debug.step(step, work.place.value);
+  }
+  /** Counts what somebody wants to see of the past. */
+  private turns = 0;
+
+  /** Goes to the line that began before, in the past. */
+  back(): void {
+    this.turns += 1;
+    void this.past.back();
+  }
+
+  /** Goes to the line that has raised the error by which the program ended, with its variables as they were. */
+  toError(timeUs: number, line: number | null): void {
+    this.slot.showsVariables.value = true;
+    void this.past.toError(timeUs, line);
+  }
+
+  /** The value of a name where the program stands: of the innermost call, else of the file. */
+  valueOf(name: string): Shown | null {
+    const variables = this.found.value?.variables;
+    const known = [...(variables?.stack[0]?.locals ?? []), ...(variables?.globals ?? [])];
+    return known.find((one) => one.name === name)?.value ?? null;
+  }
+
+  private find(device: number, variables: Variables): void {
+    const last = this.last.get(device) ?? null;
+    if (last !== null && this.found.value?.device === device && isSame(last, variables)) return;
+    this.found.value = { device, variables, before: changesBetween(last, variables) };
+    this.last.set(device, variables);
+  }
+
+  private look(): void {
+    this.app.run.debug.inspect(this.app.work.place.value);
+  }
+
+  private forget(): void {
+    this.found.value = null;
+  }
+
+  /** The run has the lines that it began with. */
+  private linesOf(place: number, file: string, lines: readonly number[]): BreakPoint[] {
+    const changed = this.app.run.isActive.value ? changedFile(this.app, place, file) : null;
+    return lines.flatMap((now) => {
+      const line = changed === null ? now : changed.before(now);
+      return line === null ? [] : [{ file, line }];
+    });
+  }
+
+  private tellPoints(): void {
+    const { run, work } = this.app;
+    const { project } = work.work.value;
+    const points = work.devices.value.map((_, place) =>
+      filesOfDevice(project, place).flatMap(({ name }): BreakPoint[] =>
+        this.linesOf(place, name, this.points.of(fileKey(project, place, name))),
+      ),
+    );
+    if (isSame(points, this.toldPoints)) return; // the program changes with every key
+    this.toldPoints = points;
+    run.debug.stopAt(points);
+  }
+}
+
+function tabStore(): Storage | null {
+  try {
+    return sessionStorage;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,36 @@
+// @vitest-environment happy-dom
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { nextTick } from 'vue';
+
+import { mountOn, named } from '../../app/testing/mount-on';
+import { createPage } from '../../app/testing/page';
+import DeviceMenu from './DeviceMenu.vue';
+
+describe('the button of the device', () => {
+  afterEach(() => history.replaceState(null, '', '/'));
+
+  it('is called by the microcomputer that is chosen', async () => {
+    const page = createPage();
+    page.settings.change({ device: 'microbit-v2' });
+    mountOn(page, DeviceMenu);
+    named('Gerät: micro:bit V2');
+    page.settings.change({ device: 'calliope-mini-2' });
+    await nextTick();
+    expect(named('Gerät: Calliope mini 1/2').title).toBe('Gerät wählen');
+  });
+
+  it('opens the panel, and from it the gallery in the panel’s place', async () => {
+    const page = createPage();
+    mountOn(page, DeviceMenu);
+    const button = document.querySelector<HTMLElement>('[data-testid="device"]')!;
+    expect(button.getAttribute('aria-expanded')).toBe('false');
+    button.click();
+    await vi.waitFor(() => named('Roboter-Galerie'), 20_000);
+    expect(button.getAttribute('aria-expanded')).toBe('true');
+    named('Roboter-Galerie').click();
+    await nextTick();
+    expect(button.getAttribute('aria-expanded')).toBe('false');
+    expect(page.gallery.page.value).toEqual({ kind: 'all' });
+    expect(document.activeElement).toBe(button);
+  });
+});

@@ -1,0 +1,36 @@
+import { computed } from 'vue';
+
+import { importedModules } from '#python/imports';
+import { AUTO, chooseHardware } from '#simulation/hardware';
+import { usePage } from '../../../kit/parts';
+import { useRun } from '../../../session/run/parts';
+import { useWork } from '../../../session/work/model/parts';
+import { useLayout } from '../../../session/layout/parts';
+import { useCourses } from '../../../session/work/use-courses';
+import { solved, type Course } from '#catalogue/course';
+
+/** Name of the robot that a course and its program are made for. */
+export function robotName({ scene, solution }: Course): string {
+  const imports = new Set(importedModules(solution.en));
+  const hardware = chooseHardware({ scene, imports, robot: AUTO, board: AUTO });
+  return 'problem' in hardware ? '' : (hardware.robot?.name ?? '');
+}
+
+/** Opening courses out of the gallery, which then makes room for them. */
+export function useCourseOpening() {
+  const app = { ...usePage(), ...useRun(), ...useWork(), ...useLayout() };
+  const { openCourse } = useCourses(app);
+  const openId = computed(() => app.work.work.value.project.course);
+  function open(course: Course, anew = false): void {
+    app.gallery.close();
+    openCourse(course, anew);
+  }
+  return {
+    open: (course: Course): void => open(course),
+    openSolved(course: Course): void {
+      if (app.work.keeper.value?.refuses('solution') !== true) open(solved(course), true);
+    },
+    /** It is the one in the arena, changed or not. */
+    isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,
+  };
+}

@@ -1,0 +1,95 @@
+import type { RobotSnapshot } from '#simulation/snapshot';
+import type { Verdict } from '#simulation/task/verdict';
+import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
+import { maqueenLite } from '#robots/maqueen-lite/type';
+
+import { pictureOf } from '../../../app/testing/run';
+import { createNarrator } from '../narrator';
+
+/** What is different from a Maqueen Lite that stands at x 20, y 45 cm and looks along +x, with nothing around it. */
+export interface Changes {
+  readonly xMm?: number;
+  readonly yMm?: number;
+  readonly headingDeg?: number;
+  readonly pathMm?: number;
+  readonly turnedDeg?: number;
+  /** `null`: nothing in range, `undefined`: no such sensor. */
+  readonly aheadMm?: number | null | undefined;
+  /** Its line sensors from left to right, 1 = dark. */
+  readonly line?: readonly (0 | 1)[];
+  readonly touches?: number;
+  readonly verdict?: Partial<Verdict>;
+  readonly timeUs?: number;
+}
+
+const open: Verdict = {
+  ...{ state: 'open', atMs: null, reason: null, by: null, place: null, help: [], early: null, stars: null, touches: 0 },
+  robots: [],
+  checkpoints: { passed: 0, of: 0 },
+  targets: { reached: 0, of: 0 },
+  blocks: { delivered: 0, of: 0 },
+};
+
+const NAMES: Readonly<Record<number, readonly string[]>> = { 2: ['left', 'right'], 5: ['L2', 'L1', 'M', 'R1', 'R2'] };
+
+/** A robot as a run shows it. */
+export function robotOf(changes: Changes): RobotSnapshot {
+  const { xMm = 200, yMm = 450, headingDeg = 0, pathMm = 0, turnedDeg = 0, line = [0, 0], touches = 0 } = changes;
+  const aheadMm = 'aheadMm' in changes ? changes.aheadMm : null;
+  const headingRad = (headingDeg * Math.PI) / 180;
+  const hitMm = (mm: number) => ({ x: xMm + 58 + mm * Math.cos(headingRad), y: yMm + mm * Math.sin(headingRad) });
+  const beam = { fromMm: { x: xMm + 58, y: yMm }, headingRad, openingRad: 0.5 };
+  const ultrasonic =
+    aheadMm === undefined ? null : { ...beam, distanceMm: aheadMm, hitMm: aheadMm === null ? null : hitMm(aheadMm) };
+  return {
+    ...{ type: 'maqueen-lite', scale: 1, wheelTurnRad: [0, 0] as const },
+    ...{ pose: { xMm, yMm, headingRad }, collisions: touches, pathMm, turnedRad: (turnedDeg * Math.PI) / 180 },
+    state: {
+      ...{
+        leds: { left: 0, right: 0 },
+        rgb: [],
+        servos: {},
+        attachments: [],
+        duty: { left: 0, right: 0 },
+        bumper: null,
+      },
+      lineSensors: line.map((dark, at) => ({
+        name: NAMES[line.length]?.[at] ?? String(at),
+        atMm: { x: 40, y: -at },
+        bright: dark === 0,
+      })),
+      ultrasonic,
+    },
+  };
+}
+
+/** The whole picture. */
+export const seen = (changes: Changes) =>
+  pictureOf({
+    timeUs: changes.timeUs ?? 0,
+    robot: robotOf(changes),
+    verdict: changes.verdict === undefined ? null : { ...open, ...changes.verdict },
+  });
+
+/** A course with these things, of 1200 × 900 mm. */
+export const courseWith = (...objects: readonly SceneObject[]): Scene => ({ ...defaultScene(), objects });
+
+/**
+ * What is told of a drive: `[ms, what is different from the start]` one after the other, each holding until the next.
+ * The sentences have their time: `2000 Wand 12 cm voraus.`
+ */
+export function told(
+  scene: Scene,
+  drive: readonly (readonly [ms: number, changes: Changes])[],
+  untilMs: number,
+): readonly string[] {
+  const narrator = createNarrator(() => ({ scene, body: maqueenLite.body.outlineMm }));
+  const sentences: string[] = [];
+  for (let nowMs = 0; nowMs <= untilMs; nowMs += 100) {
+    const [, changes] = drive.filter(([ms]) => ms <= nowMs).at(-1) ?? [0, {}];
+    narrator.see(seen(changes), nowMs);
+    const words = narrator.next(nowMs);
+    if (words !== null) sentences.push(`${String(nowMs)} ${words}`);
+  }
+  return sentences;
+}

@@ -1,0 +1,27 @@
+import { computed, type ComputedRef } from 'vue';
+
+import { numberText } from '../../kit/i18n/number-text';
+import { shownLanguage, t } from '../../kit/i18n';
+import type { EarlierRun, GhostWish } from '../run/earlier-runs';
+import type { RunParts } from '../run/parts';
+import { hardwareNow } from '../work/hardware/use-hardware';
+import type { WorkParts } from '../work/model/parts';
+import showWords from './words';
+
+const words = showWords.ghost;
+
+/** Whose ghosts can drive along on the course as it is now, with the robots that are on it. */
+export function ghostChoices(
+  app: Pick<RunParts, 'run'> & WorkParts,
+): ComputedRef<Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>>> {
+  const { run, work } = app;
+  const robots = computed(() => work.devices.value.map((_, place) => hardwareNow(app, place)?.robot?.id ?? null));
+  const scene = computed(() => run.recording.value.setup?.scene ?? work.scene.value);
+  return computed(() => run.earlier.value?.choices({ scene: scene.value, robots: robots.value }) ?? {});
+}
+
+/** Which run it was and how long it took, in simulated time. */
+export function ghostLabel({ isOpened, number, tookUs }: EarlierRun): string {
+  const seconds = numberText(tookUs / 1_000_000, shownLanguage(), 1);
+  return t(isOpened ? words.openedRun : words.run, { number, seconds });
+}

@@ -1,0 +1,62 @@
+import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
+
+import type { TextKey } from '../../kit/i18n/texts';
+import { gridOf, limitsOf, withDeviceRow, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
+import type { WorkParts } from '../work/model/parts';
+import type { LayoutParts } from './parts';
+
+/** One bar between panes, ready for `PaneSplitter`. */
+export interface Splitter {
+  readonly id: SplitterId;
+  readonly label: TextKey;
+  readonly axis: 'x' | 'y';
+  readonly sign: 1 | -1;
+  readonly sizePx: number;
+  readonly minPx: number;
+  readonly maxPx: number;
+  resize(px: number | null): void;
+}
+
+const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: 'topPx', below: 'belowPx' } as const;
+
+/** The panes' grid as CSS variables, and the splitters that are in it. Sizes always fit the window. */
+export function usePaneGrid(
+  { layout, settings, work }: WorkParts & Pick<LayoutParts, 'layout'>,
+  root: Ref<HTMLElement | null>,
+) {
+  const room = shallowRef({ widthPx: innerWidth, heightPx: innerHeight });
+  const observer = new ResizeObserver(([entry]) => {
+    if (entry !== undefined) room.value = { widthPx: entry.contentRect.width, heightPx: entry.contentRect.height };
+  });
+  onMounted(() => {
+    if (root.value !== null) observer.observe(root.value);
+  });
+  onScopeDispose(() => observer.disconnect());
+
+  const isUnfolded = computed(() => layout.isShown.value.board && settings.current.value.panel !== null);
+  const sizes = computed(() => {
+    const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
+    return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
+  });
+  const grid = computed(() => {
+    const panes = gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value);
+    return work.hasSeveral.value ? withDeviceRow(panes) : panes;
+  });
+  const style = computed(() => ({
+    '--columns': grid.value.columns,
+    '--rows': grid.value.rows,
+    '--areas': grid.value.areas,
+  }));
+  const splitters = computed<Splitter[]>(() =>
+    grid.value.splitters.map(({ id, axis, sign, sizePx }) => ({
+      id,
+      axis,
+      sign,
+      sizePx,
+      label: `splitter.${id}` as const,
+      ...limitsOf(id, room.value),
+      resize: (px) => settings.change({ [SETTING[id]]: px, cinema: false }),
+    })),
+  );
+  return { style, splitters };
+}

@@ -1,0 +1,89 @@
+/**
+ * The module worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks
+ * hand-ins (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). It sends and receives the messages
+ * of `protocol.ts`; all of its logic is in `runner.ts`.
+ */
+import '../../../kit/oldest/fill';
+
+import { Simulation } from '#simulation/simulation';
+
+import type { Checker, ToChecker } from './checker';
+import type { createFilmMaker, ToFilm } from './film';
+import { answerFit, type FitRequest } from './fit';
+import { Looker } from './look/looker';
+import { answerRepeat, type RepeatRequest } from './look/repeat';
+import type { ToLooker } from './look/protocol';
+import type { Reader, ToReader } from './reader';
+import { sealSandbox } from './sandbox';
+import { packPictures } from './pictures';
+import type { ToWorker } from './protocol';
+import { Runner } from './runner';
+
+sealSandbox(globalThis);
+
+// A message to itself arrives immediately, but after the messages already waiting: setTimeout would add 4 ms each time.
+const channel = new MessageChannel();
+let next: (() => void) | null = null;
+channel.port1.onmessage = () => {
+  const task = next;
+  next = null;
+  task?.();
+};
+
+function soon(task: () => void): void {
+  next = task;
+  channel.port2.postMessage(null);
+}
+
+const pack = packPictures();
+const runner = new Runner({
+  post: (message) => postMessage(pack(message)),
+  nowMs: () => performance.now(),
+  later(task, delayMs) {
+    if (delayMs > 0) setTimeout(task, delayMs);
+    else soon(task);
+  },
+  create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
+});
+
+const looker = new Looker({
+  post: (message) => postMessage(message),
+  nowMs: () => performance.now(),
+  rest: () => new Promise((resolve) => soon(resolve)),
+});
+
+/** Loaded on demand: no run needs the code that reads a class's programs. */
+let checker: Promise<Checker> | null = null;
+const loadChecker = (): Promise<Checker> =>
+  (checker ??= import('./checker').then(
+    (late) => new late.Checker({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
+  ));
+
+const isForLooker = (data: Asked): data is ToLooker =>
+  data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
+
+/** Loaded on demand, too. */
+let reader: Promise<Reader> | null = null;
+const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
+
+/** And this. */
+let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
+const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
+  (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
+
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker | ToReader | ToFilm;
+
+addEventListener('message', ({ data }: MessageEvent<Asked>) => {
+  if (data.type === 'repeat')
+    void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
+  else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
+  else if (isForLooker(data)) looker.receive(data);
+  else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
+  else if (data.type === 'read-open' || data.type === 'read')
+    void loadReader()
+      .then((it) => it.answer(data))
+      .then((answer) => postMessage(answer));
+  else if (data.type === 'film-begin' || data.type === 'film-picture' || data.type === 'film-end')
+    void loadFilmMaker().then((tell) => tell(data));
+  else runner.receive(data);
+});

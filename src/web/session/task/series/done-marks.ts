@@ -1,0 +1,77 @@
+import { shallowRef, type Ref } from 'vue';
+
+import { isRecord } from '#core/record';
+
+import { lateModel } from '../../../kit/state/late-models';
+import type { SeriesPlace } from './series-place';
+
+/** What has been done in this browser, of all series: `series/task` → stars, 0 where the task gives none. */
+export type Done = Readonly<Record<string, number>>;
+
+/** Which tasks are done. The signs stay when the program is changed or the page is closed. */
+export interface DoneMarks {
+  readonly all: Readonly<Ref<Done>>;
+  /** Marks a task, and keeps the most stars. */
+  mark(place: SeriesPlace, stars: number): void;
+  /** Takes a mark away. */
+  clear(place: SeriesPlace): void;
+}
+
+const KEY = 'parcours.series';
+/** Chosen: series of many years; the oldest marks go first. */
+const MOST = 2000;
+
+export const keyOf = ({ series, task }: SeriesPlace): string => `${series}/${task}`;
+
+/** @param store where they are kept; `null`: as long as the page is open */
+export function createDoneMarks(store: Storage | null): DoneMarks {
+  const all = shallowRef(read(store));
+  if (store !== null)
+    window.addEventListener('storage', ({ key }) => {
+      if (key === KEY) all.value = read(store);
+    });
+  function write(change: (now: Done) => Done): void {
+    all.value = change({ ...all.value, ...read(store) });
+    try {
+      store?.setItem(KEY, JSON.stringify(all.value));
+    } catch {
+      // No room or no permission: they hold as long as the page does.
+    }
+  }
+  return {
+    all,
+    mark(place, stars) {
+      const key = keyOf(place);
+      write((now) =>
+        Object.fromEntries(Object.entries({ ...now, [key]: Math.max(stars, now[key] ?? 0) }).slice(-MOST)),
+      );
+    },
+    clear(place) {
+      const key = keyOf(place);
+      write((now) => Object.fromEntries(Object.entries(now).filter(([name]) => name !== key)));
+    },
+  };
+}
+
+/** What cannot be read counts as nothing done. */
+function read(store: Storage | null): Done {
+  try {
+    const stored: unknown = JSON.parse(store?.getItem(KEY) ?? '{}');
+    if (!isRecord(stored)) return {};
+    const good = Object.entries(stored).filter(([, stars]) => [0, 1, 2, 3].some((count) => count === stars));
+    return Object.fromEntries(good) as Done;
+  } catch {
+    return {};
+  }
+}
+
+/** The marks of this browser. */
+export const doneMarks = lateModel(() => createDoneMarks(storage()));
+
+function storage(): Storage | null {
+  try {
+    return localStorage;
+  } catch {
+    return null;
+  }
+}

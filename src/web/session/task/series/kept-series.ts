@@ -1,0 +1,84 @@
+import { parseSeries } from '#check/series/read-series';
+import type { Series } from '#check/series/series';
+import { seriesToText } from '#check/series/write-series';
+import { isRecord } from '#core/record';
+
+import { lateModel, type WithLate } from '../../../kit/state/late-models';
+import { readyScene } from '../../work/catalogue/ready-courses';
+import { entriesIn, inStore, type Entry } from '../../work/storage/database';
+
+/** Names in the browser's database: a series by its id, and the one that is being made. */
+const SERIES = 'series.of.';
+const DRAFT = 'series.draft';
+
+/** Those that were opened since the page was loaded: a browser without a database has them, too. */
+const openedSeries = lateModel(() => new Map<string, Series>());
+
+/**
+ * Keeps a series that was opened, so that the way back to it is there after a reload and without a network. It goes when nobody
+ * has opened it for sixty days, as other pieces of work do.
+ *
+ * @param address where it was fetched from; left out: it was in a link or a file
+ */
+export async function keepSeries(app: WithLate, series: Series, address?: string): Promise<void> {
+  openedSeries(app).set(series.id, series);
+  await put(SERIES + series.id, { text: seriesToText(series), ...(address !== undefined && { address }) }, Date.now());
+}
+
+/** A series that was kept; `null`: this browser has none of that id. */
+export async function keptSeries(app: WithLate, id: string): Promise<Series | null> {
+  const known = openedSeries(app).get(id);
+  if (known !== undefined) return known;
+  const series = seriesIn(await entryOf(SERIES + id));
+  if (series !== null) await keepSeries(app, series);
+  return series;
+}
+
+/** The series that was last fetched from this address. */
+export async function seriesFrom(address: string): Promise<Series | null> {
+  const entries = await entriesAt(() => IDBKeyRange.bound(SERIES, `${SERIES}~`));
+  return seriesIn(entries.find((entry) => valueIn(entry)?.['address'] === address));
+}
+
+/** Keeps the series that a teacher is making, with solutions and all, until another takes its place. */
+export const keepDraft = (series: Series): Promise<void> => put(DRAFT, { text: seriesToText(series) }, Infinity);
+
+/** The series that was being made when the page was left. */
+export const keptDraft = async (): Promise<Series | null> => seriesIn(await entryOf(DRAFT));
+
+const entryOf = async (name: string): Promise<Entry | undefined> => (await entriesAt(() => name))[0];
+
+/** A browser without a database keeps nothing: what is open works all the same. */
+async function entriesAt(names: () => string | IDBKeyRange): Promise<readonly Entry[]> {
+  try {
+    return await entriesIn(names());
+  } catch {
+    return [];
+  }
+}
+
+async function put(name: string, value: object, usedMs: number): Promise<void> {
+  try {
+    await inStore(
+      'readwrite',
+      (store) => void store.put({ name, text: JSON.stringify(value), usedMs } satisfies Entry),
+    );
+  } catch {
+    // nothing is kept
+  }
+}
+
+function valueIn(entry: Entry | undefined): Readonly<Record<string, unknown>> | null {
+  try {
+    const value: unknown = JSON.parse(entry?.text ?? 'null');
+    return isRecord(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+function seriesIn(entry: Entry | undefined): Series | null {
+  const text = valueIn(entry)?.['text'];
+  const read = typeof text === 'string' ? parseSeries(text, readyScene) : null;
+  return read !== null && 'series' in read ? read.series : null;
+}

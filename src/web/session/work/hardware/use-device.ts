@@ -1,0 +1,156 @@
+import { computed, type ComputedRef } from 'vue';
+
+import type { OptionValues } from '#core/option';
+import { furtherDevice } from '#project/devices';
+import type { FurtherDevice, HardwareWish } from '#project/project';
+import type { RobotType } from '#robots/robot';
+import { NO_ROBOT, type Hardware } from '#simulation/hardware';
+
+import { AUTO_ROBOT, deviceName } from '../settings/devices';
+import { deviceAt } from './device-at';
+import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';
+import { isSeed, LAST_SEED, type Settings } from '../settings/settings';
+import { mispluggedNotice } from './misplugged';
+import { useHardware } from './use-hardware';
+import type { Workplace } from '../model/parts';
+import type { Notice } from '../../../kit/notices';
+
+/** Choosing what the program runs on. */
+export interface DeviceModel {
+  readonly hardware: ComputedRef<Hardware | null>;
+  /** What is chosen for the device that is shown. */
+  readonly chosen: ComputedRef<HardwareWish>;
+  /** What the microcomputer is called, as it was chosen. */
+  readonly name: ComputedRef<string>;
+  readonly chooseDevice: (id: string) => void;
+  readonly chooseFirmware: (id: string) => void;
+  /** The bare board needs no arena; a robot brings it back. */
+  readonly chooseRobot: (id: string) => void;
+  /** A course has a robot, whatever was chosen for the programs without one. */
+  readonly allowRobot: () => void;
+  /** The open program came with this robot: it, its board and these options are chosen, as far as they are not already. */
+  readonly bringRobot: (robot: RobotType, options?: OptionValues) => void;
+  /** The open course came with its robot set up: that holds, whatever was changed before. */
+  readonly setUpForCourse: () => void;
+  /** The options of the robot in use before anything is changed by hand. */
+  readonly startOptions: ComputedRef<OptionValues>;
+  readonly chooseOption: (option: string, choice: string) => void;
+  readonly resetOptions: () => void;
+  readonly chooseReality: (reality: number) => void;
+  /** Takes the used robot with this number; an invalid number changes nothing. */
+  readonly chooseSeed: (seed: number) => void;
+  /** Takes the next one, after the last the first. */
+  readonly nextSeed: () => void;
+  /** What is wrong when robot and board, or robot and program, do not fit, with a way out; otherwise `null`. */
+  readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
+}
+
+type Parts = Workplace;
+
+export function useDevice(app: Parts): DeviceModel {
+  const { settings, work } = app;
+  const hardware = useHardware(app);
+  const change = changing(app);
+  const further = (): FurtherDevice | null => furtherDevice(work.work.value.project, work.place.value);
+  const now = (): Settings => ({ ...settings.current.value, ...wishOf(further()) });
+  /** Changes options of the robot in use, if there is one: in the pupil's own choice and in what holds now. */
+  function changeRobot(wish: (settings: Settings, robot: RobotType) => Partial<Settings>): void {
+    const robot = hardware.value?.robot ?? null;
+    if (robot !== null) change(wish(now(), robot), wish({ ...settings.own.value, ...wishOf(further()) }, robot));
+  }
+  return {
+    hardware,
+    chosen: computed(() => now()),
+    name: computed(() => deviceName(now().device, hardware.value?.board)),
+    chooseDevice: (device) => change({ device }),
+    chooseFirmware: (firmware) => change({ firmware }),
+    chooseRobot: (robot) => change({ robot, ...(further() === null && arenaFor(robot, now())) }),
+    ...useBringing(app, hardware),
+    startOptions: computed(() => {
+      const robot = hardware.value?.robot ?? null;
+      return robot === null ? {} : startOptions(robot, work.scene.value);
+    }),
+    chooseOption: (option, choice) =>
+      changeRobot((before, robot) => withOption(before, robot, work.scene.value, [option, choice])),
+    resetOptions: () => changeRobot((before, robot) => withOptions(before, robot, [])),
+    chooseReality: (reality) => change({ reality }),
+    chooseSeed: (seed) => {
+      if (isSeed(seed)) change({ seed });
+    },
+    nextSeed: () => change({ seed: (now().seed % LAST_SEED) + 1 }),
+    misplugged: computed(() => {
+      const { project, settings: its } = deviceAt(app);
+      return mispluggedNotice(project, its, change);
+    }),
+  };
+}
+
+/** What opening a program or a course does to the choice. It is plain to see, so there is no notice. */
+function useBringing(
+  { settings, work }: Parts,
+  hardware: ComputedRef<Hardware | null>,
+): Pick<DeviceModel, 'allowRobot' | 'bringRobot' | 'setUpForCourse'> {
+  function changeBoth(wish: (before: Settings) => Partial<Settings>): void {
+    settings.bring(wish(settings.current.value), wish(settings.own.value));
+  }
+  function choose(wish: Pick<Settings, 'robot'> & Partial<Settings>): void {
+    settings.bring({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
+  }
+  return {
+    allowRobot: () => {
+      if (settings.current.value.robot === NO_ROBOT) choose({ robot: AUTO_ROBOT });
+    },
+    bringRobot: (robot, options = {}) => {
+      choose(settingsFor(robot, work.work.value.project, settings.current.value));
+      for (const chosen of Object.entries(options))
+        changeBoth((before) => withOption(before, robot, work.scene.value, chosen));
+    },
+    setUpForCourse: () => {
+      const robot = hardware.value?.robot ?? null;
+      if (robot !== null) changeBoth((before) => withCourseOptions(before, robot, work.scene.value));
+    },
+  };
+}
+
+/** The arena goes with the robot and comes back with it. */
+const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
+  (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
+
+/** What is chosen for a further device; nothing for the first, whose hardware the settings say. */
+function wishOf(device: FurtherDevice | null): HardwareWish | null {
+  if (device === null) return null;
+  const { device: id, firmware, robot, robotOptions } = device;
+  return { device: id, firmware, robot, robotOptions };
+}
+
+/** Changes settings. Another device ends the run: that must not look like an accident, and there is none while looking back. */
+function changing(app: Parts) {
+  const { settings, run, notices, work } = app;
+  return (wish: Partial<Settings>, own = wish): void => {
+    const shown = furtherDevice(work.work.value.project, work.place.value);
+    const before = { ...settings.current.value, ...wishOf(shown) };
+    const isOther = (parts: typeof deviceSettings): boolean =>
+      JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
+    if (isOther(deviceSettings) && work.staysAsItIs()) return;
+    if (run.isActive.value && isOther(deviceSettings)) {
+      const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
+      notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });
+    }
+    if (shown === null) settings.change(wish, own);
+    else changeFurther(app, wish);
+  };
+}
+
+/** The hardware is the further device's own; the rest holds for all. */
+function changeFurther(
+  { settings, work }: Parts,
+  { device, firmware, robot, robotOptions, ...rest }: Partial<Settings>,
+): void {
+  work.changeDevice(work.place.value, {
+    ...(device !== undefined && { device }),
+    ...(firmware !== undefined && { firmware }),
+    ...(robot !== undefined && { robot }),
+    ...(robotOptions !== undefined && { robotOptions }),
+  });
+  if (Object.keys(rest).length > 0) settings.change(rest);
+}

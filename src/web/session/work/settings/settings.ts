@@ -1,0 +1,234 @@
+import type { OptionValues } from '#core/option';
+import { isRecord } from '#core/record';
+import { readMyRobot, type MyRobot } from '#my-robot/my-robot';
+import { robotTypes } from '#robots/index';
+import { Reader } from '#scene/reader';
+
+import { SPEEDS, type Speed } from '#simulation/pace';
+import { LANGUAGES, type Language } from '../../../kit/i18n/texts';
+import { readLightWishes, type LightWishes } from './light-wish';
+import { AUTO_DEVICE, AUTO_ROBOT, isDevice, isRobotChoice } from './devices';
+
+/** Light or dark; `system` follows the device. */
+export const THEMES = ['system', 'light', 'dark'] as const;
+export type Theme = (typeof THEMES)[number];
+
+/** What can be unfolded below the board. */
+export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
+export type BoardPanel = (typeof BOARD_PANELS)[number];
+
+/** The look of the app and its way of running, for the person who uses it. Sizes in CSS pixels. */
+export interface Settings {
+  readonly language: Language;
+  readonly theme: Theme;
+  readonly speed: Speed;
+  readonly muted: boolean;
+  /** What the arena shows of the robot's senses: the beam of its distance sensor, what its line sensors see, … */
+  readonly cone: boolean;
+  readonly spots: boolean;
+  /** … the point around which it turns, and its trail. */
+  readonly centre: boolean;
+  readonly trace: boolean;
+  /** Whether the arena shows what the devices send by radio. */
+  readonly packets: boolean;
+  /** Form and place of chains of lights, as far as they were chosen. */
+  readonly lights: LightWishes;
+  readonly showBoard: boolean;
+  readonly showArena: boolean;
+  /** The microcomputer of the next run: an id of `devices`. */
+  readonly device: string;
+  /** Id of its firmware; empty, or one that the board does not have: the board's usual one. */
+  readonly firmware: string;
+  /** Id of a robot type, `none` for the bare board, or `auto`. */
+  readonly robot: string;
+  /** What was changed about robots: id of the robot → id of the option → id of the choice. It wins over the course. */
+  readonly robotOptions: RobotOptions;
+  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  readonly reality: number;
+  /** Which of the used robots it is, 1 … `LAST_SEED`: the same number always gives the same faults. */
+  readonly seed: number;
+  /** The pupil's own robot, as it was measured, or `null`. */
+  readonly myRobot: MyRobot | null;
+  /** Whether the editor marks what would not run on the microcomputer. */
+  readonly deviceCheck: boolean;
+  /** What is unfolded below the board, or `null`. */
+  readonly panel: BoardPanel | null;
+  /** Whether the board on the robot feels the arena. */
+  readonly arenaSenses: boolean;
+  /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
+  readonly showTools: boolean | null;
+  /** The commands to choose from are open below the program. */
+  readonly showCommands: boolean;
+  /** The picture follows the robot. */
+  readonly follow: boolean;
+  /** What the robot meets is told in words, to be heard by who does not see the arena; … */
+  readonly tell: boolean;
+  /** … and by tones, while it is told. */
+  readonly tones: boolean;
+  /** A small celebration when a task is passed. */
+  readonly celebrate: boolean;
+  /** The greeting of a first visit was answered. */
+  readonly welcomed: boolean;
+  /** Where the tour was left: the id of a step; `null`: it was never begun, or is over. */
+  readonly tourStep: string | null;
+  /** Width of the code pane, or `null` to follow the window's width. The others work in the same way. */
+  readonly codePx: number | null;
+  readonly boardPx: number | null;
+  readonly consolePx: number | null;
+  /** Height of code and board where the arena lies below them. */
+  readonly topPx: number | null;
+  /** Height of the board where it lies below the program. */
+  readonly belowPx: number | null;
+  /** The arena has two thirds of the window. */
+  readonly cinema: boolean;
+}
+
+/** Chosen options by the robot's id. */
+export type RobotOptions = Readonly<Record<string, OptionValues>>;
+
+/** How many used robots there are to choose from. */
+export const LAST_SEED = 9999;
+
+/** The number of one of them. */
+export const isSeed = (value: unknown): value is number =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
+
+/** What a work begins with that is new: a ready course, an example, the first one. What was made before keeps its own. */
+export const newWork = { arenaSenses: true } as const;
+
+/** Settings of a first visit. */
+export function defaultSettings(language: Language): Settings {
+  return {
+    language,
+    theme: 'system',
+    speed: 1,
+    muted: false,
+    cone: true,
+    spots: false,
+    centre: false,
+    trace: false,
+    packets: false,
+    lights: {},
+    showBoard: true,
+    showArena: true,
+    device: AUTO_DEVICE,
+    firmware: '',
+    robot: AUTO_ROBOT,
+    robotOptions: {},
+    reality: 0,
+    seed: 1,
+    myRobot: null,
+    deviceCheck: true,
+    panel: null,
+    ...newWork,
+    showTools: null,
+    showCommands: false,
+    follow: false,
+    tell: false,
+    tones: true,
+    celebrate: true,
+    welcomed: false,
+    tourStep: null,
+    codePx: null,
+    boardPx: null,
+    consolePx: null,
+    topPx: null,
+    belowPx: null,
+    cinema: false,
+  };
+}
+
+/** Settings that are on or off. */
+type Flag =
+  | 'muted'
+  | 'cone'
+  | 'spots'
+  | 'centre'
+  | 'trace'
+  | 'packets'
+  | 'showBoard'
+  | 'showArena'
+  | 'arenaSenses'
+  | 'deviceCheck'
+  | 'showCommands'
+  | 'follow'
+  | 'tell'
+  | 'tones'
+  | 'celebrate'
+  | 'cinema';
+
+/** Reads stored settings; what is missing or makes no sense is as in `fallback`. */
+export function settingsFromText(text: string | null, fallback: Settings): Settings {
+  let value: unknown = null;
+  try {
+    value = JSON.parse(text ?? 'null');
+  } catch {
+    return fallback;
+  }
+  if (typeof value !== 'object' || value === null) return fallback;
+  const read = value as Record<keyof Settings, unknown>;
+  const flag = (key: Flag): boolean => (typeof read[key] === 'boolean' ? read[key] : fallback[key]);
+  const id = (key: 'device' | 'firmware' | 'robot', fits: (value: string) => boolean): string =>
+    typeof read[key] === 'string' && fits(read[key]) ? read[key] : fallback[key];
+  const size = (key: 'codePx' | 'boardPx' | 'consolePx' | 'topPx' | 'belowPx'): number | null =>
+    typeof read[key] === 'number' && Number.isFinite(read[key]) ? read[key] : null;
+  return {
+    language: LANGUAGES.find((language) => language === read.language) ?? fallback.language,
+    theme: THEMES.find((theme) => theme === read.theme) ?? fallback.theme,
+    speed: SPEEDS.find((speed) => speed === read.speed) ?? fallback.speed,
+    muted: flag('muted'),
+    cone: flag('cone'),
+    spots: flag('spots'),
+    centre: flag('centre'),
+    trace: flag('trace'),
+    packets: flag('packets'),
+    lights: readLightWishes(read.lights),
+    showBoard: flag('showBoard'),
+    showArena: flag('showArena'),
+    device: id('device', isDevice),
+    firmware: id('firmware', () => true),
+    robot: id('robot', isRobotChoice),
+    robotOptions: readRobotOptions(read.robotOptions),
+    reality:
+      typeof read.reality === 'number' && read.reality >= 0 && read.reality <= 1 ? read.reality : fallback.reality,
+    seed: isSeed(read.seed) ? read.seed : fallback.seed,
+    myRobot: myRobotFrom(read.myRobot),
+    deviceCheck: flag('deviceCheck'),
+    panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
+    arenaSenses: flag('arenaSenses'),
+    showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    showCommands: flag('showCommands'),
+    follow: flag('follow'),
+    tell: flag('tell'),
+    tones: flag('tones'),
+    celebrate: flag('celebrate'),
+    // Anyone whose settings are older than the greeting knows the app.
+    welcomed: read.welcomed !== false,
+    tourStep: typeof read.tourStep === 'string' ? read.tourStep : null,
+    codePx: size('codePx'),
+    boardPx: size('boardPx'),
+    consolePx: size('consolePx'),
+    topPx: size('topPx'),
+    belowPx: size('belowPx'),
+    cinema: flag('cinema'),
+  };
+}
+
+/** A measured robot that makes sense, or `null`. */
+function myRobotFrom(value: unknown): MyRobot | null {
+  if (!isRecord(value)) return null;
+  const reader = new Reader();
+  const mine = readMyRobot(value, 'myRobot', reader);
+  return reader.problems.length === 0 && robotTypes.some(({ id }) => id === mine.robot) ? mine : null;
+}
+
+/** Keeps what this version of the app knows: robots come and go, and so do their options. */
+function readRobotOptions(value: unknown): RobotOptions {
+  if (!isRecord(value)) return {};
+  const robots = robotTypes.map(({ id, options }): [string, OptionValues] => {
+    const own = value[id];
+    const kept = options.filter((option) => isRecord(own) && option.choices.some((it) => it.id === own[option.id]));
+    return [id, Object.fromEntries(kept.map((option) => [option.id, String(isRecord(own) ? own[option.id] : '')]))];
+  });
+  return Object.fromEntries(robots.filter(([, options]) => Object.keys(options).length > 0));
+}

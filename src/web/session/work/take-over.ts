@@ -1,0 +1,71 @@
+/**
+ * The works of tabs that were closed. A new tab opens what the last one has left; what lies under the names of the others
+ * goes to its earlier works, so that none is out of reach.
+ */
+import { filesOf, keepLast } from './programs/own-programs';
+import { withAll } from './storage/all-works';
+import { entriesIn } from './storage/database';
+import { allCopies, DISK_COPY } from './storage/disk-copy';
+import { savedMsOf, type Previous } from './storage/history';
+import { wholeWork } from './storage/large-work';
+import { workFromText } from './storage/read-work';
+import { copiesOf, newer, tabName } from './storage/tab-storage';
+import { courseName } from './catalogue/first-course';
+import { lateModel, type WithLate } from '../../kit/state/late-models';
+import type { WorkParts } from './model/parts';
+import type { WorkModel } from './model/work-model';
+import { nameWithFile } from './work-name';
+import { isOurs } from './use-courses';
+
+/** Before the name of a tab that is open: see `keep-work.ts`. */
+const LOCK = 'parcours.tab.';
+
+const takingOver = lateModel((): { going?: Promise<void> } => ({}));
+
+/** Puts what closed tabs have left among the earlier works of this one, once. A page that keeps nothing takes nothing. */
+export function takeOver(app: Pick<WorkParts, 'work'> & WithLate, nowMs: number): Promise<void> {
+  const { work } = app;
+  if (work.programs === null) return Promise.resolve();
+  return (takingOver(app).going ??= leftWorks(nowMs)
+    .then((left) => put(work, left))
+    .catch(() => undefined)); // a browser that forbids storage has left nothing
+}
+
+function put(work: WorkModel, left: readonly Previous[]): void {
+  const before = work.work.value;
+  const previous = withAll(before.previous, left, before.project);
+  if (previous !== before.previous) work.work.value = { ...before, previous };
+  for (const { project, atMs } of left)
+    if (project.course !== null && project.task === undefined)
+      keepLast(work, project.course, { atMs, files: filesOf(project) });
+}
+
+async function leftWorks(nowMs: number): Promise<readonly Previous[]> {
+  const open = await openTabs();
+  const own = tabName(sessionStorage);
+  if (own !== null) open.add(own);
+  const texts = new Map(copiesOf(localStorage));
+  for (const { name, text } of await entriesIn(allCopies()).catch(() => [])) {
+    const tab = name.slice(DISK_COPY.length);
+    texts.set(tab, newer(texts.get(tab) ?? null, text) ?? text);
+  }
+  const closed = [...texts].filter(([tab]) => !open.has(tab));
+  // What cannot be read hides nothing else.
+  return (await Promise.all(closed.map(([, text]) => worksIn(text, nowMs).catch(() => [])))).flat();
+}
+
+async function worksIn(text: string, nowMs: number): Promise<readonly Previous[]> {
+  const work = workFromText(await wholeWork(text, nowMs));
+  if (work === null) return [];
+  const { project, file, previous } = work;
+  const name = nameWithFile(courseName(project.scene, project.course), file);
+  const open = { name, atMs: savedMsOf(text), project, ...(file !== undefined && { file }) };
+  return [open, ...previous].filter((entry) => !isOurs(entry.project));
+}
+
+/** The names of the tabs that are open; where they cannot be known, their works count as left, and are listed once more. */
+async function openTabs(): Promise<Set<string>> {
+  const locks = (navigator as Partial<Navigator>).locks;
+  const { held = [] } = (await locks?.query()) ?? {};
+  return new Set(held.map(({ name = '' }) => name.replace(LOCK, '')));
+}

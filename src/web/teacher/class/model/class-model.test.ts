@@ -1,0 +1,118 @@
+import { describe, expect, it, vi } from 'vitest';
+
+import { brokenSource } from '#intake/sources';
+import { htmlOf } from '#check/report/html';
+import { csvOf } from '#check/report/texts';
+import { ahead, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
+
+import { FirmwareError } from '../../../session/run/worker/firmware-trouble';
+import { classWith, program } from './testing/class';
+
+const task = taskWith(sceneWith([targetAt(700, 450)]));
+
+describe('a class', () => {
+  it('is checked as soon as there are a task and hand-ins', async () => {
+    const { model, passed } = classWith();
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    expect(passed()).toEqual([['Ada', null], ['Ben', null]]); // prettier-ignore
+    await model.choose({ name: 'T', from: 'open', task });
+    expect(passed()).toEqual([['Ada', true], ['Ben', false]]); // prettier-ignore
+    expect(model.isChecking.value).toBe(false);
+  });
+
+  it('checks only what is new, and everything again for another task', async () => {
+    const { model, asked } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000))]);
+    await model.add([program('Ben', 'x = 1')]);
+    expect(asked).toHaveLength(2);
+    await model.choose({ name: 'U', from: 'open', task });
+    expect(asked).toHaveLength(4);
+  });
+
+  it('gives each of several with one name its own, tells of twins and of what cannot be read', async () => {
+    const { model } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), brokenSource('Tim', { code: 'zip', params: {} })]);
+    await model.add([program('Ada', ahead(3000))]);
+    const told = model.found.value.handIns.map(({ name, result }) => [name, result.remarks.map(({ code }) => code)]);
+    expect(told).toEqual([['Ada', ['twins']], ['Tim', ['unreadable']], ['Ada (2)', ['twins']]]); // prettier-ignore
+  });
+
+  it('has notes, which stay when it is checked for another task, and are in table and report', async () => {
+    const { model } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    model.write('Ada', 'Schön gelöst, <b>Ada</b>!');
+    await model.choose({ name: 'U', from: 'file', task });
+    expect(model.found.value.handIns.map(({ note }) => note)).toEqual(['Schön gelöst, <b>Ada</b>!', '']);
+    const [head, ada, ben] = csvOf(model.found.value, 'de').split('\r\n');
+    expect([head, ada, ben].map((line) => line?.split(',').slice(-2).join())).toEqual([
+      'Bemerkungen,Notiz',
+      '"Schön gelöst, <b>Ada</b>!"',
+      ',',
+    ]);
+    const report = htmlOf(model.found.value, task, 'de');
+    expect(report.split('Schön gelöst, &lt;b&gt;Ada&lt;/b&gt;!')).toHaveLength(3); // in the table, and on Ada's sheet
+  });
+
+  it('comes back with results and notes when it was taken away by mistake, unless something was handed in since', async () => {
+    const { model, passed, asked } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    model.write('Ada', 'gut');
+    const bringBack = model.clear();
+    expect(model.rows.value).toEqual([]);
+    bringBack();
+    expect(passed()).toEqual([['Ada', true], ['Ben', false]]); // prettier-ignore
+    expect([model.rows.value[0]?.note, asked.length]).toEqual(['gut', 2]);
+    const late = model.clear();
+    await model.add([program('Cleo', 'y = 1')]);
+    late();
+    expect(passed()).toEqual([['Cleo', false]]);
+  });
+
+  it('is unsaved as soon as there is a result or a note, until a table or report has it', async () => {
+    const { model } = classWith();
+    await model.add([program('Ada', ahead(3000))]);
+    expect(model.isUnsaved.value).toBe(false); // the file is still where it came from
+    model.write('Ada', 'gut');
+    expect(model.isUnsaved.value).toBe(true);
+    model.noteSaved();
+    expect(model.isUnsaved.value).toBe(false);
+    await model.choose({ name: 'T', from: 'open', task });
+    expect(model.isUnsaved.value).toBe(true);
+    model.clear();
+    expect(model.isUnsaved.value).toBe(false);
+  });
+
+  it('that is taken away while it is checked, is gone for good', async () => {
+    const { model } = classWith({ starter: () => new Promise(() => undefined) });
+    await model.choose({ name: 'T', from: 'open', task });
+    void model.add([program('Ada', ahead(3000))]);
+    expect(model.isChecking.value).toBe(true);
+    model.clear();
+    expect([model.rows.value, model.isChecking.value]).toEqual([[], false]);
+  });
+
+  it('says when nothing can be checked, and tries again with the next hand-in', async () => {
+    const starter = vi.fn().mockRejectedValue(new Error('offline'));
+    const { model } = classWith({ starter });
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000))]);
+    expect([model.failure.value, model.isChecking.value]).toEqual(['notice.firmware', false]);
+    await model.add([program('Ben', ahead(3000))]);
+    expect(starter).toHaveBeenCalledTimes(2);
+  });
+
+  it.each([
+    ['forbidden', 'notice.firmwarePolicy'],
+    ['foreign', 'notice.firmwareForeign'],
+    ['absent', 'notice.firmware'],
+  ] as const)('says why nothing can be checked, as a run does: the VM is %s', async (trouble, said) => {
+    const { model } = classWith({ starter: () => Promise.reject(new FirmwareError(trouble)) });
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000))]);
+    expect(model.failure.value).toBe(said);
+  });
+});

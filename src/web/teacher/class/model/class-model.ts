@@ -1,0 +1,195 @@
+import type { Content } from '#intake/contents';
+import type { HandIn } from '#check/hand-in/hand-in';
+import { brokenSource, contentOf, withOwnNames, type Source } from '#intake/sources';
+import { unread } from '#check/hand-in/unread';
+import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
+import { classResult, type ClassResult } from '#check/report/class-result';
+import { unreadable, type CheckResult } from '#check/result';
+import type { Series } from '#check/series/series';
+import type { ClassTask } from '#check/task/task';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+
+import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmware-trouble';
+
+/** The task that hand-ins are checked for. */
+export interface OpenTask {
+  readonly name: string;
+  /** Where it is from: the work that is open in the app, a file, or a ready course by its id. */
+  readonly from: string;
+  readonly task: ClassTask;
+}
+
+/** The series that was brought last, with the id of the task that is checked. */
+export interface Brought {
+  /** `null`: there is none. */
+  readonly chosen: { readonly series: Series; readonly task: string } | null;
+  /** Why another one that was brought later cannot be had, in words. */
+  readonly problem: string | null;
+}
+
+/** Somebody's hand-in on the page. */
+export interface Row {
+  readonly name: string;
+  /** `null`: not read yet, or nothing that could be. */
+  readonly handIn: HandIn | null;
+  /** `null`: it waits, or is being checked. */
+  readonly result: CheckResult | null;
+  /** What the teacher has written to it; empty: nothing. */
+  readonly note: string;
+}
+
+/** Somebody's hand-in as it can be kept: plain data. */
+export interface KeptRow extends Omit<Row, 'handIn'> {
+  readonly content: Content;
+}
+
+/** What a class needs of the page. */
+export interface ClassPorts {
+  /** How threads for a task are started. Rejects without the VM. */
+  starter(task: ClassTask): Promise<StartThread>;
+  readonly every: Every;
+  readonly lanes: number;
+}
+
+/** A class: the task, what was handed in, and what became of it. It stays while the page is open. */
+export class ClassModel {
+  readonly task = shallowRef<OpenTask | null>(null);
+  readonly brought: ShallowRef<Brought> = shallowRef({ chosen: null, problem: null });
+  readonly rows: ShallowRef<readonly Row[]> = shallowRef([]);
+  readonly isChecking = shallowRef(false);
+  /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
+  readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
+  /** Those that are checked, as reports have them: with what is told about twins. */
+  readonly found: ComputedRef<ClassResult>;
+  /** There are results or notes that were saved nowhere; a class that is kept saves itself. */
+  readonly isUnsaved = computed(
+    () =>
+      this.rows.value !== this.saved.value &&
+      this.rows.value.some(({ result, note }) => result !== null || note !== ''),
+  );
+  private readonly saved: ShallowRef<readonly Row[]> = shallowRef([]);
+  private sources: readonly Source[] = [];
+  private turn = 0;
+  private lanes: readonly Lane[] = [];
+
+  constructor(private readonly ports: ClassPorts) {
+    this.found = computed(() =>
+      classResult(
+        this.task.value?.name ?? '',
+        this.rows.value.flatMap(({ name, result, note }) => (result === null ? [] : [{ name, result, note }])),
+      ),
+    );
+  }
+
+  /** Another task: everything is checked again. */
+  async choose(task: OpenTask): Promise<void> {
+    this.task.value = task;
+    this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
+    await this.check();
+  }
+
+  /** There is no task: what was checked for another one says nothing any more. */
+  leaveTask(): void {
+    this.stop();
+    this.task.value = null;
+    this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
+  }
+
+  /** Adds hand-ins, and checks them. Of several with one name each gets its own. */
+  async add(sources: readonly Source[]): Promise<void> {
+    const named = withOwnNames(
+      sources,
+      this.rows.value.map(({ name }) => name),
+    );
+    this.sources = [...this.sources, ...named];
+    this.rows.value = [
+      ...this.rows.value,
+      ...named.map(({ name }) => ({ name, handIn: null, result: null, note: '' })),
+    ];
+    await this.check();
+  }
+
+  /** Writes something to a hand-in, in the place of what was written before. */
+  write(name: string, note: string): void {
+    this.rows.value = this.rows.value.map((row) => (row.name === name ? { ...row, note } : row));
+  }
+
+  /** A hand-in with what it holds, which may have to be read first. */
+  async keptRow({ name, result, note }: Row): Promise<KeptRow> {
+    const source = this.sources.find((one) => one.name === name) ?? brokenSource(name, unread('gone').problem);
+    return { name, result, note, content: await contentOf(source) };
+  }
+
+  /** Puts a class in the place of this one, as it was kept. Nothing is checked. */
+  restore(task: OpenTask | null, rows: readonly KeptRow[]): void {
+    this.stop();
+    this.task.value = task;
+    this.sources = rows.map(({ name, content }) => ({ name, read: () => content }));
+    this.rows.value = rows.map(({ content, ...row }) => ({ ...row, handIn: handInOf(content) }));
+  }
+
+  /**
+   * Takes everything away that was handed in.
+   *
+   * @returns brings it back, with results and notes, as long as nothing else was handed in
+   */
+  clear(): () => void {
+    const [sources, rows] = [this.sources, this.rows.value];
+    this.stop();
+    this.sources = [];
+    this.rows.value = [];
+    return () => {
+      if (this.rows.value.length > 0) return;
+      this.sources = sources;
+      this.rows.value = rows;
+      void this.check();
+    };
+  }
+
+  /** What there is now was put into a file or onto paper. */
+  noteSaved(): void {
+    this.saved.value = this.rows.value;
+  }
+
+  /** Ends what is being checked. */
+  stop(): void {
+    this.turn += 1;
+    for (const lane of this.lanes) lane.stop();
+    this.lanes = [];
+    this.isChecking.value = false;
+  }
+
+  /** Checks what has no result yet. */
+  async check(): Promise<void> {
+    this.stop();
+    const { turn } = this;
+    const open = this.task.value;
+    const waiting = this.rows.value.flatMap(({ result }, place) => (result === null ? [place] : []));
+    if (open === null || waiting.length === 0) return;
+    this.isChecking.value = true;
+    this.failure.value = null;
+    try {
+      const start = await this.ports.starter(open.task);
+      if (turn !== this.turn) return;
+      const count = Math.min(this.ports.lanes, waiting.length);
+      this.lanes = Array.from({ length: count }, () => new Lane(open.task, start, this.ports.every));
+      await inLanes(waiting, this.lanes, (place, _, lane) => this.checkOne(place, open.task, lane, turn));
+    } catch (error) {
+      if (turn === this.turn) this.failure.value = troubleKey(error);
+    }
+    if (turn === this.turn) this.stop();
+  }
+
+  private async checkOne(place: number, task: ClassTask, lane: Lane, turn: number): Promise<void> {
+    const [source, row] = [this.sources[place], this.rows.value[place]];
+    if (source === undefined || row === undefined || turn !== this.turn) return;
+    const content = await contentOf(source);
+    const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
+    if (turn !== this.turn) return;
+    // What is written meanwhile stays.
+    const now = this.rows.value[place] ?? row;
+    this.rows.value = this.rows.value.with(place, { ...now, handIn: handInOf(content), result });
+  }
+}
+
+const handInOf = (content: Content): HandIn | null => ('handIn' in content ? content.handIn : null);

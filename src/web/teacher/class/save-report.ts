@@ -1,0 +1,19 @@
+import type { ClassResult } from '#check/report/class-result';
+import { csvOf } from '#check/report/texts';
+
+import { shownLanguage } from '../../kit/i18n';
+import type { PageParts } from '../../kit/parts';
+import { fileName, saveText } from '../../session/work/save-file';
+
+type Told = Pick<PageParts, 'notices'>;
+
+/** Saves the results as a table for a spreadsheet. */
+export function saveTable(app: Told, found: ClassResult): void {
+  // Spreadsheets take a file for UTF-8 only if it begins with this sign.
+  saveText(app, fileName(found.task, 'csv'), `\ufeff${csvOf(found, shownLanguage())}`, 'text/csv');
+}
+
+/** Saves a report as a file that needs nothing else. */
+export function saveReport(app: Told, name: string, html: string): void {
+  saveText(app, fileName(name, 'html'), html, 'text/html');
+}

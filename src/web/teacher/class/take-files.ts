@@ -1,0 +1,20 @@
+import type { AddedFile } from '../../kit/files/added-files';
+import { HandInReader } from '../../session/run/reading/hand-in-reader';
+import { readyCourses } from '../../session/work/catalogue/ready-courses';
+import type { ClassModel } from './model/class-model';
+import { bringSeries } from './task-series';
+
+const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id, scene }) => [id, scene])));
+
+/**
+ * Takes files that were dropped, chosen or pasted: a series brings tasks, all others are hand-ins as the command line takes
+ * them. All are read in a worker.
+ *
+ * @returns how many hand-ins there are
+ */
+export async function takeFiles(model: ClassModel, files: readonly AddedFile[]): Promise<number> {
+  const { series, sources } = await reader.open(files);
+  if (series !== null) bringSeries(model, series);
+  if (sources.length > 0) await model.add(sources);
+  return sources.length;
+}

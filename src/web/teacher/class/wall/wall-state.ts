@@ -1,0 +1,18 @@
+import { shallowRef } from 'vue';
+
+import { lateModel } from '../../../kit/state/late-models';
+import { Lots, type Naming, type WallOrder } from './wall-cards';
+
+/** What the wall shows of the hand-ins: a card for each, or the ways of all in one picture. */
+export const wallViews = ['cards', 'ways'] as const;
+
+/** How somebody wants the wall. It stays so when the wall is put up again. */
+export class WallState {
+  readonly shows = shallowRef<(typeof wallViews)[number]>('cards');
+  readonly naming = shallowRef<Naming>('passed');
+  readonly order = shallowRef<WallOrder>('came');
+  readonly lots = new Lots();
+}
+
+/** The wall of the class. */
+export const wallOf = lateModel(() => new WallState());

@@ -1,9 +1,0 @@
-import type { HostView } from './host-view';
-import { part } from '../page/part';
-
-/** What the address and the page around this one ask for. */
-export interface VisitParts {
-  readonly host: HostView;
-}
-
-export const [provideVisit, useVisit] = part<VisitParts>('visit');

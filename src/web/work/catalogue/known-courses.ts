@@ -1,6 +1,0 @@
-import type { Course } from '#catalogue/course';
-
-import { arrival } from '../../page/arrival';
-
-/** The courses whose names are here: they come with ready-courses.ts. */
-export const knownCourses = arrival<readonly Course[]>();
