@@ -387,7 +387,7 @@ describe('the button of the main menu', () => {
     const { page, isOpen } = await opened();
     await pressItem('Roboter-Galerie');
     expect(isOpen()).toBe(false);
-    expect(page.gallery.page.value).toEqual({ kind: 'all' });
+    expect(page.router.page.value).toEqual({ name: 'robots', id: null });
   });
 
   it('shows the list of devices in its place on a phone, which stays while one chooses', async () => {
@@ -396,7 +396,7 @@ describe('the button of the main menu', () => {
     await vi.waitFor(() => named('Roboter-Galerie', '.device-list *, [role^="menuitem"], button'), 20_000);
     expect(document.querySelector('[data-testid="menu-share"]')).toBeNull();
     expect(isOpen()).toBe(true);
-    expect(page.gallery.page.value).toBeNull();
+    expect(page.router.page.value).toBeNull();
   });
 
   it('begins anew the next time, with its own entries', async () => {

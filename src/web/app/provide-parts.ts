@@ -15,7 +15,8 @@ import { createGuide } from '../help/guide-model';
 import { provideFirstSteps } from '../help/parts';
 import { createTour } from '../help/tour-model';
 import { ArenaAlone } from '../session/layout/arena-alone';
-import { createGallery } from '../session/layout/gallery-model';
+import { createRouter } from '../session/layout/router';
+import { featurePages } from './feature-pages';
 import { createLayout } from '../session/layout/layout-model';
 import { provideLayout, type LayoutParts } from '../session/layout/parts';
 import { createDialogs } from '../kit/dialogs';
@@ -71,7 +72,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   const sight = {
     layout: createLayout(settings, host, firstSteps.guide.isShown),
     alone: new ArenaAlone(),
-    gallery: createGallery(),
+    router: createRouter(featurePages),
   };
   const shownDevice = (): number => work.place.value;
   const talk = { console: new ConsoleModel((device) => tableNow(mine, device), shownDevice), jump: createJump(work) };

@@ -9,7 +9,7 @@ import { unreadableReason } from './unreadable-words';
 
 /** Where a series that was opened is shown. */
 export interface ShowsSeries {
-  readonly gallery: { openSeries(id: string): void };
+  readonly router: { open(name: string, id: string): void };
 }
 
 /** A series that can be shown, or in words why not; `isOld`: it could not be fetched now, and is as it was then. */
@@ -21,7 +21,7 @@ export async function openSeries(
   document: SeriesDocument | Unreadable,
 ): Promise<void> {
   const found = await shownAndKept(app, document);
-  if ('series' in found) app.gallery.openSeries(found.series.id);
+  if ('series' in found) app.router.open('series', found.series.id);
   else app.notices.show({ kind: 'error', key: 'notice.text', values: { text: found.problem } });
 }
 

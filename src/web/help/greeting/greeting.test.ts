@@ -57,7 +57,7 @@ describe('the greeting of a first visit', () => {
     expect(isThere('welcome')).toBe(false);
     await visit((page) => page.work.setText('main.py', 'meins = 1\n'));
     expect(isThere('welcome')).toBe(false);
-    await visit((page) => page.gallery.open());
+    await visit((page) => page.router.open('robots'));
     expect(isThere('welcome')).toBe(false);
     history.replaceState(null, '', '/');
   });

@@ -9,7 +9,7 @@ import type { FirstStepsParts } from '../parts';
 
 type Parts = Pick<RunParts, 'run'> &
   WorkParts &
-  Pick<LayoutParts, 'gallery' | 'layout'> &
+  Pick<LayoutParts, 'router' | 'layout'> &
   ConsoleParts &
   FirstStepsParts;
 
@@ -17,10 +17,10 @@ type Parts = Pick<RunParts, 'run'> &
  * Whether a newcomer is greeted: on a page of its own (no host, no link, no requested course), until there is an answer, a
  * first run or anything else to look at in its place.
  */
-export function useGreeting({ run, settings, work, gallery, layout, console, tour }: Parts): ComputedRef<boolean> {
+export function useGreeting({ run, settings, work, router, layout, console, tour }: Parts): ComputedRef<boolean> {
   const isFirstVisit = computed(() => {
     const { project } = work.work.value;
-    const isAlone = window.parent === window && location.search === '' && gallery.page.value === null;
+    const isAlone = window.parent === window && location.search === '' && router.page.value === null;
     return isAlone && !settings.current.value.welcomed && project.course === firstCourse?.id && isAsFound(project);
   });
   // Anyone who has found Run no longer needs a greeting.

@@ -30,7 +30,7 @@ describe('the button of the device', () => {
     named('Roboter-Galerie').click();
     await nextTick();
     expect(button.getAttribute('aria-expanded')).toBe('false');
-    expect(page.gallery.page.value).toEqual({ kind: 'all' });
+    expect(page.router.page.value).toEqual({ name: 'robots', id: null });
     expect(document.activeElement).toBe(button);
   });
 });

@@ -1,13 +1,13 @@
 import type { ArenaAlone } from './arena-alone';
-import type { GalleryModel } from './gallery-model';
 import type { LayoutModel } from './layout-model';
 import { part } from '../../kit/part';
+import type { Router } from './router';
 
-/** What is in sight: the panes, the arena alone, or a gallery over them. */
+/** What is in sight: the panes, the arena alone, or a page over them. */
 export interface LayoutParts {
   readonly layout: LayoutModel;
   readonly alone: ArenaAlone;
-  readonly gallery: GalleryModel;
+  readonly router: Router;
 }
 
 export const [provideLayout, useLayout] = part<LayoutParts>('layout');

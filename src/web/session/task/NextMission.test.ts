@@ -34,8 +34,8 @@ describe('after a mission that was passed', () => {
   it('the last one leads to all of them', async () => {
     const page = await after(ladderOf('maqueen-plus-v2').at(-1)!);
     await tap('next-mission');
-    expect(page.gallery.page.value).toEqual({ kind: 'missions', robot: 'maqueen-plus-v2' });
-    page.gallery.close();
+    expect(page.router.page.value).toEqual({ name: 'missions', id: 'maqueen-plus-v2' });
+    page.router.close();
   });
 
   it('nothing is offered after another course', async () => {

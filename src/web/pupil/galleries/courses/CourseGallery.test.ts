@@ -16,7 +16,7 @@ import CourseGallery from './CourseGallery.vue';
 async function galleryAt(id?: string) {
   const page = createPage();
   page.settings.change({ language: shownLanguage() });
-  page.gallery.openCourses(id);
+  page.router.open('courses', id);
   mountOn(page, CourseGallery);
   await nextTick();
   const title = (): string => textOf(document.querySelector('.gallery h2'));
@@ -144,9 +144,9 @@ describe('the filters of the courses', () => {
   it('stay as they were while the gallery is closed and opened again', async () => {
     const { page } = await galleryAt();
     await tap('filter-blocks');
-    page.gallery.openCourses('carry');
+    page.router.open('courses', 'carry');
     await nextTick();
-    page.gallery.openCourses();
+    page.router.open('courses');
     await nextTick();
     expect(pressed()).toEqual(['filter-blocks']);
     expect(shownCourses()).toEqual(idsOf('blocks'));
@@ -161,13 +161,13 @@ describe('a card', () => {
     expect(page.work.work.value.project.course).toBe('slalom');
     expect(page.work.scene.value).toEqual(slalom.scene);
     expect(page.work.find('main.py')?.text).toBe(slalom.program.de);
-    expect(page.gallery.page.value).toBeNull();
+    expect(page.router.page.value).toBeNull();
   });
 
   it('of the course in the arena says so and offers to open it once more', async () => {
     const { page } = await galleryAt();
     await tap('open-slalom');
-    page.gallery.openCourses();
+    page.router.open('courses');
     await nextTick();
     const card = byId('course-slalom');
     expect(textOf(card)).toContain('Jetzt offen');
@@ -179,14 +179,14 @@ describe('a card', () => {
   it('leads to the course’s page with “Mehr” and with its title, without leaving this tab', async () => {
     const { page } = await galleryAt();
     await tap(named('Mehr über Slalom'));
-    expect(page.gallery.page.value).toEqual({ kind: 'course', course: 'slalom' });
-    page.gallery.openCourses();
+    expect(page.router.page.value).toEqual({ name: 'courses', id: 'slalom' });
+    page.router.open('courses');
     await nextTick();
     const link = byId('course-slalom').querySelector('a')!;
     const click = new MouseEvent('click', { bubbles: true, cancelable: true });
     link.dispatchEvent(click);
     expect(click.defaultPrevented).toBe(true);
-    expect(page.gallery.page.value).toEqual({ kind: 'course', course: 'slalom' });
+    expect(page.router.page.value).toEqual({ name: 'courses', id: 'slalom' });
   });
 });
 
@@ -195,7 +195,7 @@ describe('the frame of the gallery', () => {
     const { title, page } = await galleryAt('slalom');
     expect(title()).toBe('Slalom');
     await tap('gallery-all');
-    expect(page.gallery.page.value).toEqual({ kind: 'courses' });
+    expect(page.router.page.value).toEqual({ name: 'courses', id: null });
     expect(title()).toBe('Alle Parcours');
     expect(isThere('gallery-all')).toBe(false);
   });
@@ -209,14 +209,14 @@ describe('the frame of the gallery', () => {
   it('is closed by its button', async () => {
     const { page } = await galleryAt('slalom');
     await tap('gallery-close');
-    expect(page.gallery.page.value).toBeNull();
+    expect(page.router.page.value).toBeNull();
   });
 
   it('gives the keyboard back to what had it', async () => {
     const button = document.body.appendChild(document.createElement('button'));
     button.focus();
     const page = createPage();
-    page.gallery.openCourses();
+    page.router.open('courses');
     const gallery = mountOn(page, CourseGallery);
     await nextTick();
     byId('gallery-close').focus();
@@ -263,11 +263,11 @@ describe('the page of a course', () => {
     const first = await galleryAt('slalom');
     await tap('open-slalom');
     expect(first.page.work.find('main.py')?.text).toBe(slalom.program.de);
-    first.page.gallery.openCourses('slalom');
+    first.page.router.open('courses', 'slalom');
     await nextTick();
     await tap('open-solved');
     expect(first.page.work.find('main.py')?.text).toBe(slalom.solution.de);
-    expect(first.page.gallery.page.value).toBeNull();
+    expect(first.page.router.page.value).toBeNull();
   });
 
   it('keeps the solution folded until it is asked for, with the advice to try first', async () => {
@@ -383,7 +383,7 @@ describe('the page of a course made from a number', () => {
     expect(address()).toMatch(/^#courses\/maze-s-[1-9]\d*$/);
     expect(address()).not.toBe('#courses/maze-s-7');
     expect(history.length).toBe(steps);
-    expect(page.gallery.page.value).toEqual({ kind: 'course', course: address().slice('#courses/'.length) });
+    expect(page.router.page.value).toEqual({ name: 'courses', id: address().slice('#courses/'.length) });
   });
 
   it('opens what is shown, as the pupil’s own course', async () => {
@@ -395,7 +395,7 @@ describe('the page of a course made from a number', () => {
 
   it('is the one that its card shows from then on', async () => {
     const { page } = await galleryAt('maze-s-7');
-    page.gallery.openCourses();
+    page.router.open('courses');
     await nextTick();
     const href = byId('random-maze').querySelector('a')!.getAttribute('href');
     expect(href).toMatch(/#courses\/maze-s-7$/);

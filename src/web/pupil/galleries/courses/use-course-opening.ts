@@ -22,7 +22,7 @@ export function useCourseOpening() {
   const { openCourse } = useCourses(app);
   const openId = computed(() => app.work.work.value.project.course);
   function open(course: Course, anew = false): void {
-    app.gallery.close();
+    app.router.close();
     openCourse(course, anew);
   }
   return {

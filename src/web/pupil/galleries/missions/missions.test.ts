@@ -18,7 +18,7 @@ beforeEach(() => {
 
 async function gallery(prepare: (page: TestPage) => void = () => undefined): Promise<TestPage> {
   const page = createPage();
-  page.gallery.openMissions();
+  page.router.open('missions');
   prepare(page);
   mountOn(page, MissionGallery);
   await nextTick();
@@ -63,8 +63,8 @@ describe('the missions', () => {
     const page = await gallery();
     await tap('mission-open-next');
     expect(page.work.work.value.project.course).toBe('forward-maqueen-lite');
-    expect(page.gallery.page.value).toBeNull();
-    page.gallery.openMissions();
+    expect(page.router.page.value).toBeNull();
+    page.router.open('missions');
     await nextTick();
     cards()[10]?.querySelector('button')?.click();
     expect(page.work.work.value.project.course).toBe('line-maqueen-lite');

@@ -19,7 +19,7 @@ import RobotGallery from './RobotGallery.vue';
 async function galleryAt(id?: string) {
   const page = createPage();
   page.settings.change({ language: 'de' });
-  page.gallery.open(id);
+  page.router.open('robots', id);
   mountOn(page, RobotGallery);
   await nextTick();
   return page;
@@ -69,7 +69,7 @@ describe('the cards of the robots', () => {
     const [first, second] = robotTypes.map(({ id }) => id) as [string, string];
     await tap(isThere(`choose-${first}`) ? `choose-${first}` : `choose-${second}`);
     await tap(isThere(`choose-${first}`) ? `choose-${first}` : `choose-${second}`);
-    expect(page.gallery.page.value).toEqual({ kind: 'all' });
+    expect(page.router.page.value).toEqual({ name: 'robots', id: null });
     const inUse = idsShown('in-use-');
     expect(inUse).toHaveLength(1);
     expect(isThere(inUse[0]!.replace('in-use-', 'choose-'))).toBe(false);
@@ -80,7 +80,7 @@ describe('the cards of the robots', () => {
     const page = await galleryAt();
     const last = robotTypes.at(-1)!;
     await tap(named(`Mehr über ${last.name}`));
-    expect(page.gallery.page.value).toEqual({ kind: 'robot', robot: last.id });
+    expect(page.router.page.value).toEqual({ name: 'robots', id: last.id });
     expect(title()).toBe(last.name);
     await tap('gallery-all');
     expect(title()).toBe('Roboter-Galerie');
@@ -134,7 +134,7 @@ describe.each(robotTypes.map((type) => [type.name, type] as const))('the sheet o
     expect(shown).toEqual(examples.map(({ example }) => example.source.de));
     const last = examples.at(-1)!.example;
     await tap(`open-${last.file}`);
-    expect(page.gallery.page.value).toBeNull();
+    expect(page.router.page.value).toBeNull();
     expect(page.work.find('main.py')?.text).toBe(last.source.de);
   });
 });
@@ -143,7 +143,7 @@ describe('the sheet of a robot', () => {
   it('puts the robot into the arena', async () => {
     const page = await galleryAt('callibot');
     const choose = robotTypes.map(({ id }) => id).find((id) => id !== page.settings.current.value.robot)!;
-    page.gallery.open(choose);
+    page.router.open('robots', choose);
     await nextTick();
     if (isThere(`choose-${choose}`)) await tap(`choose-${choose}`);
     expect(isThere(`in-use-${choose}`)).toBe(true);

@@ -7,7 +7,8 @@ import { fn, module, type, value, absent } from '#reference/table';
 import { robotTypes } from '#robots/index';
 import { robotReferences } from '#robots/references';
 import { robotSheets } from '#robots/sheets';
-import { galleryPage } from '../../../session/layout/gallery-model';
+import { featurePages } from '../../../app/feature-pages';
+import { pageAt } from '../../../session/layout/router';
 import { addressesText, addressText, sizeCm } from './facts';
 import { libraryTables } from './library-rows';
 import { robotPicture } from '../../device/robot-picture';
@@ -142,14 +143,14 @@ describe('addresses', () => {
   });
 
   it('of the gallery’s pages name the robot; others belong to somebody else', () => {
-    expect(galleryPage('#robots')).toEqual({ kind: 'all' });
-    expect(galleryPage('#robots/')).toEqual({ kind: 'all' });
-    expect(galleryPage('#robots/callibot')).toEqual({ kind: 'robot', robot: 'callibot' });
-    expect(galleryPage('#courses')).toEqual({ kind: 'courses' });
-    expect(galleryPage('#courses/slalom')).toEqual({ kind: 'course', course: 'slalom' });
+    expect(pageAt('#robots', featurePages)).toEqual({ name: 'robots', id: null });
+    expect(pageAt('#robots/', featurePages)).toEqual({ name: 'robots', id: null });
+    expect(pageAt('#robots/callibot', featurePages)).toEqual({ name: 'robots', id: 'callibot' });
+    expect(pageAt('#courses', featurePages)).toEqual({ name: 'courses', id: null });
+    expect(pageAt('#courses/slalom', featurePages)).toEqual({ name: 'courses', id: 'slalom' });
     for (const hash of ['#course=slalom', '#course/slalom', '#courses=slalom'])
-      expect(galleryPage(hash), hash).toEqual({ kind: 'course', course: 'slalom' });
+      expect(pageAt(hash, featurePages), hash).toEqual({ name: 'courses', id: 'slalom' });
     for (const hash of ['', '#', '#course', '#robotsx', '#robots/a/b', '#courses/a/b'])
-      expect(galleryPage(hash)).toBeNull();
+      expect(pageAt(hash, featurePages)).toBeNull();
   });
 });

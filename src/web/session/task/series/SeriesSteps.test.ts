@@ -44,7 +44,7 @@ describe('after a task of a series was passed', () => {
   it('the way back leads to all of them', async () => {
     const page = await passed();
     await tap('series-back');
-    expect(page.gallery.page.value).toEqual({ kind: 'series', from: 'series/woche-3' });
+    expect(page.router.page.value).toEqual({ name: 'series', id: 'series/woche-3' });
   });
 
   it('in a course that was changed there is no mark', async () => {

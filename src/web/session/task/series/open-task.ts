@@ -15,7 +15,7 @@ import { taskText } from '../../work/catalogue/task-text';
 import { carriedPlace, isAsGiven, taskOfWork } from './series-place';
 
 /** Where tasks of a series are opened. */
-export type SeriesApp = Workplace & Pick<LayoutParts, 'gallery'>;
+export type SeriesApp = Workplace & Pick<LayoutParts, 'router'>;
 
 /** What a task is called: as the series says, else as its course. */
 export function taskName({ title, from }: SeriesTask): string {

@@ -1,0 +1,78 @@
+import type { Component } from 'vue';
+
+/** The groups of the main menu, in the order in which they are shown. */
+export const MENU_GROUPS = ['help', 'run', 'files', 'stages', 'panes', 'pages', 'choices'] as const;
+
+/** The main menu, for an entry that was chosen. */
+export interface MenuHost {
+  /** Closes the menu, gives the keyboard back to its button, and opens something else. */
+  leaveFor(open: () => void): void;
+  /** Closes the menu and opens a dialog, which emits `close`. */
+  openDialog(load: () => Promise<{ readonly default: Component }>): void;
+  /** Shows another list in the menu's place. It may emit `leave` with what to open instead of the menu. */
+  showInside(load: () => Promise<{ readonly default: Component }>): void;
+}
+
+/** An entry of a menu. What may change is asked for when the menu is drawn. */
+export interface MenuEntry {
+  readonly id: string;
+  readonly testId?: string | undefined;
+  readonly icon: string;
+  readonly title: string;
+  /** An entry that is chosen or ticked: `radio` is one of several. */
+  readonly choice?: 'radio' | 'checkbox';
+  readonly isChosen?: boolean;
+  readonly isDisabled?: boolean;
+  /** The language of the title, if it is another than the page's. */
+  readonly lang?: string;
+  /** The menu stays open. */
+  readonly stays?: boolean;
+  readonly act: (menu: MenuHost) => void;
+}
+
+/** Entries of a feature in one group of the main menu. */
+export interface MenuPart {
+  readonly group: (typeof MENU_GROUPS)[number];
+  /** Position within the group: smaller ones come first. */
+  readonly order: number;
+  /** A heading above the entries. */
+  readonly heading?: () => string;
+  readonly entries: () => readonly MenuEntry[];
+}
+
+/** Something that the help explains. Its name is that of its control, so that both always say the same. */
+export interface HelpEntry {
+  readonly id: string;
+  readonly section: 'menu' | 'program' | 'arena' | 'tools';
+  /** The entry of the section that it follows; left out: it is the last. */
+  readonly after?: string;
+  /** Path of an icon, or a picture of its own. */
+  readonly icon: string | Component;
+  readonly name: () => string;
+  readonly text: () => string;
+  /** Controls that it explains, by their `data-testid`, or the names of their labels. */
+  readonly covers: readonly string[];
+}
+
+/** Everything that a feature brings to the menu and to the help, in its `contribution.ts`; loaded with the first of them. */
+export interface Contribution {
+  /** Called in the set-up of the menu, so it may ask for models. */
+  readonly menu?: () => readonly MenuPart[];
+  readonly help?: readonly HelpEntry[];
+}
+
+/** The modules of a pattern of files by what they export, in the order of their paths. */
+export const collected = <T>(modules: Readonly<Record<string, T>>): readonly T[] =>
+  Object.keys(modules)
+    .sort()
+    .map((path) => modules[path] as T);
+
+/** The groups of the main menu with the entries of all features; groups without entries are left out. */
+export function menuGroups(
+  parts: readonly MenuPart[],
+): readonly { readonly group: string; readonly parts: readonly MenuPart[] }[] {
+  return MENU_GROUPS.map((group) => ({
+    group,
+    parts: parts.filter((part) => part.group === group).sort((one, other) => one.order - other.order),
+  })).filter((group) => group.parts.length > 0);
+}

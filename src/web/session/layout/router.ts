@@ -1,0 +1,84 @@
+import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+
+import type { FeaturePage } from '../../kit/features/feature-page';
+
+/** A page over the whole app that is open, by its name, and the id of the one thing that it shows. */
+export interface OpenPage {
+  readonly name: string;
+  readonly id: string | null;
+}
+
+/**
+ * The page over the whole app that is open, if there is one. Each has an address (`#robots`, `#courses/slalom`, `#class`):
+ * teachers can pass it on, and the browser's back button leads back.
+ */
+export interface Router {
+  /** `null`: none is open. */
+  readonly page: Readonly<ShallowRef<OpenPage | null>>;
+  /** Opens a page, or one thing on it. */
+  open(name: string, id?: string): void;
+  /** Shows another thing in the same place: the back button skips the one before. */
+  replace(name: string, id: string): void;
+  close(): void;
+}
+
+/** Key under which the browser's history stores the number of pages that were opened. */
+const DEPTH = 'galleryPages';
+
+/** The page that an address asks for by the part behind `#`; `null`: none. */
+export function pageAt(hash: string, pages: readonly FeaturePage[]): OpenPage | null {
+  for (const { name, read } of pages) {
+    const id = read?.(hash) ?? null;
+    if (id !== null) return { name, id };
+  }
+  const [name = '', id = '', ...more] = hash.replace(/^#/, '').split('/');
+  const page = pages.find((one) => one.name === name);
+  if (page === undefined || more.length > 0) return null;
+  if (page.hasIds !== true && (id !== '' || page.read !== undefined)) return null;
+  return { name, id: id === '' ? null : id };
+}
+
+/** Follows and writes the address of the browser. */
+export function createRouter(pages: readonly FeaturePage[]): Router {
+  const page = shallowRef(pageAt(location.hash, pages));
+  const began = page.value === null ? null : location.hash;
+  /** The page that the visit began with is no longer wanted either. */
+  let isLeaving = false;
+  const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
+  const follow = (): void => {
+    isLeaving = false;
+    page.value = pageAt(location.hash, pages);
+  };
+  const arrive = (): void => {
+    if (isLeaving && location.hash === began && page.value === null) bare();
+    follow();
+  };
+  addEventListener('popstate', arrive);
+  onScopeDispose(() => removeEventListener('popstate', arrive));
+  return {
+    page,
+    open(name, id) {
+      history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${name}` : `#${name}/${id}`);
+      follow();
+    },
+    replace(name, id) {
+      history.replaceState({ [DEPTH]: depth() }, '', `#${name}/${id}`);
+      follow();
+    },
+    close() {
+      if (page.value === null) return;
+      page.value = null;
+      // The pages that were opened from the app leave the history; an address that was followed is only left.
+      isLeaving = depth() > 0;
+      if (isLeaving) history.go(-depth());
+      else bare();
+    },
+  };
+}
+
+/** Number of pages opened since the app itself was in sight. */
+function depth(): number {
+  const state = history.state as Readonly<Record<string, unknown>> | null;
+  const value = state?.[DEPTH];
+  return typeof value === 'number' ? value : 0;
+}
