@@ -91,7 +91,7 @@ export const wings = {
     'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
   },
   exchange: {
-    share: ['session', 'pupil/console', 'pupil/device-log'],
+    share: ['session', 'course/editor', 'pupil/console', 'pupil/device-log'],
     offline: [],
     host: ['session', 'course/editor', 'pupil/board', 'pupil/console', 'pupil/debug', 'exchange/share'],
   },

@@ -152,13 +152,13 @@ function mainList(width = 1400) {
   setWindow(width);
   const page = createPage();
   const asked: string[] = [];
-  const note = (what: string) => (name?: unknown) => asked.push(typeof name === 'string' ? `${what} ${name}` : what);
+  const note = (what: string) => () => asked.push(what);
   const leave = (open: () => void) => {
     asked.push('leave');
     open();
   };
   mountOn(page, MainList, {
-    ...{ onInside: note('inside'), onGallery: note('gallery'), onDialog: note('dialog'), onLeave: leave },
+    ...{ onInside: note('inside'), onDialog: note('dialog'), onLeave: leave },
   });
   return { page, asked };
 }
@@ -226,18 +226,12 @@ describe('the main menu', () => {
   });
 
   it('asks for dialogs, lists and the gallery in its place', async () => {
-    const { asked } = mainList(390);
+    const { asked, page } = mainList(390);
     for (const name of ['Teilen', 'Aufs Gerät laden …', 'Link öffnen …', 'Parcours wählen', 'Gerät wählen'])
       await pressItem(name);
     await pressItem('Roboter-Galerie');
-    expect(asked).toEqual([
-      'dialog share',
-      'dialog real-device',
-      'dialog open-link',
-      'inside courses',
-      'inside device',
-      'gallery',
-    ]);
+    expect(asked).toEqual([...['dialog', 'dialog', 'dialog', 'inside', 'inside', 'leave']]);
+    expect(page.router.page.value).toEqual({ name: 'robots', id: null });
   });
 
   it('pauses and goes on; before a run there is nothing to pause', async () => {
@@ -341,11 +335,8 @@ describe('the button of the main menu', () => {
   async function opened(width = 1400) {
     setWindow(width);
     const page = createPage();
-    const asked: string[] = [];
-    mountOn(page, MainMenu, {
-      ...{ onShare: () => asked.push('share'), onOpenLink: () => asked.push('open-link') },
-      onRealDevice: () => asked.push('real-device'),
-    });
+    const asked: Promise<{ default: { __name?: string } }>[] = [];
+    mountOn(page, MainMenu, { onDialog: (load: () => (typeof asked)[number]) => asked.push(load()) });
     const button = named('Menü', 'button');
     button.click();
     await vi.waitFor(() => named('Menü', '[role="menu"]'));
@@ -364,13 +355,13 @@ describe('the button of the main menu', () => {
   });
 
   it.each([
-    ['Teilen', 'share'],
-    ['Link öffnen …', 'open-link'],
-    ['Aufs Gerät laden …', 'real-device'],
+    ['Teilen', 'ShareDialog'],
+    ['Link öffnen …', 'OpenLinkDialog'],
+    ['Aufs Gerät laden …', 'RealDeviceDialog'],
   ])('closes for the dialog behind “%s” and keeps the keyboard', async (name, dialog) => {
     const { asked, button, isOpen } = await opened();
     await pressItem(name);
-    expect(asked).toEqual([dialog]);
+    expect((await Promise.all(asked)).map((view) => view.default.__name)).toEqual([dialog]);
     expect(isOpen()).toBe(false);
     expect(document.activeElement).toBe(button);
   });

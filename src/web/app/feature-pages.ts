@@ -1,4 +1,4 @@
-import { collected } from '../kit/features/contribution';
+import { collected } from '../kit/features/feature';
 import type { FeaturePage } from '../kit/features/feature-page';
 
 /** The pages of all features: each brings a `pages.ts`. */

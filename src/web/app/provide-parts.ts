@@ -19,6 +19,7 @@ import { createRouter } from '../session/layout/router';
 import { featurePages } from './feature-pages';
 import { createLayout } from '../session/layout/layout-model';
 import { provideLayout, type LayoutParts } from '../session/layout/parts';
+import type { HelpEntry } from '../kit/features/feature';
 import { createDialogs } from '../kit/dialogs';
 import type { Language } from '../kit/i18n';
 import { LateModels } from '../kit/state/late-models';
@@ -50,6 +51,10 @@ import { browserEngine, createRun, type RunEngine } from './create-run';
 /** The models of all rooms. */
 export type AllParts = ReturnType<typeof createParts>;
 
+/** What features bring to the help, loaded with it. */
+const contributedHelp = async (): Promise<readonly HelpEntry[]> =>
+  (await import('./contributions')).contributions.flatMap(({ help }) => help ?? []);
+
 /** Makes the models of all rooms and joins them: the only place that knows all. */
 export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {
   const page = { notices: createNotices(), dialogs: createDialogs(), late: new LateModels() };
@@ -68,7 +73,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
     (savedMs) => void import('../session/work/take-over').then(({ takeOver }) => takeOver({ ...page, work }, savedMs)),
   );
   const mine = { work, settings };
-  const firstSteps = { guide: createGuide(), tour: createTour() };
+  const firstSteps = { guide: createGuide(contributedHelp), tour: createTour() };
   const sight = {
     layout: createLayout(settings, host, firstSteps.guide.isShown),
     alone: new ArenaAlone(),

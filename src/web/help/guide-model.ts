@@ -1,25 +1,28 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-import type { EntryId } from './guide/content/entry-ids';
+import type { HelpEntry } from '../kit/features/feature';
 
 /** Whether the help is requested, and where; whether it is visible. */
 export interface GuideModel {
   /** `null`: closed; an entry's name, or `''` for the help's beginning. */
-  readonly at: Readonly<ShallowRef<EntryId | '' | null>>;
+  readonly at: Readonly<ShallowRef<string | null>>;
   /** Whether it is on the page yet: it is fetched with the first request. */
   readonly isShown: ShallowRef<boolean>;
   /** Opens the help at one of its entries, or at its beginning. */
-  readonly open: (entry?: EntryId | '') => void;
+  readonly open: (entry?: string) => void;
   readonly close: () => void;
+  /** Loads the entries that features bring. */
+  readonly contributed: () => Promise<readonly HelpEntry[]>;
 }
 
 /** Makes the model of a closed help. */
-export function createGuide(): GuideModel {
-  const at = shallowRef<EntryId | '' | null>(null);
+export function createGuide(contributed: GuideModel['contributed']): GuideModel {
+  const at = shallowRef<string | null>(null);
   return {
     at,
     isShown: shallowRef(false),
     open: (entry = '') => void (at.value = entry),
     close: () => void (at.value = null),
+    contributed,
   };
 }

@@ -1,4 +1,3 @@
-import { THEMES } from '../../session/work/settings/settings';
 import { saveFile } from '../../session/work/save-file';
 import type { TakesFiles } from './load-files';
 import { latePart } from '../../kit/late-part';
@@ -33,17 +32,5 @@ export function useCommands(app: TakesFiles) {
     saveScene: (): void => late(import('./save-work'), ({ saveScene }) => saveScene(app)),
     /** The file that is shown. */
     saveProgram: (): void => saveFile(app, app.work.open.value),
-    /** Sound on or off, and in words what that means. */
-    switchSound: (): void => {
-      const muted = !app.settings.current.value.muted;
-      app.settings.change({ muted });
-      app.notices.show({ kind: 'info', key: muted ? 'notice.muted' : 'notice.unmuted' });
-    },
-    /** Switches between light and dark. */
-    switchTheme: (): void => {
-      const dark = document.documentElement.dataset['theme'] === 'dark';
-      app.settings.change({ theme: dark ? 'light' : 'dark' });
-    },
-    themes: THEMES,
   };
 }

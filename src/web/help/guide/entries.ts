@@ -1,6 +1,5 @@
 import {
   mdiAccessPoint,
-  mdiAccountVoice,
   mdiArrowTopRightBottomLeft,
   mdiBugOutline,
   mdiCheckboxMarkedOutline,
@@ -12,7 +11,6 @@ import {
   mdiConsoleLine,
   mdiContentCopy,
   mdiContentSaveOutline,
-  mdiDebugStepOver,
   mdiDeleteSweepOutline,
   mdiDotsVertical,
   mdiFileCodeOutline,
@@ -20,15 +18,11 @@ import {
   mdiFitToScreenOutline,
   mdiFlagCheckered,
   mdiFolderOpenOutline,
-  mdiFormatListNumbered,
-  mdiFormatListBulleted,
   mdiFullscreen,
   mdiGestureTap,
-  mdiGhostOutline,
   mdiHandBackRightOutline,
   mdiHelpCircleOutline,
   mdiHelpRhombusOutline,
-  mdiImageOutline,
   mdiImageFilterCenterFocus,
   mdiKeyboardReturn,
   mdiLanguagePython,
@@ -46,56 +40,33 @@ import {
   mdiPencilRuler,
   mdiPlay,
   mdiPlus,
-  mdiPrinterOutline,
-  mdiProjectorScreenOutline,
   mdiPuzzleOutline,
-  mdiToyBrickOutline,
-  mdiRedo,
   mdiRestart,
-  mdiClipboardCheckOutline,
-  mdiClipboardEditOutline,
-  mdiRobotHappyOutline,
   mdiRobotOutline,
   mdiShareVariant,
   mdiSkipNext,
   mdiSpeedometer,
   mdiStop,
   mdiTableLarge,
-  mdiTextBoxEditOutline,
   mdiThemeLightDark,
   mdiTranslate,
   mdiTuneVariant,
-  mdiUndo,
   mdiUsb,
-  mdiVariable,
   mdiVolumeHigh,
   mdiWalk,
 } from '@mdi/js';
 
-import type { ArenaTool } from '../../course/editor/state/course-editor-model';
+import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import type { TextKey } from '../../kit/i18n/texts';
-import { toolLetters } from '../../course/editor/palette/tool-list';
-import editingWords from '../../course/editor/words/editing';
-import debugWords from '../../pupil/debug/words';
-import classWords from '../../teacher/class/words';
-import makerWords from '../../teacher/task-maker/words';
-import seriesWords from '../../teacher/series/words';
-import seriesWayWords from '../../session/task/series/words';
-import deviceWords from '../../pupil/device/words';
-import showWords from '../../session/layout/words';
 import type { GuideContent, OwnName } from './content/content';
 import { sectionIds, type EntryId, type KEY_IDS, type SectionId } from './content/entry-ids';
 
 /** A control, or something else that the help explains. */
-export interface GuideEntry {
-  readonly id: EntryId;
-  /** Its sign, or the tool whose picture stands for it. */
-  readonly icon: string | { readonly tool: ArenaTool };
-  /** What it is called: by its own label, so that both always say the same. */
+export interface GuideEntry extends Pick<HelpEntry, 'id' | 'icon' | 'covers' | 'keys'> {
+  /** Its label, so that both always say the same. */
   readonly name: (content: GuideContent) => string;
-  /** Controls that it explains, by their `data-testid`, or the names of their labels. A test finds those without an entry. */
-  readonly covers: readonly string[];
+  readonly text: (content: GuideContent) => string;
 }
 
 type Parts = Pick<GuideEntry, 'icon' | 'name' | 'covers'>;
@@ -111,11 +82,6 @@ const ofKey = (icon: string, key: TextKey, ...covers: readonly string[]): Parts 
 });
 const of = (icon: string, name: () => string, ...covers: readonly string[]): Parts => ({ icon, name, covers });
 const ofOwn = (icon: string, name: OwnName, ...covers: readonly string[]): Parts => ({ icon, name: own(name), covers });
-const tool = (id: ArenaTool): Parts => ({
-  icon: { tool: id },
-  name: () => t(`tool.${id}.name`),
-  covers: [id],
-});
 
 /** A shortcut is named by its keys alone. */
 type KeyId = (typeof KEY_IDS)[number];
@@ -152,18 +118,6 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'open-link': of(mdiLinkVariant, () => t('menu.openLink')),
   'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
-  gallery: of(mdiRobotHappyOutline, () => t(deviceWords.gallery), 'gallery'),
-  'task-maker': of(mdiClipboardEditOutline, () => t(makerWords.title), 'menu-task'),
-  'make-series': of(mdiFormatListNumbered, () => t(seriesWords.title), 'menu-make-series'),
-  series: of(mdiFormatListNumbered, () => t(seriesWayWords.back), 'menu-series'),
-  class: of(mdiClipboardCheckOutline, () => t(classWords.title), 'menu-class'),
-  projector: of(
-    mdiProjectorScreenOutline,
-    () => t(showWords.projector.title),
-    'menu-projector',
-    'show-projector',
-    'projector-open',
-  ),
   'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
   'new-file': ofKey(mdiPlus, 'code.newFile'),
@@ -172,17 +126,6 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
   explain: ofOwn(mdiHelpCircleOutline, 'explain'),
   'break-points': ofOwn(mdiCircle, 'break-points'),
-  'line-by-line': of(mdiDebugStepOver, () => t(debugWords.bar), 'step-*', 'words.goOn', 'ran-open', 'ran-close'),
-  variables: of(
-    mdiVariable,
-    () => t(debugWords.variables),
-    'board-tabs',
-    'words.variables',
-    'tab-board',
-    'tab-variables',
-    'variable',
-    'call',
-  ),
   buttons: ofOwn(mdiGestureTap, 'buttons', 'board'),
   sensors: ofKey(mdiTuneVariant, 'sensors.pane', 'panel-*'),
   radio: ofKey(mdiAccessPoint, 'radio.pane'),
@@ -205,8 +148,6 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   ),
   'ask-why': ofOwn(mdiHelpRhombusOutline, 'ask-why', 'why-open', 'why-*', 'words.why'),
   show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
-  ghosts: of(mdiGhostOutline, () => t(showWords.ghost.title), 'ghost-away', 'ghost-*'),
-  tell: of(mdiAccountVoice, () => t(showWords.tell.title), 'tell-switch', 'show-tell', 'show-tones'),
   readings: ofOwn(mdiCompassOutline, 'readings'),
   zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
   'zoom-to': ofKey(mdiMagnify, 'arena.zoomTo', 'zoom-to'),
@@ -215,27 +156,6 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   cinema: ofKey(mdiMovieOpenOutline, 'arena.cinema', 'cinema'),
   fullscreen: ofOwn(mdiFullscreen, 'fullscreen', 'fullscreen'),
   verdict: ofOwn(mdiFlagCheckered, 'verdict'),
-  'tool-hand': tool('hand'),
-  'tool-select': tool('select'),
-  'tool-rotate': tool('rotate'),
-  'tool-pen': tool('pen'),
-  'tool-eraser': tool('eraser'),
-  'tool-block': tool('block'),
-  'tool-wall': tool('wall'),
-  'tool-maze': tool('maze'),
-  'tool-zone': tool('zone'),
-  'tool-label': tool('label'),
-  'tool-start': tool('start'),
-  'tool-ruler': tool('ruler'),
-  undo: of(mdiUndo, () => t('editing.undo'), 'undo'),
-  redo: of(mdiRedo, () => t('editing.redo'), 'redo'),
-  'course-more': of(mdiDotsVertical, () => t('editing.more'), 'course-more'),
-  parts: of(mdiToyBrickOutline, () => t(editingWords.panels.parts)),
-  'course-list': of(mdiFormatListBulleted, () => t(editingWords.panels.list), 'editor-*'),
-  'course-settings': of(mdiTextBoxEditOutline, () => t(editingWords.panels.course)),
-  background: of(mdiImageOutline, () => t(editingWords.panels.background)),
-  print: of(mdiPrinterOutline, () => t(editingWords.panels.print)),
-  'clear-course': of(mdiDeleteSweepOutline, () => t(editingWords.panels.clear), 'editor-clear'),
   output: ofKey(mdiConsoleLine, 'console.log', 'console'),
   chart: ofKey(mdiChartLine, 'console.chart', 'tab-*', 'chart', 'chart-*'),
   together: ofKey(mdiFilterVariant, 'console.together', 'console-together'),
@@ -248,7 +168,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
 };
 
 /** The keys of a shortcut; `/` parts keys that do several things, one each. */
-export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
+const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-run': ['Ctrl', 'Enter'],
   'key-stop': ['Ctrl', 'Shift', 'Enter'],
   'key-save': ['Ctrl', 'S'],
@@ -257,7 +177,6 @@ export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-leave': ['Esc', 'Tab'],
   'key-comment': ['Ctrl', '/'],
   'key-board': ['A', 'B', 'L'],
-  'key-tools': Object.values(toolLetters).map((letter) => letter.toUpperCase()),
   'key-arrows': ['←', '→', '↑', '↓'],
   'key-draw': ['Enter'],
   'key-turn': ['Q', 'E'],
@@ -277,18 +196,41 @@ export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
 
 const isKey = (id: EntryId): id is KeyId => id in keysOf;
 
-/** The sections of the help with their entries, in the order in which they are shown. */
-export const guideSections: readonly { readonly id: SectionId; readonly entries: readonly GuideEntry[] }[] = (
-  Object.keys(sectionIds) as SectionId[]
-) // its keys are written down in one place
-  .map((id) => ({
-    id,
-    entries: sectionIds[id].map((entry) => ({
-      id: entry,
-      ...(isKey(entry) ? { icon: '', name: () => keysOf[entry].join(' '), covers: [] } : parts[entry]),
-    })),
-  }));
+function ownEntry(id: EntryId): GuideEntry {
+  const text = ({ texts }: GuideContent): string => texts[id];
+  if (!isKey(id)) return { id, text, ...parts[id] };
+  const keys = keysOf[id];
+  return { id, text, keys, icon: '', name: () => keys.join(' '), covers: [] };
+}
 
-/** The section of an entry. */
-export const sectionOf = (id: EntryId): SectionId | undefined =>
-  guideSections.find(({ entries }) => entries.some((entry) => entry.id === id))?.id;
+/** A section of the help with its entries, in the order in which they are shown. */
+export interface GuideSection {
+  readonly id: SectionId;
+  readonly entries: readonly GuideEntry[];
+}
+
+/** The sections of the help: its own entries, and those of features at their places. */
+export const guideSections = (contributed: readonly HelpEntry[]): readonly GuideSection[] =>
+  (Object.keys(sectionIds) as SectionId[]) // its keys are written down in one place
+    .map((id) => ({
+      id,
+      entries: inserted(
+        sectionIds[id].map(ownEntry),
+        contributed.filter(({ section }) => section === id),
+      ),
+    }));
+
+/** Each after the one that it follows, which may be inserted itself; without such a one at the end. */
+function inserted(own: readonly GuideEntry[], more: readonly HelpEntry[]): readonly GuideEntry[] {
+  const entries = [...own];
+  let waiting = more;
+  while (waiting.length > 0) {
+    const ready = waiting.filter(({ after }) => !waiting.some(({ id }) => id === after));
+    for (const entry of ready) {
+      const place = entries.findIndex(({ id }) => id === entry.after);
+      entries.splice(place < 0 ? entries.length : place + 1, 0, entry);
+    }
+    waiting = ready.length === 0 ? [] : waiting.filter((entry) => !ready.includes(entry));
+  }
+  return entries;
+}

@@ -6,6 +6,8 @@ import { useHardware } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { shownLanguage } from '../../kit/i18n';
 import { commandsOf, type Command } from './commands';
+import type { HelpEntry } from '../../kit/features/feature';
+import type { FirstStepsParts } from '../parts';
 import { guideSections, type GuideEntry } from './entries';
 import { loadGuide, modulesFor, referenceFor, type Guide } from './load-guide';
 import { fitOf, wordsOf } from './search';
@@ -25,22 +27,26 @@ export interface GuideModel {
   readonly isSearching: ComputedRef<boolean>;
   /** All sections, or while something is searched for what fits, the best first. */
   readonly sections: ComputedRef<readonly ShownSection[]>;
+  /** Id of the section of an entry; `undefined`: there is no such entry. */
+  readonly sectionOf: (entry: string) => string | undefined;
   /** How many entries and commands fit. */
   readonly count: ComputedRef<number>;
 }
 
 /** The help on what is in use: it follows language, robot and board. */
-export function useGuide(app: WorkParts): GuideModel {
+export function useGuide(app: WorkParts & Pick<FirstStepsParts, 'guide'>): GuideModel {
   const hardware = useHardware(app);
   const robot = computed(() => hardware.value?.robot?.id ?? null);
   const guide = shallowRef<Guide | null>(null);
+  const contributed = shallowRef<readonly HelpEntry[]>([]);
   const isMissing = shallowRef(false);
   const query = shallowRef('');
   watch(
     [shownLanguage, robot],
     async ([language, id]) => {
       try {
-        const loaded = await loadGuide(language, id);
+        const [loaded, entries] = await Promise.all([loadGuide(language, id), app.guide.contributed()]);
+        contributed.value = entries;
         if (shownLanguage() === language && robot.value === id) guide.value = loaded; // otherwise another one is loading
         isMissing.value = false;
       } catch {
@@ -54,7 +60,7 @@ export function useGuide(app: WorkParts): GuideModel {
     const { content } = guide.value;
     const board = hardware.value?.board ?? microbitV2;
     const context = referenceFor(robot.value, board, hardware.value?.firmware.features ?? []);
-    const explained = guideSections.map(({ id, entries }): ShownSection => ({
+    const explained = guideSections(contributed.value).map(({ id, entries }): ShownSection => ({
       kind: 'entries',
       id,
       title: content.sections[id],
@@ -79,6 +85,8 @@ export function useGuide(app: WorkParts): GuideModel {
     query,
     isSearching: computed(() => words.value.length > 0),
     sections,
+    sectionOf: (entry) =>
+      all.value.find((section) => section.kind === 'entries' && section.entries.some(({ id }) => id === entry))?.id,
     count: computed(() => sections.value.reduce((sum, it) => sum + lengthOf(it), 0)),
   };
 }
@@ -97,7 +105,7 @@ function fitting(
       switch (section.kind) {
         case 'entries': {
           const { items, best } = ranked(section.entries, (it) =>
-            fitOf(words, it.name(content), `${content.texts[it.id]} ${section.title}`),
+            fitOf(words, it.name(content), `${it.text(content)} ${section.title}`),
           );
           return { best, section: { ...section, entries: items } };
         }

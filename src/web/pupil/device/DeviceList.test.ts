@@ -16,7 +16,7 @@ function panel(settings: Partial<Settings> = {}) {
   page.work.openProject({ files, scene: page.work.scene.value, course: null }, null);
   page.settings.change(settings);
   let galleries = 0;
-  const mounted = mountOn(page, DeviceList, { onGallery: () => (galleries += 1) });
+  const mounted = mountOn(page, DeviceList, { onLeave: () => (galleries += 1) });
   const choice = (id: string) => {
     const label = mounted.get(`[data-testid="${id}"]`);
     return {

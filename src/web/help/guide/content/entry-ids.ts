@@ -40,12 +40,6 @@ export const MENU_IDS = [
   'open-link',
   'show-board',
   'show-arena',
-  'gallery',
-  'task-maker',
-  'make-series',
-  'series',
-  'class',
-  'projector',
   'device-check',
 ] as const;
 
@@ -58,8 +52,6 @@ export const PROGRAM_IDS = [
   'suggestions',
   'explain',
   'break-points',
-  'line-by-line',
-  'variables',
 ] as const;
 
 /** The board and what is unfolded below it. */
@@ -72,8 +64,6 @@ export const ARENA_IDS = [
   'look-back',
   'ask-why',
   'show',
-  'ghosts',
-  'tell',
   'readings',
   'zoom',
   'zoom-to',
@@ -82,31 +72,6 @@ export const ARENA_IDS = [
   'cinema',
   'fullscreen',
   'verdict',
-] as const;
-
-/** The tools, and what else there is about a course. */
-export const TOOL_IDS = [
-  'tool-hand',
-  'tool-select',
-  'tool-rotate',
-  'tool-pen',
-  'tool-eraser',
-  'tool-block',
-  'tool-wall',
-  'tool-maze',
-  'tool-zone',
-  'tool-label',
-  'tool-start',
-  'tool-ruler',
-  'undo',
-  'redo',
-  'course-more',
-  'parts',
-  'course-list',
-  'course-settings',
-  'background',
-  'print',
-  'clear-course',
 ] as const;
 
 /** The console. */
@@ -132,7 +97,6 @@ export const KEY_IDS = [
   'key-leave',
   'key-comment',
   'key-board',
-  'key-tools',
   'key-arrows',
   'key-draw',
   'key-turn',
@@ -150,7 +114,7 @@ export const KEY_IDS = [
   'key-escape',
 ] as const;
 
-/** All parts of the help but the commands, which come from the reference. */
+/** The help's own entries by section; features add theirs, and the commands come from the reference. */
 export const sectionIds = {
   steps: STEP_IDS,
   bar: BAR_IDS,
@@ -158,7 +122,7 @@ export const sectionIds = {
   program: PROGRAM_IDS,
   board: BOARD_IDS,
   arena: ARENA_IDS,
-  tools: TOOL_IDS,
+  tools: [],
   console: CONSOLE_IDS,
   keys: KEY_IDS,
 } as const;

@@ -1,5 +1,8 @@
 import type { Component } from 'vue';
 
+/** Loads a component. */
+export type LoadedView = () => Promise<{ readonly default: Component }>;
+
 /** The groups of the main menu, in the order in which they are shown. */
 export const MENU_GROUPS = ['help', 'run', 'files', 'stages', 'panes', 'pages', 'choices'] as const;
 
@@ -8,9 +11,9 @@ export interface MenuHost {
   /** Closes the menu, gives the keyboard back to its button, and opens something else. */
   leaveFor(open: () => void): void;
   /** Closes the menu and opens a dialog, which emits `close`. */
-  openDialog(load: () => Promise<{ readonly default: Component }>): void;
-  /** Shows another list in the menu's place. It may emit `leave` with what to open instead of the menu. */
-  showInside(load: () => Promise<{ readonly default: Component }>): void;
+  openDialog(load: LoadedView): void;
+  /** Shows another list in the menu's place, which may `stay` while one chooses. It emits `leave` with what to open instead. */
+  showInside(load: LoadedView, stays?: boolean): void;
 }
 
 /** An entry of a menu. What may change is asked for when the menu is drawn. */
@@ -43,7 +46,7 @@ export interface MenuPart {
 /** Something that the help explains. Its name is that of its control, so that both always say the same. */
 export interface HelpEntry {
   readonly id: string;
-  readonly section: 'menu' | 'program' | 'arena' | 'tools';
+  readonly section: 'menu' | 'program' | 'board' | 'arena' | 'tools' | 'console' | 'keys';
   /** The entry of the section that it follows; left out: it is the last. */
   readonly after?: string;
   /** Path of an icon, or a picture of its own. */
@@ -52,6 +55,8 @@ export interface HelpEntry {
   readonly text: () => string;
   /** Controls that it explains, by their `data-testid`, or the names of their labels. */
   readonly covers: readonly string[];
+  /** The keys of a shortcut, which is shown by them instead of its name. */
+  readonly keys?: readonly string[];
 }
 
 /** Everything that a feature brings to the menu and to the help, in its `contribution.ts`; loaded with the first of them. */
@@ -67,12 +72,11 @@ export const collected = <T>(modules: Readonly<Record<string, T>>): readonly T[]
     .sort()
     .map((path) => modules[path] as T);
 
-/** The groups of the main menu with the entries of all features; groups without entries are left out. */
-export function menuGroups(
-  parts: readonly MenuPart[],
-): readonly { readonly group: string; readonly parts: readonly MenuPart[] }[] {
-  return MENU_GROUPS.map((group) => ({
-    group,
-    parts: parts.filter((part) => part.group === group).sort((one, other) => one.order - other.order),
+/** The groups of the main menu that have parts, in order, and in each its parts in order. */
+export const menuGroups = <P extends MenuPart>(
+  parts: readonly P[],
+): readonly { readonly name: string; readonly parts: readonly P[] }[] =>
+  MENU_GROUPS.map((name) => ({
+    name,
+    parts: parts.filter(({ group }) => group === name).sort((one, other) => one.order - other.order),
   })).filter((group) => group.parts.length > 0);
-}

@@ -1,0 +1,64 @@
+import {
+  mdiContentSaveOutline,
+  mdiFileCodeOutline,
+  mdiFolderOpenOutline,
+  mdiLinkVariant,
+  mdiMapOutline,
+  mdiShareVariant,
+} from '@mdi/js';
+
+import type { Contribution, MenuEntry } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import type { TextKey } from '../../kit/i18n/texts';
+import { useCourseEditor } from '../../course/editor/state/parts';
+import { usePage } from '../../kit/parts';
+import { useLayout } from '../../session/layout/parts';
+import { useRun } from '../../session/run/parts';
+import { useVisit } from '../../session/visit/parts';
+import { useWork } from '../../session/work/model/parts';
+import { useCommands } from './use-commands';
+
+/** Sharing, saving and opening. */
+export const contribution: Contribution = {
+  menu() {
+    const commands = useCommands({
+      ...usePage(),
+      ...useRun(),
+      ...useWork(),
+      ...useVisit(),
+      ...useLayout(),
+      ...useCourseEditor(),
+    });
+    const entry = (id: string, icon: string, key: TextKey, act: MenuEntry['act']): MenuEntry => ({
+      id,
+      testId: `menu-${id}`,
+      icon,
+      title: t(key),
+      act,
+    });
+    return [
+      {
+        group: 'files',
+        order: 0,
+        entries: () => [
+          entry('share', mdiShareVariant, 'bar.share', ({ openDialog }) =>
+            openDialog(() => import('./ShareDialog.vue')),
+          ),
+        ],
+      },
+      {
+        group: 'files',
+        order: 20,
+        entries: () => [
+          entry('save', mdiContentSaveOutline, 'bar.save', commands.save),
+          entry('save-program', mdiFileCodeOutline, 'menu.saveProgram', commands.saveProgram),
+          entry('save-scene', mdiMapOutline, 'menu.saveScene', commands.saveScene),
+          entry('open', mdiFolderOpenOutline, 'menu.openFile', commands.load),
+          entry('open-link', mdiLinkVariant, 'menu.openLink', ({ openDialog }) =>
+            openDialog(() => import('./OpenLinkDialog.vue')),
+          ),
+        ],
+      },
+    ];
+  },
+};

@@ -1,0 +1,56 @@
+import { mdiGhostOutline, mdiPause, mdiPlay, mdiSkipNext } from '@mdi/js';
+
+import type { Contribution } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import { hasLittleRoom } from '../../session/layout/layout-model';
+import { useLayout } from '../../session/layout/parts';
+import showWords from '../../session/layout/words';
+import { useRun } from '../../session/run/parts';
+import helpWords from './words/help';
+
+/** The buttons of the run that a small bar has no room for. */
+export const contribution: Contribution = {
+  menu() {
+    const { run } = useRun();
+    const { layout } = useLayout();
+    return [
+      {
+        group: 'run',
+        order: 0,
+        entries() {
+          if (!hasLittleRoom(layout.kind.value)) return [];
+          const phase = run.phase.value;
+          const isPaused = phase === 'paused';
+          const pause = {
+            id: 'pause',
+            testId: 'pause',
+            icon: isPaused ? mdiPlay : mdiPause,
+            title: t(isPaused ? 'bar.resume' : 'bar.pause'),
+            isDisabled: !isPaused && phase !== 'running',
+            act: () => (isPaused ? run.resume() : run.pause()),
+          };
+          const step = {
+            id: 'step',
+            testId: 'step',
+            icon: mdiSkipNext,
+            title: t('bar.step'),
+            isDisabled: phase === 'running',
+            act: () => run.step(),
+          };
+          return layout.kind.value === 'phone' ? [pause, step] : [step];
+        },
+      },
+    ];
+  },
+  help: [
+    {
+      id: 'ghosts',
+      section: 'arena',
+      after: 'show',
+      icon: mdiGhostOutline,
+      name: () => t(showWords.ghost.title),
+      text: () => t(helpWords.ghosts),
+      covers: ['ghost-away', 'ghost-*'],
+    },
+  ],
+};

@@ -1,0 +1,22 @@
+import { mdiUsb } from '@mdi/js';
+
+import type { Contribution } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+
+export const contribution: Contribution = {
+  menu: () => [
+    {
+      group: 'files',
+      order: 10,
+      entries: () => [
+        {
+          id: 'real-device',
+          testId: 'menu-real-device',
+          icon: mdiUsb,
+          title: t('menu.toDevice'),
+          act: ({ openDialog }) => openDialog(() => import('./RealDeviceDialog.vue')),
+        },
+      ],
+    },
+  ],
+};

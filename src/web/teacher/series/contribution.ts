@@ -1,0 +1,73 @@
+import { mdiFormatListNumbered } from '@mdi/js';
+
+import type { Contribution } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import { useLayout } from '../../session/layout/parts';
+import { placeOf } from '../../session/task/series/series-place';
+import wayWords from '../../session/task/series/words';
+import { useVisit } from '../../session/visit/parts';
+import { useWork } from '../../session/work/model/parts';
+import words from './words';
+
+export const contribution: Contribution = {
+  menu() {
+    const { work } = useWork();
+    const { router } = useLayout();
+    const { host } = useVisit();
+    return [
+      {
+        group: 'files',
+        order: 30,
+        entries() {
+          const series = placeOf(work.work.value.project)?.series;
+          if (series === undefined) return [];
+          return [
+            {
+              id: 'series',
+              testId: 'menu-series',
+              icon: mdiFormatListNumbered,
+              title: t(wayWords.back),
+              act: (menu) => menu.leaveFor(() => router.open('series', series)),
+            },
+          ];
+        },
+      },
+      {
+        group: 'pages',
+        order: 20,
+        entries: () =>
+          host.parts.value !== null
+            ? []
+            : [
+                {
+                  id: 'make-series',
+                  testId: 'menu-make-series',
+                  icon: mdiFormatListNumbered,
+                  title: t(words.title),
+                  act: (menu) => menu.leaveFor(() => router.open('make-series')),
+                },
+              ],
+      },
+    ];
+  },
+  help: [
+    {
+      id: 'make-series',
+      section: 'menu',
+      after: 'task-maker',
+      icon: mdiFormatListNumbered,
+      name: () => t(words.title),
+      text: () => t(words.help),
+      covers: ['menu-make-series'],
+    },
+    {
+      id: 'series',
+      section: 'menu',
+      after: 'make-series',
+      icon: mdiFormatListNumbered,
+      name: () => t(wayWords.back),
+      text: () => t(words.helpBack),
+      covers: ['menu-series'],
+    },
+  ],
+};
