@@ -160,7 +160,7 @@ describe('the bar at the top', () => {
     expect(picker?.accept.split(',')).toEqual(expect.arrayContaining(['.py', '.json']));
     Object.defineProperty(picker, 'files', { value: [new File(['x = 1\n'], 'mine.py')] });
     picker?.dispatchEvent(new Event('change'));
-    await vi.waitFor(() => expect(page.work.open.value).toMatchObject({ name: 'mine.py', text: 'x = 1\n' }));
+    await vi.waitFor(() => expect(page.work.open.value).toMatchObject({ name: 'mine.py', text: 'x = 1\n' }), 20_000);
   });
 });
 
