@@ -230,14 +230,19 @@ const FIRST_PARTS = /\/(CodeEditor|MicrobitView|VerdictBar|WelcomeCard)-[^/]*\.j
 
 /** What is on the page before anybody presses anything; its words come together. */
 const FIRST_SOURCES = [
-  ...['main.ts', 'code/CodeEditor.vue', 'board/drawing/MicrobitView.vue', 'arena/verdict/VerdictBar.vue'],
-  ...['first-steps/greeting/WelcomeCard.vue', 'course-editor/EditorBars.vue'],
+  ...[
+    'main.ts',
+    'pupil/code/CodeEditor.vue',
+    'pupil/board/drawing/MicrobitView.vue',
+    'pupil/arena/verdict/VerdictBar.vue',
+  ],
+  ...['help/greeting/WelcomeCard.vue', 'course/editor/EditorBars.vue'],
 ];
 
 /** The files of other words, by whose they are. */
 const LATE_WORDS: readonly (readonly [RegExp, string])[] = [
-  [/\/src\/web\/course-editor\//, 'editor'],
-  [/\/src\/(web\/(class|series|task-maker|print|several-devices|real-device|device-log|my-robot)|check)\//, 'teacher'],
+  [/\/src\/web\/course\/editor\//, 'editor'],
+  [/\/src\/(web\/(teacher|pupil\/(several-devices|real-device|device-log|my-robot))|check)\//, 'teacher'],
   [/\/src\/advice\//, 'errors'],
   [/\/words\/reference$|\/src\/libraries\//, 'reference'],
   [/./, 'late'],

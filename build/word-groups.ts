@@ -1,9 +1,11 @@
 /** Which words the page needs at once, and which come with its late parts: read from the imports of its sources. */
-import { existsSync, readFileSync, statSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
 import { wordsFolder } from './words.ts';
 
 const STATIC = /^(?:import|export)\s+(?!type\b)(?:[^'";]*?\sfrom\s+)?'([^']+)';/gm;
+// All files of a name: import.meta.glob with ../**/pages.ts and eager.
+const BY_NAME = /\bimport\.meta\.glob[^(]*\('([^'*]*)\*\*\/([^'*]+)',\s*\{\s*eager: true/g;
 const LATE = /\bimport\('([^']+)'\)/g;
 const SUFFIXES = ['', '.ts', '.vue', '/index.ts'];
 
@@ -50,7 +52,15 @@ function importsOf(file: string, src: string): Imports {
   const found = (names: readonly string[]): string[] => names.flatMap((name) => fileOf(name, file, src));
   const atOnce = named(STATIC);
   const words = atOnce.flatMap((name) => wordsFolder(name, file) ?? []);
-  return { files: found(atOnce), late: found(named(LATE)), words };
+  const byName = [...code.matchAll(BY_NAME)].flatMap(([, below = '', name = '']) =>
+    filesNamed(join(dirname(file), below), name),
+  );
+  return { files: [...found(atOnce), ...byName], late: found(named(LATE)), words };
+}
+
+function filesNamed(folder: string, name: string): string[] {
+  const paths = readdirSync(folder, { recursive: true, encoding: 'utf8' });
+  return paths.filter((path) => basename(path) === name).map((path) => join(folder, path));
 }
 
 /** The source that an import means; none for packages, words and what is no code. */

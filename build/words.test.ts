@@ -77,4 +77,12 @@ describe('the words that the page needs at once', () => {
       late: [join(src, 'late/words')],
     });
   });
+
+  it('are also reached by a pattern that takes in all files of a name', async () => {
+    await put({
+      'main.ts': "const all = import.meta.glob<Part>('./**/part.ts', { eager: true, import: 'part' });\n",
+      'wall/part.ts': "import words from './words';\n",
+    });
+    expect(reachedWords([join(src, 'main.ts')], src).first).toEqual([join(src, 'wall/words')]);
+  });
 });

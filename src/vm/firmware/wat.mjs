@@ -79,11 +79,24 @@ export function replaceBytes(module, change) {
   });
 }
 
+/** The data segments of a module, read once for all texts that are looked for in them. */
+let read = { head: '', segments: [] };
+
+function segmentsOf({ head }) {
+  if (read.head !== head) {
+    const found = head.matchAll(SEGMENT);
+    read = {
+      head,
+      segments: Array.from(found, ([, start, content]) => ({ start: Number(start), text: unescape_(content) })),
+    };
+  }
+  return read.segments;
+}
+
 /** The address of a text constant of the C code in memory. */
 export function addressOfText(module, text) {
-  const segments = [...module.head.matchAll(SEGMENT)];
-  const found = segments
-    .map(([, start, content]) => ({ start: Number(start), at: unescape_(content).indexOf(text) }))
+  const found = segmentsOf(module)
+    .map((segment) => ({ start: segment.start, at: segment.text.indexOf(text) }))
     .filter(({ at }) => at >= 0);
   const { start, at } = only(found, `text "${text}"`);
   return start + at;
