@@ -4,7 +4,7 @@ import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Subject } from './subject';
 
-/** What pupils call in loops without a pause. */
+/** The calls that pupils make in loops without a pause. */
 const CALLS = [
   'button_a.is_pressed()',
   'button_a.was_pressed()',

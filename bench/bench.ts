@@ -1,4 +1,4 @@
-/** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
+/** The subjects of `npm run bench`: every budget of docs/architecture.md, in the order of its table. */
 import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
 import { classSubject } from './page/class';

@@ -8,7 +8,7 @@ import type { Subject } from './subject';
 /** Hand-ins of a class. */
 const CLASS = 24;
 
-/** So many hand-ins warm a thread up, and after so many more its memory is looked at again. */
+/** Number of hand-ins that warm a thread up, and number of further ones after which its memory is read again. */
 const [FIRST, MORE] = [500, 1_500];
 /** Each result is kept until the end, a kilobyte or two. */
 const MOST_MORE = 1.1;
@@ -39,7 +39,7 @@ export const checkSubject: Subject<undefined> = {
   },
 };
 
-/** Whether its memory stays what it is, however many hand-ins there are: programs that end at once, on one thread. */
+/** True if its memory stays what it is, however many hand-ins there are: programs that end at once, on one thread. */
 export const checkMemorySubject: Subject<undefined> = {
   budgets: [
     {

@@ -39,7 +39,7 @@ const WARM_US = 2_000_000;
 const RECORDED_US = 60_000_000;
 const RECORDING_ROUNDS = 5;
 
-/** What happens without a browser. Measured in the project's folder after set-up. */
+/** The subjects that need no browser. Measured in the project's folder after set-up. */
 export const headlessSubjects: readonly Subject<undefined>[] = [
   speed('headless, line follower with delay(10)', { atLeast: 100, of: 'real time' }, () =>
     bestFactor(`${FOLLOWER}    delay(10)\n`, closedLine(), 120),

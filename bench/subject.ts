@@ -4,10 +4,10 @@ export interface Budget {
   readonly budget: string;
 }
 
-/** What was measured for one budget. */
+/** The measured value of one budget. */
 export interface Figure {
   readonly text: string;
-  /** Whether it keeps the budget. */
+  /** True if it keeps the budget. */
   readonly met: boolean;
 }
 

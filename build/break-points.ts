@@ -3,7 +3,7 @@ import type { CSSOptions } from 'vite';
 
 type PostcssPlugin = NonNullable<Exclude<CSSOptions['postcss'], string | undefined>['plugins']>[number];
 
-/** What each name stands for in a stylesheet. */
+/** The media condition of each name. */
 export const BREAK_POINTS: Readonly<Record<string, string>> = {
   /** A phone upright: one column. */
   phone: '(max-width: 599px)',

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { missingInScript, missingInStyles, olderUnits } from './oldest.ts';
 
-/** What the plugin makes of one declaration's value. */
+/** The plugin's output for one declaration's value. */
 function older(value: string): string | null {
   const made: string[] = [];
   const declaration = { value, cloneBefore: (changes: { value: string }) => made.push(changes.value) };

@@ -15,7 +15,7 @@ export const olderUnits = {
   },
 } as PostcssPlugin;
 
-/** What must not be in a script: as it looks, and what it is called. */
+/** Constructs that a script must not contain: pattern and name. */
 const NOT_IN_SCRIPTS: readonly (readonly [RegExp, string])[] = [
   [/\(\?<[=!]/, 'a regular expression that looks behind (Safari 16.4)'],
   [/\bstructuredClone\(/, 'structuredClone (Chrome 98)'],
@@ -27,7 +27,7 @@ const NOT_IN_SCRIPTS: readonly (readonly [RegExp, string])[] = [
   [/\bstatic\s*\{/, 'a static block (Chrome 94)'],
 ];
 
-/** What must not be in styles at all. */
+/** Constructs that styles must not contain at all. */
 const NOT_IN_STYLES: readonly (readonly [RegExp, string])[] = [
   [/@layer\b/, '@layer (Chrome 99): all in it would be left out'],
   [/@media[^{]*[<>]/, 'a range in @media (Chrome 104)'],
@@ -38,11 +38,11 @@ const NOT_IN_STYLES: readonly (readonly [RegExp, string])[] = [
 /** Values that need one in front that is understood everywhere. With a variable in it even that would not help. */
 const NEW_VALUE = /color-mix\(|\b[\d.]+[dsl]v[hw]\b/;
 
-/** What in a script the oldest browsers lack. */
+/** The constructs of a script that the oldest browsers lack. */
 export const missingInScript = (code: string): readonly string[] =>
   NOT_IN_SCRIPTS.filter(([look]) => look.test(code)).map(([, name]) => name);
 
-/** What in styles the oldest browsers lack, beyond what they may do without. */
+/** The constructs of styles that the oldest browsers lack and cannot do without. */
 export function missingInStyles(css: string): readonly string[] {
   const found = NOT_IN_STYLES.filter(([look]) => look.test(css)).map(([, name]) => name);
   for (const [, rule = ''] of css.matchAll(/\{([^{}]*)\}/g)) {

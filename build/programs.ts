@@ -14,7 +14,7 @@ import { LANGUAGES, type Language, type Texts } from '../src/core/languages.ts';
 /** A program's comments and strings: English → translation. */
 export type Translation = Readonly<Record<string, string>>;
 
-/** What a file of words holds, and each of its members that belongs to one program. */
+/** The content of a file of words; each member belongs to one program. */
 export interface Words {
   readonly program?: Translation;
   readonly [name: string]: Text | Translation | Words | undefined;
@@ -62,7 +62,7 @@ export function translate(source: string, translation: Translation): string {
 /** The file of words in a language that lies beside a program. */
 export const wordsFile = (path: string, language: Language): string => join(dirname(path), 'words', `${language}.json`);
 
-/** What a language says about a program; nothing where the file of words is missing. */
+/** The texts of a program in one language; empty if the file of words is missing. */
 export async function wordsFor(path: string, language: Language): Promise<Words> {
   const all = JSON.parse(await readFile(wordsFile(path, language), 'utf8').catch(() => '{}')) as Words;
   const own = all[basename(path, '.py')];

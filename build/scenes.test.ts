@@ -11,7 +11,7 @@ beforeAll(async () => {
 });
 afterAll(() => rm(folder, { recursive: true }));
 
-/** What the build makes of a course file with this text. */
+/** The build's output for a course file with this text. */
 async function built(text: string): Promise<string | null> {
   const path = join(folder, 'scene.json');
   await writeFile(path, text);

@@ -38,7 +38,7 @@ export function reachedWords(first: readonly string[], src: string): ReachedWord
   return { first: [...firstWords].sort(), late: [...late].sort() };
 }
 
-/** What a source imports: sources at once and late, and folders of words. */
+/** The imports of a source: sources at once and on demand, and folders of words. */
 interface Imports {
   readonly files: readonly string[];
   readonly late: readonly string[];

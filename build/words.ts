@@ -31,7 +31,7 @@ async function readCatalogue(folder: string, language: string): Promise<Catalogu
   return JSON.parse(await readFile(join(folder, `${language}.json`), 'utf8')) as Catalogue;
 }
 
-/** What a part's words are called: the catalogue with another value in place of each text. */
+/** The shape of a part's words: the catalogue with another value in place of each text. */
 type Tree<T> = T | { readonly [name: string]: Tree<T> };
 
 /** The catalogue's shape, with a value in place of each text. */

@@ -7,7 +7,7 @@ import { withFingers } from './touch';
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } as const;
 const ROW = '[role=toolbar] [data-key]';
 
-/** Whether the whole of each such element is inside the window, and where a finger on its middle would land. */
+/** True if the whole of each such element is inside the window, and where a finger on its middle would land. */
 const reachable = (page: Page, css: string): Promise<readonly string[]> =>
   page.locator(css).evaluateAll((all) =>
     all

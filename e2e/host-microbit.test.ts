@@ -65,7 +65,7 @@ async function type(app: App, data: string, answer: RegExp): Promise<void> {
   await expect.poll(() => serial(app), JSON.stringify(data)).toMatch(answer);
 }
 
-/** Whether the lights of the board are to be seen, by the name that the editor's own tests look for. */
+/** True if the lights of the board are to be seen, by the name that the editor's own tests look for. */
 const isLit = (app: App): Promise<boolean> =>
   app.inFrame('iframe', () => {
     const lights = document.querySelector('#LEDsOn');

@@ -32,7 +32,7 @@ export async function hostPage(body: string): Promise<HostPage> {
   };
 }
 
-/** Whether something is in the page of the frame. */
+/** True if something is in the page of the frame. */
 export const isInFrame = (app: App, css: string): Promise<boolean> =>
   app.inFrame('iframe', (selector) => document.querySelector(selector) !== null, css);
 

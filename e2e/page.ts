@@ -76,7 +76,7 @@ export async function pasteProgram(app: App, source: string): Promise<void> {
   await expect.poll(() => programIn(app)).toBe(source);
 }
 
-/** Whether something is on the page. */
+/** True if something is on the page. */
 export const isThere = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.querySelector(selector) !== null, css);
 
@@ -137,7 +137,7 @@ export async function keepDown(
   }).toPass();
 }
 
-/** Whether a button can be pressed. */
+/** True if a button can be pressed. */
 export function isEnabled(app: App, name: keyof typeof PLACES): Promise<boolean> {
   return app.evaluate((css) => document.querySelector<HTMLButtonElement>(css)?.disabled === false, on(name));
 }

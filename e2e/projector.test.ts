@@ -5,7 +5,7 @@ import { withKeys } from './keys';
 import { openApp } from './page';
 import { by, gone, until } from './parts';
 
-/** Whether task and timer lie on the course. */
+/** True if task and timer lie on the course. */
 const coversCourse = (app: App): Promise<boolean> =>
   app.evaluate(
     ([side = '', floor = '']) => {

@@ -91,6 +91,6 @@ export async function clearAll(app: App): Promise<void> {
   await fromMenu(app, by('course-more'), by('editor-clear'), async () => !(await isThere(app, by('verdict'))));
 }
 
-/** Whether there is something to take back. */
+/** True if there is something to take back. */
 export const canUndo = (app: App): Promise<boolean> => isThere(app, `${by('undo')}:not([disabled])`);
 export const canRedo = (app: App): Promise<boolean> => isThere(app, `${by('redo')}:not([disabled])`);

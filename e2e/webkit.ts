@@ -279,7 +279,7 @@ async function readyToBeHit(css: string): Promise<{ x: number; y: number } | str
   }
 }
 
-/** Whether the press went to the element; a page that is new since then was left by it. Runs in the page. */
+/** True if the press went to the element; a page that is new since then was left by it. Runs in the page. */
 async function wasHit(): Promise<boolean> {
   const aimed = (window as Aimed).aimedAt;
   for (let look = 0; aimed?.hit === null && look < 30; look += 1) await new Promise((done) => setTimeout(done, 10));

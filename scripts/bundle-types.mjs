@@ -27,7 +27,7 @@ export function bundleTypes(entry) {
   return `${[...texts, ...globals, exportList(exported, names)].join('\n\n')}\n`;
 }
 
-/** What stands for a declaration: the same text for the same one. */
+/** Identifies a declaration: the same text for the same one. */
 const keyOf = ({ module, name }) => `${module.path}\0${name}`;
 
 /** Follows everything that the declarations mention. */
@@ -156,14 +156,14 @@ class Modules {
     return known;
   }
 
-  /** What a name means within a module; `null`: nothing of ours. */
+  /** The declaration that a name refers to within a module; `null`: none of ours. */
   find(module, name) {
     if (module.declarations.has(name)) return { module, name };
     const imported = module.imports.get(name);
     return imported === undefined ? null : this.exported(this.at(imported.from), imported.name);
   }
 
-  /** What a module exports under a name. */
+  /** The declaration that a module exports under a name. */
   exported(module, name) {
     const found = this.exportsOf(module).get(name);
     if (found === undefined) throw new Failure(`${module.path} exports no ${name}.`);

@@ -165,7 +165,7 @@ const percentOf = (error) => {
   return `${percent > 0 ? '+' : percent < 0 ? '−' : ''}${Math.abs(percent)} %`;
 };
 
-/** Where the driver sends the same bytes for several radii, and how near one circle can come to all of them. */
+/** The arcs for which the driver sends the same bytes, and how near one circle can come to all of them. */
 function sharedBytes({ arcBytes }) {
   return SPEEDS.flatMap((percent) => {
     const byBytes = new Map();

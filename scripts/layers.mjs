@@ -19,7 +19,7 @@ const GRAPHS = [
   { mark: 'web-graph', folder: 'src/web', table: wings, floor: 'kit' },
 ];
 
-/** What imports what, tests left out: pairs of files. */
+/** The imports between files as pairs, without tests. */
 export const importsOf = (modules) =>
   modules.flatMap(({ source, dependencies }) =>
     isTest(source) ? [] : dependencies.map(({ resolved }) => [source, resolved]),

@@ -32,7 +32,7 @@ async function textsOf(folder) {
   return Promise.all(files.map((file) => readFile(file, 'utf8')));
 }
 
-/** What the type checker says about a robot's folder. */
+/** The type checker's messages on a robot's folder. */
 async function mistakesOfType(robot) {
   const configuration = { extends: '../../tsconfig.node.json', include: ['../../src/globals.d.ts', `robots/${robot}`] };
   await writeFile(join(place, '../tsconfig.json'), JSON.stringify(configuration));

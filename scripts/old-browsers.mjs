@@ -12,7 +12,7 @@ import { Failure, main, note, root, run, step } from './progress.mjs';
 
 const FOLDER = join(root, '.cache/browsers');
 
-/** Where each comes from, and the sum of that package (SHA-512, as npm's registry has it). */
+/** Source and checksum of each package (SHA-512, as npm's registry has it). */
 const PACKAGES = {
   92: {
     name: 'chrome-aws-lambda@10.1.0',

@@ -15,7 +15,7 @@ export const packages = [
   { folder: 'webtigerpython', entry: 'src/embed/client/webtigerpython-device.ts', hasApp: false },
 ];
 
-/** Where the tarballs lie. */
+/** Folder of the tarballs. */
 const TARBALLS = join(root, 'dist/packages');
 
 /**

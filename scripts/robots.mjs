@@ -7,7 +7,7 @@ import { Failure, main, note, root } from './progress.mjs';
 
 const FIRST_LINE = '// Written by `npm run robots`: do not edit.';
 
-/** What is no robot's folder: the test bench, and the words of what all robots have. */
+/** Folders that hold no robot: the test bench, and the words that all robots share. */
 const SHARED = ['testing', 'words'];
 
 /** The files that every robot's folder has, and how what each exports is called. */

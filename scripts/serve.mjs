@@ -86,7 +86,9 @@ export async function serve({
   };
 }
 
-/** What a browser opens: where the server listens everywhere, this computer and its addresses in the network. */
+/**
+ * The addresses that a browser can open: if the server listens everywhere, this computer's and its network addresses.
+ */
 function addressesOf(host) {
   if (host === '127.0.0.1') return ['localhost'];
   if (!['0.0.0.0', '::', ''].includes(host)) return [host.includes(':') ? `[${host}]` : host];
@@ -98,7 +100,7 @@ function addressesOf(host) {
   return ['localhost', ...outside.map(({ address, family }) => (family === 'IPv4' ? address : `[${address}]`))];
 }
 
-/** Where the app is, for people. */
+/** The app's address, for people. */
 export const atWords = ({ url, others }) =>
   [url, ...others.map((other) => `\n  for other computers: ${other}`)].join('');
 

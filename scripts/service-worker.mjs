@@ -7,7 +7,7 @@ import { OLDEST } from './oldest.mjs';
 import { main, note, root } from './progress.mjs';
 
 const SOURCE = 'src/web/exchange/offline/sw.ts';
-/** Where the list of files goes in the built script. */
+/** Placeholder for the list of files in the built script. */
 const PLACE = 'self.__WB_MANIFEST';
 /** Not kept: the service worker itself, and pages for frames that have no storage. */
 const LEFT_OUT = /^sw\.js$|\.single\.html$/;

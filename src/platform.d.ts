@@ -12,7 +12,7 @@ declare namespace WebAssembly {
   class Global {
     value: number;
   }
-  /** What a compiled program throws that does what it must not. */
+  /** Thrown by a compiled program that does something forbidden. */
   class RuntimeError extends Error {}
   class Instance {
     constructor(module: Module, imports: Readonly<Record<string, Readonly<Record<string, unknown>>>>);

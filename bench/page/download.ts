@@ -3,13 +3,13 @@ import type { AddressInfo } from 'node:net';
 import type { Subject } from '../subject';
 import { untilMoving, untilUsable, withPage, type Stage } from './stage';
 
-/** Of the page, 5 are for several devices, and 5 for looking back. */
+/** Budgets in kB. Of the page, 5 are for several devices, and 5 for looking back. */
 const BUDGET_KB = { page: 320, all: 900 };
 
 /** After this long the page has fetched what it wants before anybody does something. Chosen, in ms. */
 const SETTLED_MS = 3_000;
 
-/** What only a run needs. The page asks for it as soon as it has nothing else to do, so it counts with the run. */
+/** The files that only a run needs. The page fetches them as soon as it is idle, so they count with the run. */
 const OF_THE_RUN = /\.wasm$|\/worker[^/]*\.js$/;
 
 /** How much a first visit downloads. */
@@ -31,7 +31,7 @@ export const downloadSubject: Subject<Stage> = {
   },
 };
 
-/** What a visit fetches that looks at the page only, or that presses Run and sees the robot move. */
+/** The transfers of a visit that only looks at the page, or that presses Run and sees the robot move. */
 async function transfersOf(stage: Stage, pressRun: boolean): Promise<readonly Transfer[]> {
   const scales = await weighing(stage.url);
   try {

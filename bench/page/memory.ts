@@ -16,10 +16,13 @@ const LOOKS = 4;
  */
 const FLAT = { share: 0.05, heapMb: 1, processMb: 15 };
 
-/** What the page keeps to look back, in MB for ten minutes and device: the tape 0.2 (decision 0049), what was printed the rest. */
+/**
+ * Memory that the page uses to look back, in MB for ten minutes and device: the tape 0.2 (decision 0049), printed
+ * text the rest.
+ */
 const KEPT_MB = 0.4;
 
-/** Whether memory stays what it is: with one device, and with eight. */
+/** True if memory stays what it is: with one device, and with eight. */
 export const memorySubject = memoryOf('', closedLine, 600_000_000, BUDGETS_MB.one, 1);
 export const eightDevicesMemorySubject = memoryOf(', eight devices', eightDevices, 1_440_000_000, BUDGETS_MB.eight, 8);
 

@@ -16,7 +16,7 @@ const FLAT = { dataMb: 0.1, nodes: 100 };
  */
 const NOT_DATA: readonly string[] = ['code', 'native'];
 
-/** What the page itself holds, after a garbage collection. */
+/** Memory of the page itself, after a garbage collection. */
 interface Held {
   /** All of the JavaScript heap, with the code that the engine has compiled. */
   readonly heapMb: number;
@@ -26,7 +26,7 @@ interface Held {
   readonly listeners: number;
 }
 
-/** Whether the page stays as large as it is, however often a program is run. */
+/** True if the page stays as large as it is, however often a program is run. */
 export const runsSubject: Subject<Stage> = {
   budgets: [{ what: 'the page after 10, 100 and 1,000 short runs', budget: 'flat' }],
   measure: (stage) =>

@@ -1,7 +1,7 @@
 import type { Browser, CDPSession, Page } from '@playwright/test';
 import { PLACES, watchOptions, watchPage } from './watch';
 
-/** Where the page is measured. */
+/** The browser in which the page is measured. */
 export interface Stage {
   /** Starts a Chromium that has seen nothing yet: every start has a profile of its own. */
   launch(): Promise<Browser>;
@@ -26,7 +26,7 @@ export interface OpenOptions {
   /** Presses Run as soon as the editor is usable. */
   readonly pressRun?: boolean;
   readonly url?: string;
-  /** What somebody who was here before left open, as the browser's storage holds it: `closedLine`, `fourRobots`. */
+  /** Work left open by an earlier visit, as the browser's storage holds it: `closedLine`, `fourRobots`. */
   readonly work?: string;
   /** Leaves the service worker out. The tools keep it alive; otherwise it ends 30 s after its work, and its 30 MB with it. */
   readonly noServiceWorker?: boolean;

@@ -15,7 +15,7 @@ const ENDLESS = [
   { program: 'sum(range(10**9))', budgetMs: 100, budget: '<= 100 ms' },
 ] as const;
 
-/** Whether Stop works on everything. */
+/** True if Stop works on everything. */
 export const stopSubject: Subject<Stage> = {
   budgets: [
     ...ENDLESS.map(({ program, budget }) => ({ what: `Stop in ${program}`, budget })),

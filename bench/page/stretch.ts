@@ -6,7 +6,7 @@ const ROUNDS = 3;
 /** Half a frame a second is measuring error. */
 const BUDGET = { framesPerSecond: 59.5, msPerFrame: 10 };
 
-/** What was counted while something went on. */
+/** Counts over a stretch of time. */
 export interface Stretch {
   readonly framesPerSecond: number;
   /** Different pictures of the run that came, a second. */

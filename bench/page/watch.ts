@@ -43,7 +43,7 @@ export const PLACES = {
 /** Further than this from the start, in mm, the robot counts as moving. */
 const MOVED_MM = 1;
 
-/** What `watchPage` needs to know. */
+/** Options of `watchPage`. */
 export interface WatchOptions {
   readonly places: typeof PLACES;
   readonly movedMm: number;

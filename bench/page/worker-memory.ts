@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import type { Browser, CDPSession, Page } from '@playwright/test';
 import type { Opened } from './stage';
 
-/** What is in use, in MB (10⁶ bytes), after a garbage collection. */
+/** Memory in use, in MB (10⁶ bytes), after a garbage collection. */
 export interface MemoryUse {
   /** The largest worker: its objects, buffers and WebAssembly memories. */
   readonly workerMb: number;

@@ -5,7 +5,7 @@ import type { Kind } from './kinds';
 import type { RuleId, Severity } from './rule-table';
 import type { Device } from './finding';
 
-/** What a rule found. What is left out is empty; its severity is the rule's. */
+/** A finding of a rule. Missing fields are empty; its severity is the rule's. */
 export interface Mark {
   readonly node: SyntaxNode;
   readonly rule: RuleId;
@@ -14,17 +14,17 @@ export interface Mark {
   readonly severity?: Severity;
 }
 
-/** What a rule knows about the program it looks at. */
+/** The program that a rule looks at, and its context. */
 export interface Context {
   readonly file: PythonText;
   readonly names: ProgramNames;
   readonly device: Device;
   kindOf(node: SyntaxNode): Kind;
-  /** Whether an attribute of this name is defined anywhere in the pupil's files. */
+  /** True if an attribute of this name is defined anywhere in the pupil's files. */
   isOwnAttribute(name: string): boolean;
   /** Whether a name is defined in this file, or may come from a file of the pupil's by `import *`. */
   isOwnName(name: string): boolean;
-  /** Whether a module is one of the pupil's files. */
+  /** True if a module is one of the pupil's files. */
   isOwnModule(name: string): boolean;
   report(mark: Mark): void;
 }

@@ -19,7 +19,7 @@ export interface Finding {
   readonly severity: Severity;
 }
 
-/** What the program is to run on. */
+/** The target of the program. */
 export interface Device {
   /** Names that its firmware has and micro:bit firmware v2.1.2 does not. */
   readonly features: readonly Feature[];

@@ -52,7 +52,7 @@ const EVERY_BOARD = [
   ...['(300).to_bytes(2, "big")', 'int.from_bytes(b"ab", "little")', 'import math\nmath.log(8, 2)', 'pow(2, 3)'],
 ];
 
-/** What came with a version: the number after "1." */
+/** Programs by the version that first accepts them: the number after "1." */
 const SINCE: readonly (readonly [minor: number, program: string])[] = [
   [19, 'print(*[1], *[2])'],
   [19, 'print(*[1], 2)'],
@@ -68,7 +68,7 @@ const SINCE: readonly (readonly [minor: number, program: string])[] = [
   [24, 'int.from_bytes(b"ab")'],
 ];
 
-/** What no board takes. */
+/** Programs that no board accepts. */
 const NO_BOARD = [
   ...['x = 1\nf"{x}"', 'x = 1\nf"{x=}"', 'F"a"', 't"a"', 'print 1', '1L', 'ur"a"', '`1`', '1 <> 2', 'exec "a"'],
   ...['def f(a, /, b):\n    pass', '{**{1: 2}}', '[*[1], 2]', 'def f():\n    return *[1], 2\nf()', '"a" b"b"'],
@@ -123,7 +123,7 @@ const NO_BOARD = [
   ],
 ];
 
-/** What our VM takes, no board does, and nobody marks. */
+/** Programs that our VM accepts, no board does, and nothing marks. */
 const LEFT_ALONE: Readonly<Record<string, string>> = {
   '"{:_}".format(1000)': 'MicroPython 1.26 brought it; no course and no book for the board has it',
 };

@@ -62,7 +62,7 @@ function known(names: Names, { type, firmware }: Tried): Set<string> {
   return new Set(has.map(([name]) => name));
 }
 
-/** What dir() lists of some expressions, on the VM as this board. */
+/** The output of dir() for some expressions, on the VM as this board. */
 function listed(expressions: readonly string[], imports: string, { type, firmware }: Tried): string[][] {
   const program = `${imports}\n${expressions.map((it) => `print(" ".join(dir(${it})))`).join('\n')}`;
   const run = play(program, {}, () => undefined, { type, firmware }).until(5000);

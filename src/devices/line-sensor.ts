@@ -21,7 +21,7 @@ export interface LineComparator {
   /** Looks at the ground. Call it after each step of the world, see `attachLineSensor`. */
   sample(): void;
   isBright(): boolean;
-  /** What it saw last: 0 black … 1 bare floor. */
+  /** The last reading: 0 black … 1 bare floor. */
   reflectance(): number;
 }
 

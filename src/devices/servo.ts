@@ -27,7 +27,7 @@ const US_PER_S = 1_000_000;
 
 /** The arm of one servo. */
 export interface Servo {
-  /** Where the arm is now, 0 … 180. */
+  /** The present angle of the arm, 0 … 180. */
   readonly angleDeg: number;
   /** The angle it turns to, clamped to 0 … 180. */
   set(angleDeg: number): void;

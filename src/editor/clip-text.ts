@@ -3,7 +3,7 @@ import { defaultScene, sceneLimits } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import type { Clip } from './clipboard';
 
-/** What tells copied objects from any other text. */
+/** Distinguishes copied objects from any other text. */
 const FORMAT = 'parcours-objects';
 
 /** Copied objects as a text for the system's clipboard: a course file with nothing else in it, under a mark of its own. */

@@ -13,7 +13,7 @@ export interface CommonField {
   readonly isMixed: boolean;
 }
 
-/** What each object has for itself: places (they are moved and aligned), numbers in an order, words. */
+/** The fields that each object has for itself: places (they are moved and aligned), numbers in an order, words. */
 const OWN: ReadonlySet<FieldName> = new Set(['x', 'y', 'endX', 'endY', 'number', 'text', 'name']);
 
 /** The fields that all selected objects share, with the range and choices that suit all; none for fewer than two. */
@@ -28,7 +28,7 @@ export function commonFields(scene: Scene, selection: Selection): readonly Commo
   });
 }
 
-/** What becomes a checkpoint needs a number of its own. */
+/** True for the choice that makes a checkpoint, which needs a number of its own. */
 const isNumbered = (field: Field): boolean => field.name === 'type' && field.choices.includes('checkpoint');
 
 const isAlike = (one: Field, other: Field): boolean =>

@@ -152,7 +152,7 @@ function erasedChange({ added, removed, changed }: Changes): EditDescription | n
   return { type: 'erased', count: removed.length + changed.length, lengthMm: Math.max(0, before - after) };
 }
 
-/** Whether a line ends on the ink of another: then it is a piece of it. */
+/** True if a line ends on the ink of another: then it is a piece of it. */
 function endsOn(piece: SceneObject, whole: SceneObject): boolean {
   if (piece.type !== 'stroke') return false;
   const ends = [piece.points[0], piece.points[piece.points.length - 1]];
@@ -180,7 +180,7 @@ function alteredChange(changed: Changes['changed']): EditDescription {
   return { type: 'changed', kind, count };
 }
 
-/** What was done to objects of which only lock and group are others; `null`: not the same to all. */
+/** The common change of objects that differ only in lock and group; `null`: it is not the same for all. */
 function holdOf(changed: Changes['changed']): 'locked' | 'unlocked' | 'grouped' | 'ungrouped' | null {
   const all = (is: (was: SceneObject, now: SceneObject) => boolean): boolean =>
     changed.every(([was, now]) => is(was, now));

@@ -34,7 +34,7 @@ export function thingsInLasso(scene: Scene, path: readonly Vec[], footprint: rea
   };
 }
 
-/** Whether a place lies inside a loop: a ray to its right crosses the loop an odd number of times. */
+/** True if a place lies inside a loop: a ray to its right crosses the loop an odd number of times. */
 function isInside(loop: readonly Vec[], { x, y }: Vec): boolean {
   let isIn = false;
   let before = loop[loop.length - 1];

@@ -159,7 +159,7 @@ export const placeFields = <O extends SceneObject>(
     return dx === 0 && dy === 0 ? null : move(object, dx, dy);
   });
 
-/** What the editor changes of the robot's start. */
+/** The properties of the robot's start that the editor changes. */
 export type StartChanges = Partial<Pick<RobotStart, 'at' | 'heading' | 'scale' | 'name' | 'color'>>;
 
 /** The fields of the robot's start; name and colour where it is one of several. */

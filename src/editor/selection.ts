@@ -16,7 +16,7 @@ export type Thing = string | null;
 export const only = (thing: Thing): Selection =>
   thing === null ? { ids: [], robot: true } : { ids: [thing], robot: false };
 
-/** Whether a thing is selected. */
+/** True if a thing is selected. */
 export const includes = (selection: Selection, thing: Thing): boolean =>
   thing === null ? selection.robot : selection.ids.includes(thing);
 

@@ -59,7 +59,7 @@ export interface SnappedLine {
   readonly snaps: readonly Vec[];
 }
 
-/** What a line may snap to. */
+/** The places that a line may snap to. */
 export interface Attractors {
   /** Ends of other lines. */
   readonly ends: readonly Point[];
@@ -183,7 +183,7 @@ function crossing(from: Vec, to: Vec, wall: Wall): Vec | null {
   return { x: from.x + way.x * onWay, y: from.y + way.y * onWay };
 }
 
-/** Whether the rectangle around a wall's middle line is within reach: four comparisons rule most walls out. */
+/** True if the rectangle around a wall's middle line is within reach: four comparisons rule most walls out. */
 const isNear = ({ from, to }: Wall, { x, y }: Vec, reachMm: number): boolean =>
   Math.min(from[0], to[0]) - reachMm <= x &&
   Math.max(from[0], to[0]) + reachMm >= x &&
@@ -218,7 +218,7 @@ function nearestEnd(ends: readonly Point[], place: Vec, reachMm: number): Vec | 
 
 const attractorsOf = new WeakMap<Scene, Attractors>();
 
-/** What a wall snaps to: all walls, kept for as long as the course. */
+/** The places that a wall snaps to: all walls, cached per course. */
 export function wallAttractors(scene: Scene): Attractors {
   const known = attractorsOf.get(scene);
   if (known) return known;

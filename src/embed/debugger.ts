@@ -1,4 +1,4 @@
-/** What a host can do with a program's lines and a run's time: the part of the port that a debugger uses. */
+/** Commands on a program's lines and a run's time: the part of the port that a debugger uses. */
 import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
 
@@ -9,9 +9,9 @@ export type { BreakPoint, LineStep } from '#vm/debug/stops';
 /** A step by lines, or back to the line that began before. */
 export type HostStep = LineStep | 'back';
 
-/** Where a program is, and what its variables are. */
+/** The place of a program, and its variables. */
 export interface ProgramMoment {
-  /** Of the device's clock. */
+  /** In µs of the device's clock. */
   readonly timeUs: number;
   readonly variables: Variables;
 }
@@ -25,7 +25,7 @@ export interface EmbeddedDebugger {
   breakPoints(device?: string): readonly BreakPoint[] | string;
   /** Replaces the break points of a device's program. */
   setBreakPoints(points: readonly BreakPoint[], device?: string): Promise<Refusal>;
-  /** Where a program is: at the moment that is looked at, else now. A text: why nobody can say. */
+  /** The place of a program: at the moment that is looked at, else now. A text: the reason why it is unknown. */
   moment(device?: string): Promise<ProgramMoment | string>;
   /**
    * Lets a program that stands make a step; resolves when it is under way. Back, and from a moment of the past on, it
@@ -38,6 +38,6 @@ export interface EmbeddedDebugger {
   lookNow(): Refusal;
   /** Lets the run go on from the moment that is looked at; resolves when it is there. What came after is gone. */
   goOn(paused: boolean): Promise<Refusal>;
-  /** Whether a moment of the past is looked at. */
+  /** True if a moment of the past is looked at. */
   isLookingBack(): boolean;
 }

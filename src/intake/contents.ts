@@ -13,13 +13,13 @@ import { projectOfRun } from './project-of-run';
 import { SERIES } from './text';
 import { Budget, chosenIn, readBeside, type TreeFile } from './tree';
 
-/** What a source holds: a hand-in, or why there is none. */
+/** The content of a source: a hand-in, or the reason why there is none. */
 export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
 
 /** Zips in zips that are opened. Chosen: a platform's around a pupil's around what was packed. */
 const MOST_LEVELS = 3;
 
-/** Where in zips a hand-in lies. */
+/** The place of a hand-in within zips. */
 interface Packing {
   readonly budget: Budget;
   /** How many zips are around it. */
@@ -90,7 +90,7 @@ export function handInOfLink(address: string, courses: ReadyCourses): Content {
   return 'problem' in run ? unread(run.problem.code === 'newer' ? 'newer-link' : 'link') : run;
 }
 
-/** What is somebody's one link, such as a text that was typed into a learning platform. */
+/** The hand-in of a person's only link, such as a text that was typed into a learning platform. */
 function handInOfLinks(links: readonly NamedLink[], courses: ReadyCourses): Content {
   const [first, second] = new Set(links.map(({ address }) => address));
   if (first === undefined) return unread('no-link');

@@ -10,7 +10,10 @@ import type { SceneProblem } from '#scene/problem';
 import type { NamedLink } from './links';
 import type { ZipEntry } from './zip';
 
-/** What a file, a text or an address is. Each door takes some of the kinds, and says of the others that they are not for it. */
+/**
+ * The result of reading a file, a text or an address. Each door takes some of the kinds and refuses the others in
+ * words.
+ */
 export type Document =
   | ProgramDocument
   | ProjectDocument
@@ -99,9 +102,9 @@ export interface Unreadable {
   readonly message: string;
   /** All that is wrong inside a file. */
   readonly problems: readonly FileProblem[];
-  /** What is wrong with a link. */
+  /** The fault of a link. */
   readonly link?: LinkProblem | ProgramLinkProblem;
-  /** What is wrong with the link of a series. */
+  /** The fault of the link of a series. */
   readonly seriesLink?: 'damaged' | 'newer' | 'too-large';
 }
 

@@ -21,7 +21,7 @@ const endings: Readonly<Record<Exclude<Format, 'other'>, readonly string[]>> = {
 /** Texts in which links to hand-ins may stand. */
 const LINKED: readonly Format[] = ['page', 'table', 'text', 'mail', 'note'];
 
-/** What a device's readings come in, also on the way through a spreadsheet. */
+/** The formats of a device's readings, also after a detour through a spreadsheet. */
 const LOGS: readonly Format[] = ['page', 'table', 'text', 'sheet'];
 
 const formats: ReadonlyMap<string, Format> = new Map(
@@ -36,13 +36,13 @@ export function formatOf(name: string): Format {
   return (dot < 0 ? undefined : formats.get(name.slice(dot + 1).toLowerCase())) ?? 'other';
 }
 
-/** Whether links are looked for in a file of this name. */
+/** True if links are looked for in a file of this name. */
 export const isTextWithLinks = (name: string): boolean => LINKED.includes(formatOf(name));
 
-/** Whether a file of this name may hold a device's readings. */
+/** True if a file of this name may hold a device's readings. */
 export const mayBeLog = (name: string): boolean => LOGS.includes(formatOf(name));
 
-/** What stands behind the last `/` of a path. */
+/** The part of a path after the last `/`. */
 export const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** `anna` for anna.py, anna.json, x/anna.parcours.json and anna.run.json. */

@@ -71,7 +71,7 @@ function nameIn(text: string): string {
   return ended.length - start > NAME_CHARACTERS ? '' : ended.slice(start);
 }
 
-/** What ends a sentence or a bracket and not an address; what stands around names. */
+/** Characters that end a sentence or a bracket and not an address; characters around names. */
 const [AFTER_ADDRESS, BEFORE_NAME, AFTER_NAME] = [/[.,;:)\]}!?]/, /[\s\-*•<>|"'([{,;]/, /[\s\-–:=<>|"'([{,;]/];
 
 /** Sign by sign: a pattern would take hours for a megabyte of spaces that somebody hands in. */
@@ -130,14 +130,14 @@ function rowsOf(text: string): readonly (readonly string[])[] {
   return rows;
 }
 
-/** Where the quote at this place ends; -1: nowhere, and none behind it does. */
+/** The place where the quote at this place ends; −1: nowhere, and no later one ends either. */
 function closingQuote(text: string, open: number): number {
   let close = text.indexOf('"', open + 1);
   while (close >= 0 && text[close + 1] === '"') close = text.indexOf('"', close + 2);
   return close;
 }
 
-/** What is read on a page, with the addresses of its links; tag by tag, for the same reason. */
+/** The text of a page with the addresses of its links; tag by tag, for the same reason. */
 function textOfPage(html: string): string {
   const parts: string[] = [];
   let link: { readonly address: string; readonly from: number } | null = null;

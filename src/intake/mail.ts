@@ -1,15 +1,18 @@
 import { fromBase64 } from '#core/base64';
 
-/** What can be read of an e-mail. */
+/** The readable parts of an e-mail. */
 export interface Mail {
-  /** Who has sent it, by the name that goes with the address; empty: nobody says. */
+  /** The sender, by the name that goes with the address; empty: unknown. */
   readonly from: string;
   readonly text: string;
 }
 
 /** How the texts in an e-mail are read. */
 export interface Reading {
-  /** What is looked for is in it: of a text that is there twice, as text and as page, the first one with it is taken. */
+  /**
+   * True for a text that contains what is looked for: of a text in two forms, plain and page, the first match is
+   * taken.
+   */
   readonly isWanted: (text: string) => boolean;
   readonly textOfPage: (html: string) => string;
 }
@@ -58,13 +61,13 @@ function textOf(source: string, reading: Reading, level: number): string {
   return /^text\/html/i.test(type) ? reading.textOfPage(text) : text;
 }
 
-/** Of a header such as `text/plain; charset="utf-8"`. */
+/** The value of a parameter in a header such as `text/plain; charset="utf-8"`. */
 function parameter(header: string, name: string): string {
   const [, quoted, bare] = new RegExp(`;\\s*${name}\\s*=\\s*(?:"([^"]*)"|([^\\s;]+))`, 'i').exec(header) ?? [];
   return quoted ?? bare ?? '';
 }
 
-/** What stands between the lines that part it; what is before the first and behind the last is for nobody. */
+/** The parts between the boundary lines; text before the first and after the last is ignored. */
 function partsIn(body: string, boundary: string): readonly string[] {
   const parts: string[][] = [];
   for (const line of body.split(/\r?\n/)) {

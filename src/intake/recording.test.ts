@@ -13,7 +13,7 @@ const setup = soloRun({
   ...{ robot: 'maqueen-lite', board: 'microbit-v2' },
 });
 const result = { traceHash: '0', simulatedUs: 5_000_000, devices: [] };
-/** What it came to is made up: a hand-in is run anyway. */
+/** A recording with a made-up result: a hand-in is run anyway. */
 const run = tapeToText({ madeBy: '0.0.0', physics: 2, setup, untilUs: 5_000_000, untilProgramEnds: true, result });
 const address = `https://parcours.example/#${runLinkOf(run, 1_000_000)}`;
 

@@ -20,7 +20,7 @@ const opened = async (given: TreeFile, isAlone = true): Promise<Given> =>
 const folder = (name: string, files: Files, isAlone = true): Given =>
   givenFolder(name, Object.entries(files).map(([path, text]) => file(path, text)), none, isAlone); // prettier-ignore
 
-/** What each hand-in is called, and the files of its program, or why there is none. */
+/** The name of each hand-in, and the files of its program or the reason why there is none. */
 async function found(...given: readonly (Given | Promise<Given>)[]) {
   const sources = withOwnNames(together(await Promise.all(given.map((one) => Promise.resolve(one)))));
   return Promise.all(

@@ -33,9 +33,9 @@ export const fileSource = (file: TreeFile, courses: ReadyCourses): Source => {
 /** The largest file that is one hand-in. */
 const mostAlone = (path: string): number => Math.min(mostBytes(path), limits.handIn);
 
-/** What was given at once, such as a word of the command line or a file that was chosen. */
+/** A single item that was given, such as a word of the command line or a chosen file. */
 export interface Given {
-  /** What it is called, without its ending. */
+  /** Its name without the ending. */
   readonly name: string;
   /** A folder or a zip: a single hand-in in it may be called anything. */
   readonly isTree: boolean;
@@ -177,7 +177,7 @@ export function linkSource({ name, address }: NamedLink, place: number, courses:
   return { name: name || alias || `link ${place + 1}`, read };
 }
 
-/** What a source holds; what vanishes meanwhile is something that cannot be read. */
+/** Reads a source; one that vanishes meanwhile cannot be read. */
 export async function contentOf(source: Source): Promise<Content> {
   try {
     return await source.read();

@@ -3,7 +3,7 @@ import { formatOf, isTextWithLinks, lastOf, limits, type Format } from './format
 import { unread, type Unread } from '#check/hand-in/unread';
 import { isLitter } from './zip';
 
-/** What was read, or why it cannot be. */
+/** The bytes, or the reason why they cannot be read. */
 export type Bytes = { readonly bytes: Uint8Array } | { readonly problem: Unread };
 
 /** A file in a folder or a zip. */
@@ -18,19 +18,19 @@ export interface TreeFile {
 
 /** The files of one hand-in, by their names alone. */
 interface Chosen {
-  /** What is opened first. */
+  /** The file that is opened first. */
   readonly program: TreeFile;
-  /** What the board has besides a main.py; left out: the program is something else, such as a project. */
+  /** The files on the board besides main.py; left out: the program is something else, such as a project. */
   readonly beside?: readonly TreeFile[];
 }
 
-/** What a hand-in may be without a main.py. */
+/** The formats of a hand-in without a main.py. */
 const PROGRAMS: readonly Format[] = ['program', 'json', 'zip'];
 
-/** So many names of files are told. */
+/** Maximum number of file names in a message. */
 const MOST_NAMES = 5;
 
-/** What may still be unpacked of a hand-in. */
+/** The bytes that may still be unpacked of a hand-in. */
 export class Budget {
   private left: number = limits.handIn;
 
@@ -47,7 +47,7 @@ export class Budget {
 /** With the `/` at its end; empty: at the top. */
 const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
 
-/** What is somebody's, at whatever depth. */
+/** The files that are somebody's, at any depth. */
 export const withoutLitter = <T extends { readonly path: string }>(all: readonly T[]): readonly T[] =>
   all.filter(({ path }) => !path.split('/').some(isLitter));
 

@@ -61,7 +61,7 @@ export function readZip(bytes: Uint8Array): Zip {
   return overlap(places) ? unread('zip-twice') : { entries };
 }
 
-/** Where a file lies in a zip: no byte of it belongs to another one. */
+/** The place of a file in a zip: no byte of it belongs to another one. */
 interface Place {
   readonly from: number;
   readonly to: number;
@@ -79,7 +79,7 @@ function endOf(view: DataView): number | null {
   return null;
 }
 
-/** What lies about in folders and is nobody's hand-in. */
+/** True for files that operating systems leave in folders; they are never hand-ins. */
 export const isLitter = (name: string): boolean =>
   name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
 
@@ -101,7 +101,7 @@ export function belowFolders<T extends { readonly path: string }>(
   return entries;
 }
 
-/** What lies below the folder that all of it lies in; `null`: there is no such folder. */
+/** The files below the folder that contains all of them; `null`: there is no such folder. */
 function belowTop<T extends { readonly path: string }>(all: readonly T[]): readonly T[] | null {
   const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
   const [top, another] = new Set(entries.map(({ path }) => path.split('/', 1)[0] ?? ''));

@@ -83,7 +83,7 @@ export function renamedDevice(project: Project, place: number, name: string): Pr
   return { ...project, devices: { first: place === 0 ? name : devices.first, others } };
 }
 
-/** What is wrong with a name for a device, or `null`. `own` is its present name. */
+/** The fault of a name for a device, or `null`. `own` is its present name. */
 export function deviceNameProblem(
   name: string,
   names: readonly string[],

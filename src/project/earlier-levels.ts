@@ -58,7 +58,7 @@ const THIN_MM = 50;
 /** Words for the robot, in small letters. */
 const ROBOT = /robot|maqueen|calli/;
 
-/** Whether a JSON value may be such a level and is worth `sceneOfEarlierLevel`, which says what is wrong with it. */
+/** True if a JSON value may be such a level and is worth `sceneOfEarlierLevel`, which says what is wrong with it. */
 export function looksLikeEarlierLevel(value: unknown): boolean {
   const lists = Array.isArray(value) ? [value] : isFields(value) ? Object.values(value).filter(Array.isArray) : [];
   return lists.some((list: readonly unknown[]) => list.some((entry) => placeOf(entry) !== null));

@@ -76,7 +76,7 @@ export function parseProjectValue(value: unknown): ParsedProject {
 /** The format that a JSON value names, if any. */
 export const formatOf = (value: unknown): unknown => (isRecord(value) ? value['format'] : undefined);
 
-/** Whether a JSON value says that it is a project file, of any version. */
+/** True if a JSON value says that it is a project file, of any version. */
 export const isProjectFile = (value: unknown): value is Fields => formatOf(value) === PROJECT_FORMAT;
 
 const failed = (problems: readonly ProjectProblem[]): ParsedProject => ({ problem: summaryOf(problems), problems });

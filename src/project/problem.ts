@@ -1,6 +1,6 @@
 import type { SceneProblem, SceneProblemCode } from '#scene/problem';
 
-/** What can be wrong with a project file. The web translates by this code and the problem's parameters. */
+/** The codes of faults of a project file. The web translates by this code and the problem's parameters. */
 export type ProjectProblemCode =
   | SceneProblemCode
   | 'not-a-project'

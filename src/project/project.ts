@@ -18,9 +18,9 @@ export interface Project {
   readonly settings?: ProjectSettings;
   /** Its microcomputers; left out: there is one. */
   readonly devices?: ProjectDevices;
-  /** What a teacher has added to make it a task for a class (`#check/task`); left out: nothing. */
+  /** The teacher's additions that make it a task for a class (`#check/task`); left out: none. */
   readonly task?: Carried;
-  /** What a pupil hands in besides the program (`#check/hand-in`); left out: nothing. */
+  /** The pupil's additions to the program in a hand-in (`#check/hand-in`); left out: none. */
   readonly handIn?: Carried;
 }
 
@@ -30,7 +30,7 @@ export interface Project {
  */
 export type Carried = Readonly<Record<string, unknown>>;
 
-/** What a program is to run on. */
+/** The hardware that a program is meant for. */
 export interface HardwareWish {
   /** Id of the microcomputer, or `auto`. */
   readonly device: string;
@@ -68,7 +68,7 @@ export interface ProjectSettings extends HardwareWish {
   readonly reality: number;
   /** Which of the used robots it is, 1 … 9999. */
   readonly seed: number;
-  /** Whether the board on the robot measures the arena. */
+  /** True if the board on the robot measures the arena. */
   readonly arenaSenses: boolean;
   /** The pupil's own robot, as it was measured. */
   readonly myRobot?: MyRobot;
@@ -96,7 +96,7 @@ export const FILE_BYTES = 256 * 1024;
 
 /** Maximum content of a project, besides its scene. Chosen: far beyond any lesson. */
 export const projectLimits = {
-  /** Of the whole file. */
+  /** Maximum length of the whole file. */
   textCharacters: 12_000_000,
   files: 20,
   idCharacters: 100,
@@ -109,7 +109,7 @@ export const projectLimits = {
   carriedLevels: 30,
 } as const;
 
-/** What is wrong with a name for a file, or `null`. `own` is the file's present name. */
+/** The fault of a name for a file, or `null`. `own` is the file's present name. */
 export function nameProblem(
   name: string,
   files: readonly SourceFile[],

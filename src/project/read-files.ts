@@ -25,7 +25,7 @@ export function readFiles(
   return { files, problems };
 }
 
-/** What is wrong with a file that comes after `before`. */
+/** The faults of a file that comes after `before`. */
 function fileProblems(file: SourceFile, before: readonly SourceFile[], path: string): ProjectProblem[] {
   const { name, text } = file;
   const wrong = nameProblem(name, before);

@@ -19,7 +19,7 @@ export interface Parameter {
 /** A call that the pupil is writing. */
 export interface CallHint {
   readonly item: Item;
-  /** Where its bracket stands. */
+  /** Position of its bracket. */
   readonly from: number;
   /** Index of the item's signature that fits what is written so far. */
   readonly call: number;
@@ -74,7 +74,7 @@ export interface OpenCall {
   readonly list: SyntaxNode;
   /** Which argument is being written, from 0. */
   readonly argument: number;
-  /** Where the name before `=` of that argument stands; `null` for an argument without one. */
+  /** The name before `=` of that argument; `null` for an argument without one. */
   readonly keyword: SyntaxNode | null;
 }
 

@@ -8,7 +8,7 @@ import { keywords } from './modules/keywords';
 import { placeAt, type Place } from './place';
 import type { Reader } from './reader';
 
-/** What can be written at a place. */
+/** The suggestions at a place. */
 export interface Completions {
   /** Start of the word that a choice replaces. */
   readonly from: number;
@@ -56,7 +56,7 @@ function nearest(node: SyntaxNode, ...names: readonly string[]): SyntaxNode | nu
   return null;
 }
 
-/** Whether a new name is written here: after `def`, `for` and the like, and anywhere in the line of a `def`. */
+/** True if a new name is written here: after `def`, `for` and the like, and anywhere in the line of a `def`. */
 function isNewName(before: SyntaxNode): boolean {
   if (['def', 'class', 'as', 'for', 'lambda'].includes(before.name)) return true;
   return nearest(before, 'Body', 'FunctionDefinition')?.name === 'FunctionDefinition';

@@ -6,7 +6,7 @@ import { itemOf, type Item } from './item';
 import { keywords } from './modules/keywords';
 import { Reader } from './reader';
 
-/** What is known about the name at a place. */
+/** The facts about the name at a place. */
 export interface Description {
   readonly from: number;
   readonly to: number;
@@ -15,7 +15,7 @@ export interface Description {
   readonly argument: string | null;
 }
 
-/** What the name at a place stands for; `null` where there is none, or nothing is known about it. */
+/** Describes the name at a place; `null` if there is none, or nothing is known about it. */
 export function describe(text: string, offset: number, context: ReferenceContext): Description | null {
   const source = readPython(text);
   // A place right before the first letter counts as inside the word.

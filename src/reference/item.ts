@@ -1,7 +1,7 @@
 import type { Feature } from '#core/board-api';
 import type { EntryKind } from './types';
 
-/** What the editor shows about a name. */
+/** The editor's information on a name. */
 export interface Item {
   readonly label: string;
   /** `variable` and `parameter` are the pupil's own names. */
@@ -14,7 +14,7 @@ export interface Item {
   readonly text: string | null;
   /** The docstring of the pupil's function or class. */
   readonly own: string | null;
-  /** Where it belongs: `microbit.display`, or a file's name; `null` for names of the program itself. */
+  /** The module or file it belongs to: `microbit.display`, or a file's name; `null` for names of the program itself. */
   readonly home: string | null;
   /** The board's firmware does not have this name: it is newer, or it was never there. */
   readonly missing: Feature | 'absent' | null;

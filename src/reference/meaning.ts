@@ -3,12 +3,12 @@ import { itemOf, type Item } from './item';
 import { boardModules } from './modules/index';
 import type { Entry, Names, ReferenceModule } from './types';
 
-/** What a name or an expression stands for. */
+/** The meaning of a name or an expression. */
 export interface Meaning {
   readonly item: Item;
   /** The names behind its dot. */
   names(): ReadonlyMap<string, () => Meaning>;
-  /** What calling it returns; `null` if unknown. */
+  /** The meaning of its return value; `null` if unknown. */
   called(): Meaning | null;
   /** The type of its elements, for `for` and for [ ]. */
   element(): Meaning | null;
@@ -43,7 +43,7 @@ export class Reference {
     );
   }
 
-  /** What `import` can load, by name. */
+  /** The modules that `import` can load, by name. */
   importable(): MeaningNames {
     const names = new Map<string, () => Meaning>();
     for (const module of this.modules) {

@@ -47,7 +47,7 @@ export class Reader {
     return names;
   }
 
-  /** What a name means at a place; `null` if the program does not have it. */
+  /** The meaning of a name at a place; `null` if the program does not have it. */
   lookup(name: string, scope: Scope, offset: number): Meaning | null {
     for (let it: Scope | null = scope; it !== null; it = outer(it)) {
       const found = this.named(name, it, offset);
@@ -60,7 +60,7 @@ export class Reader {
     return this.reference.builtins().get(name)?.() ?? null;
   }
 
-  /** What `import name` loads: a file of the project, else a module of the board or robot. */
+  /** The module that `import name` loads: a file of the project, else a module of the board or robot. */
   module(name: string): Meaning | null {
     const source = this.context.files[`${name}.py`];
     if (source === undefined || name === 'main') return this.reference.module(name);

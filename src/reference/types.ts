@@ -1,7 +1,7 @@
 import type { BoardApi, Feature } from '#core/board-api';
 import type { Texts } from '#core/languages';
 
-/** What a name stands for. An `object` has its own names and no class that programs could call (`display`, `i2c`). */
+/** The kind of a name. An `object` has its own names and no class that programs could call (`display`, `i2c`). */
 export type EntryKind = 'function' | 'type' | 'exception' | 'value' | 'object' | 'module' | 'keyword';
 
 /** One public name. */

@@ -6,7 +6,7 @@ import { createWorld } from '#world/world';
 import { robotTypes } from './index';
 import type { RobotType } from './robot';
 
-/** What a robot's motor-law.mjs exports; scripts/fit-motor-law.mjs reads the same. */
+/** The exports of a robot's motor-law.mjs; scripts/fit-motor-law.mjs reads the same. */
 interface FitData {
   readonly motorLaw: {
     readonly trackMm: number;

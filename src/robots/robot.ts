@@ -74,7 +74,7 @@ export interface RobotSheet {
   /** Parts that length and width of its body leave out, e.g. `without its bumper`. */
   readonly sizeNote?: Texts;
   readonly examples: readonly RobotExample[];
-  /** What is plugged in where, one row per part. */
+  /** The wiring, one row per part. */
   readonly wiring: readonly WiringRow[];
   /** The devices that answer on the I2C bus. */
   readonly registers: readonly RegisterTable[];
@@ -126,7 +126,7 @@ export interface RobotContext {
   readonly options: OptionValues;
   /** Size of this robot compared with the real one: 1 = as built. */
   readonly scale: number;
-  /** What its line sensors read, by name, where that differs from the type's. */
+  /** The readings of its line sensors by name, where they differ from the type's. */
   readonly lineReadings: Readonly<Record<string, LineReadings>>;
   /** Told of the outputs that are not a wire's level, the moment the program sets them; left out: nobody asks. */
   readonly onSet?: OnSet;
@@ -169,7 +169,7 @@ export interface RobotState {
   readonly duty: { readonly left: number; readonly right: number };
   /** The beam of the distance sensor now, or `null` for a robot without one. */
   readonly ultrasonic: UltrasonicState | null;
-  /** Whether each half of the bumper is pressed; `null` while the robot carries none. */
+  /** True if each half of the bumper is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
 

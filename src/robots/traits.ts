@@ -9,11 +9,11 @@ export interface Traits {
   readonly motors: MotorTraits;
   /** The distance that the ultrasonic sensor gives: `offsetMm + scale · true distance`. */
   readonly ultrasonic: { readonly offsetMm: number; readonly scale: number };
-  /** What line sensors read, in the robot's own unit, by the sensor's name; those left out read as the type's. */
+  /** The readings of line sensors, in the robot's own unit, by the sensor's name; missing ones are the type's. */
   readonly line: Readonly<Record<string, LineReadings>>;
 }
 
-/** What a line sensor reads on black and on bare floor; linear in between. */
+/** The readings of a line sensor on black and on bare floor; linear in between. */
 export interface LineReadings {
   readonly black: number;
   readonly floor: number;

@@ -1,20 +1,20 @@
 import type { Mover, SceneObject, Shaped } from './scene';
 
-/** What a mover may do besides going to and fro between two places. */
+/** The properties of movers beyond a path between two places. */
 const foeProperties = ['stops', 'waits', 'loops', 'phase', 'spin', 'chases'] as const;
 
-/** What no version of the course file before 5, and no link before version 7, can say of an object. */
+/** The properties of an object that no course file before version 5, and no link before version 7, can hold. */
 export interface Additions extends Pick<Mover, (typeof foeProperties)[number]> {
   /** That of older versions are eighths of a full turn. */
   readonly angle?: number;
-  /** Of a body; zones have always been round or not. */
+  /** True for a round body; zones have always had `round`. */
   readonly round?: true;
   readonly corners?: NonNullable<Shaped['corners']>;
   readonly lock?: true;
   readonly group?: string;
 }
 
-/** What is new of an object; empty: older versions can say all of it. */
+/** The additions of an object; empty if older versions can hold all of it. */
 export function additionsOf(object: SceneObject): Additions {
   const { lock, group } = object;
   const corners = 'corners' in object ? object.corners : undefined;
@@ -31,5 +31,5 @@ export function additionsOf(object: SceneObject): Additions {
 const foeOf = (mover: Mover): Pick<Mover, (typeof foeProperties)[number]> =>
   Object.fromEntries(foeProperties.flatMap((name) => (mover[name] === undefined ? [] : [[name, mover[name]]])));
 
-/** Whether an angle in degrees is a number of eighths of a full turn. */
+/** True if an angle in degrees is a number of eighths of a full turn. */
 export const isEighth = (angleDeg: number): boolean => angleDeg % 45 === 0;

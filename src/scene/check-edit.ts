@@ -21,7 +21,7 @@ export function parseEdit(value: unknown): ParsedEdit {
   return first ? { problem: first.message, problems: reader.problems } : { edit };
 }
 
-/** What is wrong with applying an edit to a course: too much of something, a value out of range, a wrong id. */
+/** The fault of applying an edit to a course: too much of something, a value out of range, a wrong id. */
 export function editProblem(scene: Scene, edit: SceneEdit): SceneProblem | null {
   const reader = new Reader();
   readEdit(edit, '', wholeRoom(), 0, reader);

@@ -33,7 +33,7 @@ function touchedIds(edit: SceneEdit, scene: Scene): ReadonlySet<string> {
   }
 }
 
-/** What an edit does not name stays the very same object, in the same order. */
+/** Expects that everything an edit does not name is the very same object, in the same order. */
 function expectUntouchedSame(before: Scene, edit: SceneEdit, after: Scene): void {
   const touched = touchedIds(edit, before);
   const untouched = before.objects.filter(({ id }) => !touched.has(id));

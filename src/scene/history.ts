@@ -15,7 +15,7 @@ export const HISTORY_CHARACTERS = 50_000_000;
 export interface Step {
   readonly edit: SceneEdit;
   readonly inverse: SceneEdit;
-  /** Of the edit as JSON. What the inverse holds was in the course before. */
+  /** Length of the edit as JSON. The content of the inverse was in the course before. */
   readonly characters: number;
 }
 
@@ -45,7 +45,7 @@ export function advanced(history: History, edit: SceneEdit): History {
   return { past: latest([...history.past, stepOf(history.present, edit)]), present, future: [] };
 }
 
-/** What a step changes, whether it is done or taken back. */
+/** The things that a step changes, whether it is done or undone. */
 export interface Touched {
   /** Those that come, go or change, as they are before and after. */
   readonly objects: readonly SceneObject[];

@@ -54,7 +54,7 @@ function putBack(scene: Scene, became: ReadonlyMap<string, readonly SceneObject[
   ];
 }
 
-/** What an object has where another one names something. */
+/** The values that an object has for the properties that are named. */
 function valuesOf<T extends object>(object: T, named: Partial<T>): Partial<T> {
   const values: Partial<T> = {};
   for (const key of Object.keys(named) as (keyof T)[]) values[key] = object[key];

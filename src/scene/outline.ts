@@ -144,7 +144,7 @@ export function boundsOfOutline(outline: Outline): Bounds {
   return bounds;
 }
 
-/** Whether two rectangles have a place in common. */
+/** True if two rectangles have a place in common. */
 export const boundsMeet = (a: Bounds, b: Bounds): boolean =>
   a.minX <= b.maxX && b.minX <= a.maxX && a.minY <= b.maxY && b.minY <= a.maxY;
 

@@ -1,4 +1,4 @@
-/** What can be wrong with a course. The web translates by this code and the problem's parameters. */
+/** The codes of faults of a course. The web translates by this code and the problem's parameters. */
 export type SceneProblemCode =
   | 'too-long'
   | 'not-json'

@@ -1,4 +1,4 @@
-/** What is said of a robot wherever it starts. */
+/** The properties that a robot has wherever it starts, as text. */
 import { braces } from './json-text';
 import type { RobotStart } from './scene';
 

@@ -147,7 +147,10 @@ function taskProblems({ robot, task }: Scene, things: Things): readonly RuleProb
   return [];
 }
 
-/** Who has to stay in the ring must start in it: the first robot, and those at the course's starts. */
+/**
+ * Faults of robots that must stay in the ring but do not start in it: the first one, and those at the course's
+ * starts.
+ */
 function ringProblems({ robot, objects }: Scene, { robotTargets: ring }: Things): readonly RuleProblem[] {
   if (ring.length === 0) {
     const message = 'The robots have to stay in the ring, but there is none: add a target to be the ring.';

@@ -8,7 +8,7 @@
 /** A place or an extent `[x, y]` in whole mm. */
 export type Point = readonly [x: number, y: number];
 
-/** What every object may have. */
+/** The properties that every object may have. */
 interface Common {
   readonly id: string;
   /** The editor leaves it as it is. Left out: it does not. */
@@ -17,7 +17,7 @@ interface Common {
   readonly group?: string;
 }
 
-/** What fills a part of the plane: a rectangle, an ellipse or a polygon. */
+/** A filled part of the plane: a rectangle, an ellipse or a polygon. */
 export interface Shaped {
   /** The middle of its rectangle. */
   readonly at: Point;
@@ -93,7 +93,7 @@ export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly to: Point;
   /** In mm/s. */
   readonly speed: number;
-  /** Whoever touches it has failed. */
+  /** Touching it fails the task. */
   readonly spiked: boolean;
   /** Further stops in their order; left out: none. */
   readonly stops?: readonly Point[];
@@ -147,7 +147,7 @@ export interface Start extends Common {
   readonly robot: string | null;
   /** Chosen options of that robot, as those of `RobotStart`. */
   readonly options: Readonly<Record<string, string>>;
-  /** What its robot is called; empty: as its device. */
+  /** Name of its robot; empty: that of its device. */
   readonly name: string;
   /** Colour of the robot's ring, name and trail; `null`: by the place of its device. */
   readonly color: RobotColor | null;
@@ -178,7 +178,7 @@ export interface Task {
   readonly robots?: TaskRule;
   /** Passed within so many seconds of simulated time: two stars, three stars. Left out: there are no stars. */
   readonly stars?: readonly [two: number, three: number];
-  /** What the task's card says besides the course's `description`; left out: nothing. */
+  /** Additions of the task's card to the course's `description`; left out: none. */
   readonly card?: TaskCard;
 }
 
@@ -202,7 +202,7 @@ export interface TaskCard {
   readonly translations: readonly TaskText[];
   /** A `data:image/…` address (PNG, JPEG or WebP), or empty. */
   readonly picture: string;
-  /** Whether pupils may see the solution of the ready course from which the task was made. */
+  /** True if pupils may see the solution of the ready course from which the task was made. */
   readonly solution: boolean;
 }
 
@@ -247,7 +247,7 @@ export interface RobotStart {
   readonly scale: number;
   /** Chosen options of the robot: id of an option → id of a choice. Missing options have their defaults. */
   readonly options: Readonly<Record<string, string>>;
-  /** What it is called where there are several; left out: as its device. A course never holds an empty one. */
+  /** Its name where there are several; left out: that of its device. A course never holds an empty one. */
   readonly name?: string;
   /** Its colour where there are several; left out: that of the first device. A course never holds `null`. */
   readonly color?: RobotColor | null;
@@ -307,7 +307,7 @@ export const sceneLimits = {
   blockMm: { min: 5, max: 5_000 },
   angleDeg: { min: 0, max: 360 },
   corners: { min: 3, max: 60 },
-  /** Of a polygon; as large as the smallest block. */
+  /** Smallest area of a polygon: that of the smallest block. */
   leastAreaMm2: 25,
   widthMm: { min: 1, max: 500 },
   scale: { min: 0.5, max: 3 },

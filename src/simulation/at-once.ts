@@ -3,7 +3,7 @@ import { touchedBy, type Step } from '#scene/history';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
 
-/** Whether a run feels the difference between two courses at once. What waits for the next start, and words, it does not. */
+/** True if a run feels the difference between two courses at once. What waits for the next start, and words, it does not. */
 export function changesRun(before: Scene, after: Scene): boolean {
   if (before === after) return false;
   const rules = ({ task: { seconds, noTouch, robots } }: Scene) => [seconds, noTouch, robots];

@@ -16,7 +16,7 @@ export class CourseWorld {
   private now: Scene;
   private readonly blocks = new Map<string, BlockHandle>();
   private readonly movers = new Map<string, MoverHandle>();
-  /** What follows the course, by id: the body, and the object that it shows. */
+  /** The bodies that follow the course, by id, each with the object that it shows. */
   private readonly following = new Map<string, { readonly object: SceneObject; readonly body: Body }>();
   private background: Background | null = null;
   private zones: ReadonlyMap<string, Zone>;
@@ -116,7 +116,7 @@ const posesOf = (handles: ReadonlyMap<string, { pose(): Pose }>): Record<string,
 
 const vec = ([x, y]: Point): Vec => ({ x, y });
 
-/** What the sensors see of a background; nothing of one whose levels are damaged, with which no run begins. */
+/** The grid that the sensors see of a background; `null` if its levels are damaged, with which no run begins. */
 function gridOf(background: Background): FloorGrid | null {
   const levels = unpackLevels(background);
   if (levels === null) return null;

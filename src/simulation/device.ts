@@ -39,7 +39,7 @@ export interface Around {
   readonly step?: () => void;
 }
 
-/** What is done to one device from outside. */
+/** An action on one device from outside. */
 export type DeviceAction = Exclude<InputAction, { readonly type: 'edit' | 'place-block' | 'radio' }>;
 
 /** One microcomputer of a run: program, board and, if it has one, its robot, on a clock of its own. */
@@ -116,12 +116,12 @@ export class Device {
     return this.end !== null && this.clock.alarms <= this.ownAlarms;
   }
 
-  /** What a debugger reads of its MicroPython while it stands still. */
+  /** The state of its MicroPython that a debugger reads while it is paused. */
   get inspected(): Inspected {
     return this.vm.inspected;
   }
 
-  /** Where its program stops before its time is over. */
+  /** The condition on which its program is paused before its time is over. */
   get hold(): Hold {
     return this.vm.hold;
   }

@@ -11,7 +11,7 @@ import { furtherStart } from './several/starts';
 export interface FittedDevice {
   readonly setup: DeviceSetup;
   readonly hardware: Hardware;
-  /** Of its robot; the first device's is the course's. */
+  /** The start of its robot; the first device's is the course's. */
   readonly start: RobotStart;
 }
 
@@ -80,7 +80,7 @@ function sceneFor(setup: DeviceSetup, scene: Scene, before: readonly FittedDevic
   return start === null || setup.robot === NO_ROBOT ? scene : { ...scene, robot: start };
 }
 
-/** Where the robot of a device starts by its set-up or the course; `null`: nobody says. */
+/** The start of a device's robot by its set-up or the course; `null`: neither gives one. */
 function startInCourse(scene: Scene, { start }: DeviceSetup, before: readonly FittedDevice[]): RobotStart | null {
   if (start !== undefined) return start;
   const robots = before.filter(({ hardware }) => hardware.robot !== null).length;

@@ -7,7 +7,7 @@ import { createWorld } from '#world/world';
 const SPOT_MM = 2.5;
 const AT = { x: 50, y: 50 };
 
-/** What a line sensor says on a floor: at first, after a black line, and after bare floor. */
+/** The reports of a line sensor on a floor: at first, after a black line, and after bare floor. */
 function said(floor: (world: ReturnType<typeof createWorld>) => void): readonly boolean[] {
   const world = createWorld({ widthMm: 100, heightMm: 100 });
   floor(world);

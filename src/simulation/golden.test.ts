@@ -12,7 +12,7 @@ interface Golden {
   readonly traceHash: string;
   /** Simulated ms until its task is passed; `null` for courses without a task. */
   readonly passedMs: number | null;
-  /** Where the robot stands at the end, to a thousandth of a mm. */
+  /** The robot's place at the end, to a thousandth of a mm. */
   readonly endMm: { readonly x: number; readonly y: number };
 }
 

@@ -69,7 +69,7 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
 export interface FurtherWish extends Omit<HardwareWish, 'robotOptions'> {
   /** By the id of the robot. */
   readonly robotOptions: Readonly<Record<string, OptionValues>>;
-  /** Where the course has its robot start (`furtherStart`), or `null`. */
+  /** The start in the course (`furtherStart`), or `null`. */
   readonly start: RobotStart | null;
 }
 
@@ -94,7 +94,7 @@ export function sceneOfFurther({ scene, start }: Pick<FurtherWish, 'scene' | 'st
   return { ...scene, board: null, robot: start ?? { ...scene.robot, type: null, options: {} } };
 }
 
-/** Whether the robot is on a board that it does not fit: then nothing of it is connected. */
+/** True if the robot is on a board that it does not fit: then nothing of it is connected. */
 export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>): boolean {
   return robot !== null && robot.board !== board.id;
 }
@@ -147,7 +147,7 @@ function boardByImports(imported: ReadonlySet<string>): BoardType | null {
   return boardTypes.find((type) => type.modules.some((name) => imported.has(name))) ?? null;
 }
 
-/** Whether one of the robot's modules is imported. */
+/** True if one of the robot's modules is imported. */
 const isFor = ({ modules }: RobotType, imported: ReadonlySet<string>): boolean =>
   modules.some((name) => imported.has(name));
 

@@ -6,7 +6,7 @@ import { Simulation } from './simulation';
 
 const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 
-/** Whether nothing is set for later, so many seconds after the start. */
+/** True if nothing is set for later, so many seconds after the start. */
 async function isIdleAfter(
   seconds: number,
   program: string,

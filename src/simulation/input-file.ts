@@ -10,7 +10,7 @@ const MAX_ENTRIES = 100_000;
 
 type Fields = Readonly<Record<string, unknown>>;
 
-/** What is wrong with one field, for `Entry.fail`. */
+/** The fault of one field, for `Entry.fail`. */
 interface Bad {
   readonly field: string;
   readonly problem: string;
@@ -66,7 +66,7 @@ function readEntry(entry: unknown): InputEvent | Bad {
   return 'problem' in action ? action : { timeUs: at.us, ...(device !== undefined && { device }), action };
 }
 
-/** Of all boards together; whether the run's board has a pad is checked when the run is made. */
+/** The pads of all boards together; whether the run's board has a pad is checked when the run is made. */
 const touchPads = ['pinLogo', 'pin0', 'pin1', 'pin2', 'pin3'];
 
 /** The longest packet that radio.config allows: micropython-microbit-v2 modradio.c. */
@@ -167,7 +167,7 @@ function readArenaSenses({ arenaSenses }: Fields): InputAction | Bad {
     : wrong('arenaSenses', 'true or false', arenaSenses);
 }
 
-/** Whether it suits the course as it is then is checked when the run is made. */
+/** True if it suits the course as it is then is checked when the run is made. */
 function readEdit({ edit }: Fields): InputAction | Bad {
   const parsed = parseEdit(edit);
   if ('edit' in parsed) return { type: 'edit', edit: parsed.edit };

@@ -14,7 +14,7 @@ const LATEST_US = 1_000_000;
 
 /** A button or pad goes down or up. */
 interface Press {
-  /** Of its sensor and its device. */
+  /** Id of its sensor and its device. */
   readonly id: string;
   readonly down: boolean;
 }
@@ -39,7 +39,7 @@ export class InputQueue {
     return this.waiting.length === 0;
   }
 
-  /** What takes effect at `timeUs` or before, in order of time. */
+  /** The inputs that take effect at `timeUs` or before, in order of time. */
   until(timeUs: number): readonly InputEvent[] {
     const later = this.waiting.findIndex((event) => event.timeUs > timeUs);
     return later < 0 ? this.waiting : this.waiting.slice(0, later);

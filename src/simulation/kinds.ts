@@ -11,7 +11,7 @@ import { ownParts } from '#scene/shape/shape';
 import type { BlockHandle, BodyForm, Chase as WorldChase, MoverHandle, Way } from '#world/shapes';
 import type { World } from '#world/world';
 
-/** What a run has in its world for an object. */
+/** The body of an object in a run's world. */
 export interface Body {
   /** The handle of a block that can be pushed. */
   readonly block?: BlockHandle;
@@ -32,13 +32,13 @@ export interface RunKind<O extends AnyObject = SceneObject> {
    * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
    */
   readonly change: 'lasting' | 'movable' | 'shown';
-  /** Whether whoever touches it has failed. Left out: never. */
+  /** True if whoever touches it has failed. Left out: never. */
   isSpiked?(object: O): boolean;
   /** Puts it into the world. Left out: only the verdict and people see it. */
   build?(object: O, world: World, around: Around): Body;
 }
 
-/** What an object asks of its course during a run. */
+/** The facts about its course that an object needs during a run. */
 export interface Around {
   /** The zone of this id as the course has it now. */
   readonly zone: (id: string) => Zone | undefined;
@@ -63,13 +63,13 @@ export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
   start: { change: 'lasting' },
 };
 
-/** Whether an object of a course changes in a run only with the next start; everything else does at once. */
+/** True if an object of a course changes in a run only with the next start; everything else does at once. */
 export const isLasting = ({ type }: SceneObject): boolean => runKinds[type].change === 'lasting';
 
-/** Whether an object is a block that can be pushed. */
+/** True if an object is a block that can be pushed. */
 export const isMovable = ({ type }: SceneObject): boolean => runKinds[type].change === 'movable';
 
-/** Whether whoever touches an object has failed: spikes, and movers with spikes. */
+/** True if whoever touches an object has failed: spikes, and movers with spikes. */
 export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].isSpiked?.(object) ?? false;
 
 function wallBody({ id, from, to, thickness }: Wall, world: World): Body {
@@ -122,7 +122,7 @@ function strokeBody({ points, width, color }: Stroke, world: World): Body {
   return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: reflectanceOf[color] });
 }
 
-/** What of a block a run cannot change without making it anew. */
+/** The properties of a block that a run cannot change without making it again. */
 const formOf = ({ size, round, corners }: Block) => ({ size, round, corners });
 
 const vec = ([x, y]: Point): Vec => ({ x, y });

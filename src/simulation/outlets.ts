@@ -45,9 +45,9 @@ export interface RunOutlets {
   readonly set?: (set: OutputSet, device: number) => void;
   /** Every step of the world, and the beginning, once the judge has looked: who listens asks the run what it wants to know. */
   readonly step?: () => void;
-  /** What the run shows, every 20 ms of simulated time, after the world has moved. */
+  /** Receives the state of the run every 20 ms of simulated time, after the world has moved. */
   readonly moment?: (snapshot: Snapshot) => void;
-  /** Whether the moment at this time is wanted; one that is not is not even made. Left out: all are. */
+  /** True if the moment at this time is wanted; one that is not is not even made. Left out: all are. */
   readonly isMomentWanted?: (timeUs: number) => boolean;
 }
 

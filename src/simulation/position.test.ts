@@ -11,7 +11,7 @@ const firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 const runOf = (files: Readonly<Record<string, string>>) =>
   soloRun({ scene: defaultScene(), files, robot: 'maqueen-lite', board: 'microbit-v2', seed: 1, reality: 0 });
 
-/** Where a program is, every 20 ms. */
+/** The positions of a program, every 20 ms. */
 async function positions(files: Readonly<Record<string, string>>, untilUs = 1_000_000) {
   const seen: (string | null)[] = [];
   const note = ({ position: at }: Snapshot): number => seen.push(at && `${at.file}:${at.line} (${at.depth})`);

@@ -23,9 +23,9 @@ export interface DeviceSetup {
   readonly firmware?: string;
   /** Chosen options of the robot: id of an option → id of a choice. They win over those of the scene. */
   readonly robotOptions?: OptionValues;
-  /** What was measured of this robot; it takes the place of the faults that the seed would give it. Left out: nothing. */
+  /** The measured traits of this robot, which replace the faults that the seed would give it. Left out: none. */
   readonly traits?: Traits;
-  /** Where its robot starts; left out: where the course says, see `starts.ts`. */
+  /** The start of its robot; left out: the course's, see `starts.ts`. */
   readonly start?: RobotStart;
 }
 

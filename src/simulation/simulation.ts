@@ -158,12 +158,12 @@ export class Simulation {
     return this.judge?.touches ?? 0;
   }
 
-  /** Where the first device's robot is, or `null` if it has none. */
+  /** Pose of the first device's robot, or `null` if it has none. */
   get pose(): Pose | null {
     return this.first.mounted?.chassis.pose() ?? null;
   }
 
-  /** What the first device's display shows: 25 levels 0 … 9, row by row. */
+  /** The first device's display: 25 levels 0 … 9, row by row. */
   get display(): ArrayLike<number> {
     return this.first.board.display.pixels;
   }
@@ -183,7 +183,7 @@ export class Simulation {
     return this.devices[device]?.heapFree() ?? 0;
   }
 
-  /** What a debugger reads of a device's program, see `#vm/debug`; `null`: there is no such device. */
+  /** The state of a device's program for a debugger, see `#vm/debug`; `null`: there is no such device. */
   inspect(device = 0): Inspected | null {
     return this.devices[device]?.inspected ?? null;
   }
@@ -360,7 +360,7 @@ export class Simulation {
     return device === undefined ? 0 : levelAt(this.placeOf(device), speakers);
   }
 
-  /** Where a device is; one without a robot is held at the lower edge of the arena. */
+  /** Place of a device; one without a robot is held at the lower edge of the arena. */
   private placeOf({ mounted }: Device): Vec {
     if (mounted === null) return { x: this.scene.size[0] / 2, y: 0 };
     const { xMm, yMm } = mounted.chassis.pose();

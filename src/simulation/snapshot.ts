@@ -12,7 +12,7 @@ export interface BoardSnapshot {
   /** 25 levels 0 … 9, row by row. */
   readonly display: readonly number[];
   readonly buttons: { readonly a: boolean; readonly b: boolean };
-  /** Whether each touch pad is touched, by its name. */
+  /** True if each touch pad is touched, by its name. */
   readonly touch: Readonly<Record<string, boolean>>;
   /** The colour LEDs on the board itself, 0 … 255 each; none on a micro:bit. */
   readonly rgb: readonly Rgb[];
@@ -46,13 +46,13 @@ export interface DeviceSnapshot extends BoardSnapshot {
   readonly awaitsInput: boolean;
   /** The REPL has greeted: it then receives the input. */
   readonly repl: boolean;
-  /** Where the program is: the line of the pupil's files that runs, or that has called what runs; `null`: none does. */
+  /** Position of the program: the running line of the pupil's files, or the one that called what runs; `null`: none. */
   readonly position: Position | null;
   /** `null` for the bare board. */
   readonly robot: RobotSnapshot | null;
   /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
   readonly lights: readonly LedChain[];
-  /** Whether the board measures the arena: see the action `arena-senses`. */
+  /** True if the board measures the arena: see the action `arena-senses`. */
   readonly arenaSenses: boolean;
 }
 

@@ -15,7 +15,7 @@ beforeAll(async () => {
 
 const ENOUGH_US = 3_000_000;
 
-/** What a run has come to. */
+/** The outcome of a run. */
 const outcomeOf = (simulation: Simulation, devices: number) => ({
   nowUs: simulation.nowUs,
   hash: simulation.traceHash,

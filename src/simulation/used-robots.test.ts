@@ -21,7 +21,7 @@ interface Drive {
   readonly line?: string;
 }
 
-/** Whether the course's own solution passes its task on a used robot. */
+/** True if the course's own solution passes its task on a used robot. */
 async function passes({ folder, seed, forMs, line = '' }: Drive): Promise<boolean> {
   const parsed = parseScene(readFileSync(`courses/${folder}/scene.json`, 'utf8'));
   if (!('scene' in parsed)) throw new Error(parsed.problem);

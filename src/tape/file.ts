@@ -30,7 +30,7 @@ export type ParsedTape =
   | {
       readonly problem: string;
       readonly fault: TapeFault;
-      /** What was to be run, where that can be read all the same. */
+      /** The set-up of the run, if it can be read all the same. */
       readonly setup: RunSetup | null;
     };
 
@@ -145,7 +145,7 @@ function setupIn(text: string): RunSetup | null {
   }
 }
 
-/** What is not any more as it was recorded. */
+/** The differences from what was recorded. */
 function changesOf(
   setup: Fields,
   devices: readonly DeviceSetup[],

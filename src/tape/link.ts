@@ -19,10 +19,10 @@ export const RUN_LINK_CHARACTERS = 8_000;
 const MOST_READ = 500_000;
 const UNPACKED_BYTES = 4_000_000;
 
-/** What a link holds, or why it holds nothing. */
+/** The content of a link, or the reason why it has none. */
 export type ReadRunLink = { readonly text: string; readonly atUs: number } | { readonly fault: 'damaged' | 'newer' };
 
-/** Whether the part of an address behind `#` says that it is a link to a run. */
+/** True if the part of an address behind `#` says that it is a link to a run. */
 export const isRunLink = (fragment: string): boolean => /^#?r=/.test(fragment);
 
 /** The link to a run. @param text the run's file @param atUs the moment from which it is looked at */

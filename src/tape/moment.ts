@@ -6,7 +6,7 @@ import { readVariables, type Variable } from '#vm/debug/variables';
 /** A device at one moment of a run, as data: where its program is, its variables, its robot. */
 export interface Moment {
   readonly timeMs: number;
-  /** Of the innermost of its functions; `null`: the program does not run. */
+  /** File of the innermost of its functions; `null`: the program does not run. */
   readonly file: string | null;
   readonly line: number | null;
   /** Innermost first. */

@@ -23,7 +23,7 @@ const isStart: Check = (value) =>
   isNumber(value.scale) &&
   isTexts(value.options);
 
-/** What each field of a device must be; those in the second table may be missing. */
+/** The checks of a device's fields; those in the second table may be missing. */
 const DEVICE: Readonly<Record<string, Check>> = { name: isText, files: isTexts, robot: isText, board: isText };
 const OF_SOME: Readonly<Record<string, Check>> = {
   firmware: isText,
@@ -32,7 +32,7 @@ const OF_SOME: Readonly<Record<string, Check>> = {
   start: isStart,
 };
 
-/** What each field of an action must be. Whether the board has what it names is checked when the run is made. */
+/** The checks of an action's fields. Whether the board has what it names is checked when the run is made. */
 const ACTIONS: Readonly<Record<string, Readonly<Record<string, Check>>>> = {
   button: { button: (value) => value === 'a' || value === 'b', down: isFlag },
   touch: { pad: isText, down: isFlag },
@@ -47,7 +47,7 @@ const ACTIONS: Readonly<Record<string, Readonly<Record<string, Check>>>> = {
 };
 const isPacket = ({ text, bytes }: Fields): boolean => isText(text) || (Array.isArray(bytes) && bytes.every(isNumber));
 
-/** What is said of a recording: nobody writes one by hand. */
+/** The end of every message on a recording: nobody writes one by hand. */
 const DAMAGED = '; the recording is damaged';
 
 /** @throws TypeError with a sentence that names the place and the value, and ends with `way` */

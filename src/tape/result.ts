@@ -3,7 +3,7 @@ import { hexOf } from '#core/hex';
 import { endedWord, type EndedWord } from '#simulation/report';
 import type { Simulation } from '#simulation/simulation';
 
-/** What a run came to: equal in every repetition. */
+/** The outcome of a run: equal in every repetition. */
 export interface TapeResult {
   readonly simulatedUs: number;
   /** Fingerprint of the robots' trajectories. */
@@ -11,7 +11,7 @@ export interface TapeResult {
   readonly devices: readonly DeviceResult[];
 }
 
-/** What a device came to. */
+/** The outcome of a device. */
 export interface DeviceResult {
   readonly name: string;
   /** `null`: its program goes on. */

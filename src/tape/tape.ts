@@ -4,7 +4,7 @@ import type { TapeResult } from './result';
 /** The name of the format in the file. */
 export const TAPE_FORMAT = 'parcours-tape';
 
-/** Whether a file says that it is a recorded run, also one that was cut off: no text within JSON has such quotes. */
+/** True if a file says that it is a recorded run, also one that was cut off: no text within JSON has such quotes. */
 export const isTapeFile = (text: string): boolean => /"format":\s*"parcours-tape"/.test(text);
 
 /** A run that can be run again: what it depends on, and what it came to. */

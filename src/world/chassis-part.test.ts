@@ -15,7 +15,7 @@ const half = (fromY: number, toY: number): Vec[] => [
 interface BumperRig extends ToolRig {
   readonly left: ChassisPart;
   readonly right: ChassisPart;
-  /** Whether left and right are pressed. */
+  /** True if left and right are pressed. */
   readonly pressed: () => boolean[];
 }
 

@@ -67,7 +67,7 @@ export interface Chassis {
    * the arena's edge, other robots and things without an id.
    */
   touching(): readonly (string | null)[];
-  /** Whether another robot touches it now, counted as in `collisions`. */
+  /** True if another robot touches it now, counted as in `collisions`. */
   isTouching(other: Chassis): boolean;
   /** From the robot frame to the world, mm. */
   toWorld(point: Vec): Vec;
@@ -124,7 +124,7 @@ export interface Gripper {
   setSwing(swingRad: number): void;
   /** The present swing of the jaws. */
   swingRad(): number;
-  /** Whether a block is held and so moves with the robot until the jaws open. */
+  /** True if a block is held and so moves with the robot until the jaws open. */
   isHolding(): boolean;
   readonly remove: Stop;
 }
@@ -145,7 +145,7 @@ export interface Fork {
   /** Height of the plate above the floor, 0 = down. It takes effect at once. */
   setHeightMm(heightMm: number): void;
   heightMm(): number;
-  /** Whether it carries a block clear of the floor. */
+  /** True if it carries a block clear of the floor. */
   isHolding(): boolean;
   readonly remove: Stop;
 }

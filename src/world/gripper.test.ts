@@ -10,7 +10,7 @@ import type { ToolRig } from './testing/tools';
 /** How far the test robot's front is ahead of its axle, in mm. */
 const FRONT_MM = 59;
 
-/** Where the robot stands at the start. */
+/** The robot's place at the start. */
 const HERE: Pose = { xMm: 2000, yMm: 2000, headingRad: 0 };
 
 interface ClawRig extends ToolRig {
@@ -33,7 +33,7 @@ function gripped(sideMm = 50): ClawRig & { readonly held: BlockHandle } {
   return { ...rig, held };
 }
 
-/** Where a block is in the robot's frame. */
+/** A block's pose in the robot's frame. */
 function inRobotFrame(robot: Pose, block: Pose): Pose {
   const x = block.xMm - robot.xMm;
   const y = block.yMm - robot.yMm;

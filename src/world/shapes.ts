@@ -20,7 +20,7 @@ export interface WallShape extends Named {
   readonly thicknessMm: number;
 }
 
-/** What a block or a mover is from above: a rectangle, an ellipse, or convex parts. */
+/** The shape of a block or a mover from above: a rectangle, an ellipse, or convex parts. */
 export interface BodyForm {
   /** Length along its own x and y. */
   readonly sizeMm: Vec;
@@ -79,9 +79,9 @@ export interface Chase {
   readonly homeMm: Vec;
   /** Robots farther away than this do not matter, from the middle of the box to the middle of the axle; may be `Infinity`. */
   readonly reachMm: number;
-  /** Whether it goes home while there is no robot for it; otherwise it stays where it is. */
+  /** True if it goes home while there is no robot for it; otherwise it stays where it is. */
   readonly returns: boolean;
-  /** Whether it runs after a robot that covers these convex outlines with what it holds (world mm); `null`: after every one. */
+  /** True if it runs after a robot that covers these convex outlines with what it holds (world mm); `null`: after every one. */
   readonly wants: ((bodyMm: readonly (readonly Vec[])[]) => boolean) | null;
 }
 

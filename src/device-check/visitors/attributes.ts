@@ -99,7 +99,7 @@ function makesImported(value: SyntaxNode, context: Context): boolean {
   return bound.some(({ kind }) => kind === 'import') && /(^|\.)[A-Z]\w*$/.test(textOf(context.file, called));
 }
 
-/** Whether a name is not the pupil's own: it comes from an import. */
+/** True if a name is not the pupil's own: it comes from an import. */
 function isFromOutside(name: string, context: Context): boolean {
   const bound = context.names.bindings.get(name);
   if (bound !== undefined) return bound.every(({ kind }) => kind === 'import');

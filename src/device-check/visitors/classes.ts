@@ -67,7 +67,7 @@ function isFunction(name: string, top: SyntaxNode, text: string): boolean {
   return functions > 0 && others === 0;
 }
 
-/** Whether a name is the index of the `__getitem__` that it stands in. */
+/** True if a name is the index of the `__getitem__` that it stands in. */
 function isIndexOf(node: SyntaxNode, text: string): boolean {
   for (const parent of parentsOf(node)) {
     if (parent.name !== 'FunctionDefinition') continue;

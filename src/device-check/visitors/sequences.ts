@@ -4,7 +4,7 @@ import { childrenOf, textOf, type SyntaxNode } from '#python/tree';
 import type { Context, Visitor, Visitors } from '../context';
 import type { Kind } from '../kinds';
 
-/** What the device cannot go through, refuses to change in place, or looks into with fewer arguments. */
+/** Sequences that the device cannot iterate, refuses to change in place, or searches with fewer arguments. */
 export const sequenceVisitors: Visitors = {
   ForStatement(node, context) {
     for (const sign of node.getChildren('in')) goThrough(sign.nextSibling, context);
@@ -90,7 +90,7 @@ const startsEnds =
     }
   };
 
-/** What a bytearray has of bytes and texts in a newer MicroPython alone. */
+/** Methods of bytes and str that bytearray has only in a newer MicroPython. */
 const ofArray: Visitor = (node, context) => {
   const attribute = node.firstChild === null ? null : attributeOf(node.firstChild);
   if (attribute === null || context.kindOf(attribute.owner) !== 'array') return;

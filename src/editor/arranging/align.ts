@@ -7,7 +7,10 @@ import { combined } from '../edits';
 import { boundsOfSelection, freeObjects, only, takenBy } from '../selection';
 import type { Selection } from '../tools/tool';
 
-/** What is brought onto one line: left edges, middles from left to right, …; `level` and `upright` are the middles. */
+/**
+ * The line that things are aligned on: left edges, middles from left to right, …; `level` and `upright` are the
+ * middles.
+ */
 export type Alignment = 'left' | 'upright' | 'right' | 'top' | 'level' | 'bottom';
 
 /** Something that moves as a whole: a thing, a group that is selected altogether, the robot. */

@@ -53,6 +53,6 @@ function withoutGroup(object: SceneObject): SceneObject {
   return group === undefined ? object : rest;
 }
 
-/** Whether two states of an object differ in nothing but its lock and its group. */
+/** True if two states of an object differ in nothing but its lock and its group. */
 export const isHeldAlike = (one: SceneObject, other: SceneObject): boolean =>
   isSame(withoutGroup(withoutLock(one)), withoutGroup(withoutLock(other)));

@@ -6,7 +6,7 @@ import { kindOf } from '../kinds/index';
 import { freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 
-/** Where something goes in the order of painting: over or under the next thing that it touches, or over or under all. */
+/** A move in the painting order: over or under the next thing that it touches, or over or under all. */
 export type Order = 'front' | 'forward' | 'backward' | 'back';
 
 /**

@@ -179,7 +179,7 @@ function scaledBox<O extends BoxObject>(box: O, about: Vec, factor: Vec): O | nu
 
 const ORIGIN: Vec = { x: 0, y: 0 };
 
-/** Whether a polygon still encloses as much as a course wants of it; other shapes always do. */
+/** True if a polygon still encloses as much as a course wants of it; other shapes always do. */
 export function isLargeEnough({ corners, size }: Pick<Shaped, 'corners' | 'size'>): boolean {
   if (!corners) return true;
   const { minX, minY, maxX, maxY } = boundsOfOutline(corners.map(toVec));

@@ -54,7 +54,7 @@ export function distanceTo(object: SceneObject, place: Vec, reachMm: number): nu
 const holds = ({ minX, minY, maxX, maxY }: Bounds, { x, y }: Vec): boolean =>
   x >= minX && x <= maxX && y >= minY && y <= maxY;
 
-/** Whether an object has a place in common with a convex outline (also a straight piece of two places); the edge counts. */
+/** True if an object has a place in common with a convex outline (also a straight piece of two places); the edge counts. */
 export const meets = (object: SceneObject, outline: Outline, around: Bounds = boundsOfOutline(outline)): boolean =>
   boundsMeet(boundsOf(object), around) && kindOf(object).meets(object, outline, around);
 

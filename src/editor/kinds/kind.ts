@@ -22,7 +22,7 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   extentMm(object: O): number;
   /** Distance of a place from it; 0 on it. */
   distanceMm(object: O, place: Vec): number;
-  /** Whether it has a place in common with a convex outline; the edge counts. `around`: the rectangle around the outline. */
+  /** True if it has a place in common with a convex outline; the edge counts. `around`: the rectangle around the outline. */
   meets(object: O, outline: Outline, around: Bounds): boolean;
   /** Moved by whole mm; the caller sees to it that it stays within what a course may hold. */
   moved(object: O, dx: number, dy: number): O;
@@ -53,7 +53,7 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   dragged?(object: O, drag: Drag, arena: Point): O;
 }
 
-/** What a thing is mirrored along: `x` swaps left and right, `y` up and down. */
+/** The axis of a mirror image: `x` swaps left and right, `y` up and down. */
 export type Axis = 'x' | 'y';
 
 /** A place mirrored at a line. */

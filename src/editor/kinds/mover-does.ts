@@ -46,5 +46,5 @@ function zoneFor({ at }: Mover, scene: Scene): string {
   return nearest?.id ?? freeIds(scene)('target');
 }
 
-/** Whether it goes from stop to stop. */
+/** True if it goes from stop to stop. */
 export const travels = (mover: Mover): boolean => ['to-and-fro', 'round'].includes(wayOf(mover));

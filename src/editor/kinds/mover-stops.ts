@@ -53,7 +53,7 @@ export function stopDragged(mover: Mover, { kind, index = 0 }: Handle, place: Ve
   return withStops(mover, [...others.slice(0, index), { at, wait }, ...others.slice(index)]);
 }
 
-/** What all stops wait; where they differ nothing. */
+/** The common waiting time of all stops; 0 if they differ. */
 const commonWait = (stops: readonly MoverStop[]): number =>
   stops.every(({ wait }) => wait === stops[0]?.wait) ? (stops[0]?.wait ?? 0) : 0;
 

@@ -95,7 +95,7 @@ function moved(mover: Mover, dx: number, dy: number): Mover {
   return withPlaces(mover, (at) => shifted(at, dx, dy));
 }
 
-/** What can be said of a way, and of a chase. */
+/** The fields of a path, and of a chase. */
 function wayFields(mover: Mover): readonly Field<Mover>[] {
   const { chases, phase: _phase, ...rest } = mover;
   if (chases)
@@ -121,7 +121,7 @@ function withReach(mover: Mover, mm: number): Mover {
   return { ...mover, chases: mm < sceneLimits.reachMm.min ? chases : { ...chases, reach: mm } };
 }
 
-/** What stays on its place turns, or it would do nothing. */
+/** Gives a mover that stays in place a spin, without which it would do nothing. */
 function withSpin(mover: Mover, spin: number): Mover {
   const { spin: _spin, ...rest } = mover;
   return spin === 0 ? rest : { ...rest, spin };

@@ -11,7 +11,7 @@ import { intoArena } from '../snap';
 /** The figure of a polygon before its corners are moved: a triangle. */
 const TRIANGLE: readonly Point[] = [[0, 0], [2, 0], [1, 2]]; // prettier-ignore
 
-/** What a new body or zone has to say of its shape. */
+/** The properties that give a new body or zone its shape. */
 export const cornersOf = (shape: ShapeName): Pick<Shaped, 'corners'> =>
   shape === 'polygon' ? { corners: TRIANGLE } : {};
 

@@ -134,10 +134,10 @@ function distanceTo({ points, width }: Stroke, place: Vec): number {
   return Math.max(0, Math.sqrt(squared) - width / 2);
 }
 
-/** Whether a part of a stroke may lie in a rectangle: the rectangle around one of its pieces does. */
+/** True if a part of a stroke may lie in a rectangle: the rectangle around one of its pieces does. */
 export const comesNear = (stroke: Stroke, around: Bounds): boolean => somePiece(stroke, around, () => true);
 
-/** Whether something holds for one of those pieces of a stroke that come near a rectangle. Most are ruled out quickly. */
+/** True if something holds for one of those pieces of a stroke that come near a rectangle. Most are ruled out quickly. */
 function somePiece(
   { points, width }: Stroke,
   { minX, minY, maxX, maxY }: Bounds,

@@ -53,7 +53,7 @@ export const checkpoint = zoneKind('checkpoint', [150, 150]);
 /** A place that must not be entered. */
 export const forbidden = zoneKind('forbidden', [200, 200]);
 
-/** What a zone says of its shape: always whether it is round. */
+/** The properties of a zone's shape, always with `round`. */
 const zoneShapeOf = (shape: ShapeName): Pick<Zone, 'round' | 'corners'> => ({
   round: shape === 'round',
   ...cornersOf(shape),

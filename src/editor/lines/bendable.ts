@@ -10,16 +10,16 @@ import { bentLine, pointsOfBent, type BentLine } from './control-points';
 /** A body or a zone with corners. */
 type Polygon = (Block | Spikes | Zone) & { readonly corners: readonly Point[] };
 
-/** What is bent at its points: a line, or a polygon at its corners. */
+/** Things that are bent at their points: a line, or a polygon at its corners. */
 export type Bendable = Stroke | Polygon;
 
-/** What can be bent of what is selected: the only thing selected, if it has points and is not locked. */
+/** The selected thing that can be bent: the only one selected, if it has points and is not locked. */
 export function bendableOf(scene: Scene, { ids: [id, ...more], robot }: Selection): Bendable | null {
   const object = more.length > 0 || robot ? undefined : scene.objects.find((one) => one.id === id);
   return object && !object.lock && isBendable(object) ? object : null;
 }
 
-/** Whether a thing has points that can be taken hold of. */
+/** True if a thing has points that can be taken hold of. */
 export const isBendable = (object: SceneObject): object is Bendable =>
   object.type === 'stroke' ? object.points.length > 1 : 'corners' in object;
 
@@ -30,7 +30,7 @@ export function lineAlong(object: Bendable): BentLine {
   return { places, isClosed: true, controls: places.map((_, index) => index) };
 }
 
-/** Whether a thing may have one point more. */
+/** True if a thing may have one point more. */
 export const mayHaveMore = (object: Bendable): boolean =>
   object.type === 'stroke' || object.corners.length < sceneLimits.corners.max;
 

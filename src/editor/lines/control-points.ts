@@ -9,7 +9,7 @@ import { distanceMm, minus, plus, toPoint, toVec } from '../plane';
  * go along.
  */
 export interface BentLine {
-  /** Of a closed line without the repeated first one. */
+  /** The points; of a closed line without the repeated first one. */
   readonly places: readonly Vec[];
   readonly isClosed: boolean;
   /** Which of the places are taken hold of, in their order. */
@@ -19,7 +19,7 @@ export interface BentLine {
 /** How far the shape between two controls may be from straight, in mm, before there is one more. Chosen: looks good. */
 const SHAPE_MM = 4;
 
-/** So many points at most are taken hold of. Chosen: more cannot be told apart on a tablet. */
+/** Maximum number of draggable points. Chosen: more cannot be told apart on a tablet. */
 const MOST = 40;
 
 /** The line of a stroke with what can be taken hold of. */
@@ -39,7 +39,7 @@ function controlsOf(path: readonly Vec[]): readonly number[] {
   }
 }
 
-/** Where the controls of a line are. */
+/** The places of a line's controls. */
 export const controlPlaces = ({ places, controls }: BentLine): readonly Vec[] =>
   controls.flatMap((index) => places[index] ?? []);
 
@@ -136,7 +136,7 @@ export function withControlAt(given: BentLine, at: number, to: Vec): BentLine {
   };
 }
 
-/** Whether a line is drawn from corner to corner around a control: there is nothing between it and its neighbours. */
+/** True if a line is drawn from corner to corner around a control: there is nothing between it and its neighbours. */
 function isAngular(line: BentLine, at: number): boolean {
   const [before] = neighbours(line, at);
   return (before === null || partAfter(line, before).length < 2) && partAfter(line, at).length < 2;

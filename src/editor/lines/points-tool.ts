@@ -63,7 +63,7 @@ export function pointRemoved(context: ToolContext, place: Vec, reachMm: number):
 
 const bentBy = ({ scene, selection }: ToolContext): Bendable | null => bendableOf(scene, selection);
 
-/** What a drag has taken hold of: a control, or the middle of the part after one. */
+/** The handle that a drag moves: a control, or the middle of the part after one. */
 interface Hold {
   readonly control: number;
   readonly isNew: boolean;
@@ -113,7 +113,7 @@ function dragged(drag: Drag, context: ToolContext): Bent | null {
   return result(withControlAt(line, control, onGrid(place, drag.reachMm)));
 }
 
-/** Whether a control was dragged onto one beside it; those that lay close from the beginning must come closer. */
+/** True if a control was dragged onto one beside it; those that lay close from the beginning must come closer. */
 function isOnNeighbour(line: BentLine, control: number, place: Vec, reachMm: number): boolean {
   const places = controlPlaces(line);
   const own = places[control];

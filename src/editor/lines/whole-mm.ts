@@ -9,7 +9,7 @@ import { toPoint, toVec } from '../plane';
  */
 const APART_MM = 0.2;
 
-/** Where no whole millimetre is near enough, pieces are tried up to this many times the distance. */
+/** Factor up to which the distance is extended where no whole millimetre is near enough. */
 const TRIES = 3;
 
 /**

@@ -20,7 +20,7 @@ import { solidsBut, wayInside, wayToRoom } from './free-place';
 import { movedBy } from '../kinds/index';
 import { withWay } from '../kinds/mover-does';
 
-/** What a tap does about a problem of a course. */
+/** The effect of the quick fix for a problem of a course. */
 export type MendKind =
   | 'robot-aside'
   | 'block-aside'
@@ -53,7 +53,7 @@ export function mendOf(scene: Scene, problem: RuleProblem, footprint: readonly O
   return mend && isAllowed(scene, mend.edit) ? mend : null;
 }
 
-/** Whether an edit leaves all that is locked as it is. */
+/** True if an edit leaves all that is locked as it is. */
 function isAllowed({ objects }: Scene, edit: SceneEdit): boolean {
   const locked = new Set(objects.flatMap(({ id, lock }) => (lock ? [id] : [])));
   const changed = singleEdits(edit).flatMap((one) => {
@@ -118,7 +118,7 @@ export function mendAll(
   return combined(edits);
 }
 
-/** What the robot must not stand on or in: solid things, and zones that it may not enter. */
+/** The outlines that the robot must not stand on or in: solid things, and zones that it may not enter. */
 const closedToRobot = (scene: Scene): readonly Outline[] => [
   ...solidsBut(scene, []),
   ...scene.objects.filter(({ type }) => type === 'forbidden').map((zone) => cornersOf(boundsOf(zone))),

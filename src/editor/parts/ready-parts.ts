@@ -1,7 +1,7 @@
 import { clipOf } from '../clip-text';
 import type { Clip } from '../clipboard';
 
-/** What the shelf has, by what it is for; each name is that of a file in `ready`. */
+/** The parts on the shelf, by purpose; each name is that of a file in `ready`. */
 export const readyGroups = {
   lines: ['straight', 'long', 'curve', 'lane-change', 'corner', 'zigzag', 'gap', 'crossing', 'junction'],
   walls: ['cell', 'corridor', 'garage', 'gate', 'slalom'],

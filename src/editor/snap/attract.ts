@@ -12,7 +12,7 @@ import { equalSteps } from './row';
 /** Things attract from this far, in mm: half as far as the grid, so that its lines can be met beside them, too. */
 const thingsReachMm = (reachMm: number): number => Math.min(reachMm, ATTRACTS_MM) / 2;
 
-/** What is moved, as it was before. */
+/** The moved things, as they were before. */
 export interface Moving {
   readonly frame: Frame;
   /** The ends of the lines among few things, as of a part of a track; they go onto ends of other lines. */
@@ -21,10 +21,10 @@ export interface Moving {
   readonly anchor: Vec | null;
 }
 
-/** So many things at most are one part of a track. Chosen: a crossing with a field and some walls. */
+/** Maximum number of things in one part of a track. Chosen: a crossing with a field and some walls. */
 const FEW = 12;
 
-/** What moves when a thing is dragged with all that is selected; `null`: nothing does. */
+/** The things that move when one of the selection is dragged; `null`: none. */
 export function movingOf(held: Thing, selection: Selection, { scene, footprint }: ToolContext): Moving | null {
   const objects = freeObjects(scene, selection);
   const robot = selection.robot ? frameOfRobot(scene, footprint) : null;

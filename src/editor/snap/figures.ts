@@ -13,7 +13,7 @@ export interface Figures {
   readonly reading: Reading | null;
   /** Guide lines and distances. */
   readonly marks: readonly Mark[];
-  /** Where the things would be. */
+  /** The frame of the things at their new place. */
   readonly frame: Frame | null;
 }
 
@@ -50,7 +50,7 @@ function turnReading({ tool, drag }: UsedTool, context: ToolContext): Reading | 
 const editReading = (edit: SceneEdit | null, { scene }: ToolContext, used: UsedTool | null): Reading | null =>
   edit && readingOf(scene, edit, used && startOf(used.drag));
 
-/** What a drag of a tool tells; `null`: nothing. */
+/** The live measurement of a drag with a tool; `null`: none. */
 export const readingBy = (tool: Tool, drag: Drag, context: ToolContext): Reading | null =>
   turnReading({ tool, drag }, context) ?? editReading(tool.edit(drag, context), context, { tool, drag });
 
@@ -65,7 +65,7 @@ export function inkReading(path: readonly Vec[]): Reading {
   return { type: 'length', mm, deg: null, from: path[0] ?? { x: 0, y: 0 } };
 }
 
-/** Where an edit puts things, and which of them were there before. */
+/** The frame of the things that an edit moves or adds, and which of them existed before. */
 function changedBy(edit: SceneEdit, { scene, footprint }: ToolContext): { frame: Frame | null; changed: Selection } {
   const frames: Frame[] = [];
   const ids: string[] = [];

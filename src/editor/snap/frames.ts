@@ -24,7 +24,7 @@ export interface Span {
   readonly max: number;
 }
 
-/** What of a thing snaps, and is snapped to: its edges and its middle. World mm. */
+/** The edges and the middle of a thing, which snap and are snapped to. World mm. */
 export type Frame = Readonly<Record<Axis, Span>>;
 
 const spanOf = (min: number, max: number, mid = (min + max) / 2): Span => ({ min, mid, max });

@@ -4,7 +4,7 @@ import { axes, type Axis, type Frame, type Span } from './frames';
 import { luresNear, type Lures } from './lures';
 import { gapBetween, rowOf, widthOf, type Gap } from './row';
 
-/** So far apart may be what is in line: things go in whole mm. */
+/** Tolerance of an alignment in mm: things are placed on whole mm. */
 const SAME_MM = 0.6;
 
 /** Narrower gaps are not told: the things touch. */

@@ -11,7 +11,7 @@ export interface Lure {
   readonly of: Frame;
 }
 
-/** What attracts along one axis, each list in ascending order. */
+/** The attractors along one axis, each list in ascending order. */
 export interface AxisLures {
   readonly edges: readonly Lure[];
   readonly middles: readonly Lure[];
@@ -36,7 +36,7 @@ interface Known {
 /** Those of the last gesture in a course. */
 const known = new WeakMap<Scene, Known>();
 
-/** What attracts something in a course: all things but those that are moved themselves, and the arena. */
+/** The attractors in a course: all things except the moved ones, and the arena. */
 export function luresOf(scene: Scene, selection: Selection, footprint: readonly Outline[]): Lures {
   const moved = freeObjects(scene, selection);
   const { robot } = selection;

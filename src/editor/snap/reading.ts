@@ -8,7 +8,7 @@ import { stepOfCopy } from '../moves';
 import { directionDeg, distanceMm, minus, toVec } from '../plane';
 import { endsOf } from './frames';
 
-/** What is told of a gesture while it is under way, mm and degrees. */
+/** Live measurement of a gesture, in mm and degrees. */
 export type Reading =
   /** A line, from the end that stays; or one that is drawn freely, which has no direction. */
   | { readonly type: 'length'; readonly mm: number; readonly deg: number | null; readonly from: Vec }
@@ -19,7 +19,7 @@ export type Reading =
   | { readonly type: 'turned'; readonly byDeg: number; readonly about: Vec }
   /** A direction that is drawn. */
   | { readonly type: 'heading'; readonly deg: number; readonly from: Vec }
-  /** Where something is put that has no size of its own. */
+  /** The place of something without a size of its own. */
   | { readonly type: 'place'; readonly at: Vec };
 
 /**
@@ -89,7 +89,7 @@ function changeReading(was: SceneObject, now: SceneObject): Reading | null {
   return sizeOf([maxX - minX, maxY - minY]);
 }
 
-/** Whether all that is seen of a thing has gone the same way. */
+/** True if all that is seen of a thing has gone the same way. */
 function isMoved(was: SceneObject, now: SceneObject, by: Vec): boolean {
   const [one, two] = [boundsOf(was), boundsOf(now)];
   return (

@@ -4,11 +4,11 @@ import { lengthOf, type Axis, type Frame } from './frames';
 export interface Gap {
   readonly fromMm: number;
   readonly toMm: number;
-  /** Where to draw it: the middle of what both things have in common across the axis. */
+  /** Position of the mark: the middle of the extent that both things share across the axis. */
   readonly acrossMm: number;
 }
 
-/** What stands beside a thing along an axis: the nearest thing on each side, and the one behind it. */
+/** The neighbours of a thing along an axis: the nearest on each side, and the one behind it. */
 export interface Row {
   readonly before: readonly Frame[];
   readonly after: readonly Frame[];

@@ -69,7 +69,7 @@ function leaning(tool: Tool, drag: Drag, context: ToolContext): Drag {
   return { ...drag, path: [start, plus(start, { x: LEANS_MM, y })] };
 }
 
-/** Where the drag begins without snapping: what is drawn begins where it has snapped to. */
+/** The start of the drag without snapping: drawing begins where it has snapped to. */
 function anchorOf(tool: Tool, drag: Drag, context: ToolContext, reading: Reading): Vec {
   const start = startOf(drag);
   if (tool.edit(drag, context)?.type !== 'add') return reading.type === 'heading' ? reading.from : start;
@@ -77,7 +77,7 @@ function anchorOf(tool: Tool, drag: Drag, context: ToolContext, reading: Reading
   return reading.type === 'size' ? (reading.from ?? start) : start;
 }
 
-/** Where a drag ends now, and what another end would tell. */
+/** The end of a drag and the measurement there, and those of another end. */
 interface Ending {
   readonly end: Vec;
   readonly readingAt: (end: Vec) => Reading | null;
@@ -122,7 +122,7 @@ function lengthened(by: Vec, mm: number): Vec {
 
 type Size = Extract<Reading, { type: 'size' }>;
 
-/** So far the end is moved to see what that does to width and height, in mm. */
+/** Distance by which the end is moved to find its effect on width and height, in mm. */
 const TRIAL_MM = 50;
 
 /** How the end has to go on for a width and a height; a handle that changes but one of them takes the first number. */

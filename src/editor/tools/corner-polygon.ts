@@ -10,7 +10,7 @@ import { toVec } from '../plane';
 import type { Attractors } from '../snap';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
-/** What a polygon tool puts down. */
+/** The polygon that a polygon tool places. */
 export interface Wish {
   readonly type: SceneObject['type'];
   readonly shape: ShapeName;
@@ -21,7 +21,7 @@ const nothingElse: Attractors = { ends: [], walls: [] };
 
 const chain = (drag: Drag, context: ToolContext): Chain => chainOf(drag, context, nothingElse);
 
-/** Whether a gesture sets the corners of a polygon one by one: it began with a tap. A drag draws the outline in one go. */
+/** True if a gesture sets the corners of a polygon one by one: it began with a tap. A drag draws the outline in one go. */
 export const setsCorners = ({ type, shape }: Wish, drag: Drag): boolean =>
   shape === 'polygon' && type !== 'mover' && (drag.corners !== undefined || isTap(drag));
 

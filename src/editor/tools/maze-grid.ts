@@ -104,7 +104,7 @@ export function wallsOn(scene: Scene, { along, line }: GridEdge, cellMm: number)
 /** The share of an edge that counts as taken by a wall. Chosen: more than a gap that a robot could go through. */
 const TAKEN = 0.6;
 
-/** Whether walls cover most of an edge. */
+/** True if walls cover most of an edge. */
 export function isTaken({ from, to }: Span, walls: readonly Span[]): boolean {
   const covered = walls.reduce((sum, wall) => sum + Math.max(0, Math.min(to, wall.to) - Math.max(from, wall.from)), 0);
   return covered >= TAKEN * (to - from);

@@ -56,7 +56,7 @@ export function alongPath<State>(fold: Fold<State>): (drag: Drag, context: ToolC
   };
 }
 
-/** Whether the beginning of a drag is known. Places are compared by identity: they never change. */
+/** True if the beginning of a drag is known. Places are compared by identity: they never change. */
 function continues<State>(known: Kept<State>, drag: Drag, context: ToolContext): boolean {
   return (
     drag.path[0] === known.first &&

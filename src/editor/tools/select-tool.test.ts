@@ -8,7 +8,7 @@ import { nothingSelected, type Drag, type Selection } from './tool';
 const selectionOf = (ids: readonly string[], robot = false): Selection => ({ ids, robot });
 const adding = (one: Drag): Drag => ({ ...one, adds: true });
 
-/** What is selected after a drag. */
+/** The selection after a drag. */
 function chosen(scene: Scene, one: Drag, before: Selection = nothingSelected): Selection {
   const context = contextOf(scene, {}, before);
   const edit = selectTool.edit(one, context);

@@ -80,7 +80,7 @@ function opened(drag: Drag, { scene, selection, footprint }: ToolContext): Opene
   return object && isBendable(object) ? { part: 'points', id: object.id } : null;
 }
 
-/** What a drag from the floor catches. */
+/** The selection that a drag from the floor makes. */
 function caught(drag: Drag, { scene, options, footprint }: ToolContext): Selection {
   return options.catches === 'lasso'
     ? thingsInLasso(scene, drag.path, footprint)
@@ -99,7 +99,7 @@ type Grip =
 
 const grips = new WeakMap<Vec, { readonly context: ToolContext; readonly drag: Drag; readonly grip: Grip }>();
 
-/** What a drag has grabbed, kept for as long as its starting place: it is needed on every move. */
+/** The thing that a drag has grabbed, cached per starting place: it is needed on every move. */
 function gripOf(drag: Drag, context: ToolContext): Grip {
   const start = startOf(drag);
   const known = grips.get(start);
@@ -155,7 +155,7 @@ function tapped(drag: Drag, context: ToolContext, isOnHandle: boolean): Selectio
   return units[(now + 1) % units.length] ?? topmost;
 }
 
-/** Whether nothing more and nothing less is selected. */
+/** True if nothing more and nothing less is selected. */
 const isJust = (selection: Selection, { ids, robot }: Selection): boolean =>
   selection.robot === robot && selection.ids.length === ids.length && ids.every((id) => selection.ids.includes(id));
 

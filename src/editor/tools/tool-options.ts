@@ -55,7 +55,7 @@ export const penWidths: readonly number[] = [15, 20, 30];
 /** Widths of the eraser that have a button of their own, in mm. */
 export const eraserWidths: readonly number[] = [15, 30, 60];
 
-/** What the tool for blocks puts, in the order in which it offers them. */
+/** The kinds that the tool for blocks places, in the order in which it offers them. */
 export const blockKinds = ['block', 'fixed-block', 'spikes', 'mover'] as const satisfies readonly SceneObject['type'][];
 
 /** Sizes of blocks that have a button of their own, in mm. */

@@ -64,7 +64,7 @@ export interface ToolOptions {
   /** Movers are no polygons: they are rectangles then. */
   readonly blockShape: ShapeName;
   readonly blockSize: Point;
-  /** What a new mover does. */
+  /** The movement of a new mover. */
   readonly moverWay: MoverWay;
   readonly moverSpeed: number;
   /** Seconds that it waits at each of its stops. */
@@ -85,7 +85,7 @@ export interface ToolOptions {
   readonly labelHeight: number;
   /** Each tap adds a thing to the selection or takes it away: for fingers, which have no Shift key. */
   readonly several: boolean;
-  /** What catches things when a drag begins on the floor. */
+  /** The shape that catches things when a drag begins on the floor. */
   readonly catches: 'frame' | 'lasso';
 }
 
@@ -127,11 +127,14 @@ export interface Handle {
   readonly kind: 'rotate' | 'from' | 'to' | 'size' | 'point' | 'add';
   /** World mm. */
   readonly at: Vec;
-  /** Where a `size` handle is in the thing's own frame: −1, 0 or 1 along its x and its y. Both 0 for all other handles. */
+  /**
+   * Place of a `size` handle in the thing's own frame: −1, 0 or 1 along its x and its y. Both 0 for all other
+   * handles.
+   */
   readonly side?: Point;
   /** The object, or `null` for the robot. */
   readonly id: string | null;
-  /** Of a `point` its place among the points of its object; of an `add` the place that the new point will have. */
+  /** Of a `point` its index among the points of its object; of an `add` the index that the new point will have. */
   readonly index?: number;
 }
 
@@ -167,17 +170,20 @@ export interface Tool {
   goesOn?(drag: Drag, context: ToolContext): boolean;
   /** Additional marks; `drag` is a single place while the pointer only hovers. */
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
-  /** What to show while the tool is chosen and nothing points: fingers never hover. */
+  /** Marks shown while the tool is chosen and nothing points: fingers never hover. */
   marksAtRest?(context: ToolContext): readonly Mark[];
   /** How the drag turns things; `null` or left out: it does not turn them. */
   turns?(drag: Drag, context: ToolContext): Turn | null;
   /** The selection after the drag; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
-  /** What a double tap or click opens there; left out, or `null`: it is a second tap like any other. */
+  /** The thing that a double tap or click opens there; left out, or `null`: it is a second tap like any other. */
   opens?(drag: Drag, context: ToolContext): Opened | null;
 }
 
-/** What can be opened to change what is inside: a thing in a group, the words of a label, the points of a line or polygon. */
+/**
+ * A thing that can be opened to change its inside: a thing in a group, the words of a label, the points of a line or
+ * polygon.
+ */
 export interface Opened {
   readonly part: 'thing' | 'words' | 'points';
   readonly id: string;

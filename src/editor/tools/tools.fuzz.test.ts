@@ -100,7 +100,7 @@ function changedTogether(rng: Rng, scene: Scene, selection: Selection): SceneEdi
   return withCommonField(scene, selection, field.name, field.kind === 'switch' ? inPercent(rng, 50) : value);
 }
 
-/** What is locked stays as it is but for its lock, and for its place in the order. */
+/** Checks that locked things are unchanged apart from their lock and their place in the order. */
 function assertLocksHold(before: Scene, { objects }: Scene): void {
   const now = new Map(objects.map((object) => [object.id, object]));
   for (const object of before.objects) {

@@ -12,7 +12,7 @@ export interface Channel {
   close(): void;
 }
 
-/** What a channel does with messages of the page. */
+/** Handles a message of the page. */
 export type Hear = (data: unknown) => void;
 
 /** Opens the channel to a page; messages from elsewhere are ignored. */
@@ -34,7 +34,7 @@ function windowOf(target: HTMLIFrameElement | Window, origin: string | undefined
   return { window: () => target.contentWindow, origin: () => origin ?? originOf(target) };
 }
 
-/** Whether it is a frame that shows the page. Checked by its name, because it may belong to another document. */
+/** True if it is a frame that shows the page. Checked by its name, because it may belong to another document. */
 export const isFrame = (target: Target): target is HTMLIFrameElement =>
   Object.prototype.toString.call(target) === '[object HTMLIFrameElement]';
 

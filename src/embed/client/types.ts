@@ -58,9 +58,12 @@ export interface Parcours {
   /** 20 ms of simulated time. */
   step(): Promise<void>;
 
-  /** Where the program is, and its variables: at the moment that is looked at, else now. */
+  /** Gets the place of the program and its variables: at the moment that is looked at, else now. */
   getPosition(device?: string): Promise<Position>;
-  /** Where the program stops, instead of all lines before; `[]`: nowhere. Another project or course clears them. */
+  /**
+   * Sets the lines at which the program stops, replacing all earlier ones; `[]`: none. Another project or course
+   * clears them.
+   */
   setBreakPoints(points: readonly BreakPoint[], device?: string): Promise<void>;
   getBreakPoints(device?: string): Promise<readonly BreakPoint[]>;
   /**
@@ -89,7 +92,7 @@ export interface Parcours {
   press(button: 'a' | 'b', down: boolean, device?: string): Promise<void>;
   touch(pad: string, down: boolean, device?: string): Promise<void>;
   setSensor(sensor: string, value: number | string, device?: string): Promise<void>;
-  /** Whether compass, accelerometer and light sensor measure the arena. */
+  /** True if compass, accelerometer and light sensor measure the arena. */
   setArenaSenses(on: boolean): Promise<void>;
   /** Types text into the serial line: for `input()` or the REPL. */
   serial(text: string, device?: string): Promise<void>;

@@ -4,7 +4,7 @@ import { hostAt } from '../testing/host-at';
 import type { Abilities } from '../client/types';
 import { attributeProblem } from './attribute-problem';
 
-/** What a page says that it can do. */
+/** The abilities that a page reports. */
 const page = hostAt().ask('hello')?.['abilities'] as Abilities;
 
 /** The error of an attribute's value, in words. */

@@ -8,7 +8,7 @@ import { PARTS } from '../simulator';
 export const THEMES = ['system', 'light', 'dark'] as const;
 export const LOADINGS = ['lazy', 'eager'] as const;
 
-/** What is wrong with a value, as the end of a sentence; `null`: nothing. */
+/** The fault of a value, as the end of a sentence; `null`: none. */
 type Check = (value: string, page: Abilities) => string | null;
 
 const oneOf = (value: string, known: readonly (string | number)[]): string | null =>

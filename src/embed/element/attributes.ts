@@ -3,7 +3,7 @@ import { isOn } from './address';
 import { LOADINGS, THEMES } from './attribute-problem';
 import { ParcoursMethods } from './methods';
 
-/** What a script can set an attribute to; `null` removes it. */
+/** The values that a script can set an attribute to; `null` removes it. */
 export type Wished = string | number | null;
 
 /** A speed as an attribute has it. */

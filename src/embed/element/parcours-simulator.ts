@@ -299,7 +299,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     if (problem !== null) throw problem;
   }
 
-  /** What is wrong with the element's own attribute: that of the surrounding text is none of its business. */
+  /** The fault of the element's own attribute; the surrounding text is not checked. */
   private problemOf(parcours: Parcours, name: string): ParcoursError | null {
     return attributeProblem(name, this.getAttribute(name), parcours.welcome.abilities);
   }

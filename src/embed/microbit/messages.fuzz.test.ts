@@ -16,7 +16,7 @@ const PER_PAGE = 50;
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
-/** What hosts say. */
+/** Messages that hosts usually send. */
 const USUAL: readonly object[] = [
   { kind: 'config', language: 'fr', translations: { 'button-a': 'Bouton A', 'start-simulator': 'Démarrer' } },
   { kind: 'flash', filesystem: { 'main.py': bytes('print(1)'), 'helper.py': bytes('x = 1') } },

@@ -10,7 +10,7 @@ const PRESSED: Readonly<Record<string, string>> = { a: 'buttonA', b: 'buttonB' }
 /** The id of a button or a touch pad in the state. @param key `a`, `b`, `pinLogo`, `pin0` … */
 export const pressedId = (key: string): string => PRESSED[key] ?? key;
 
-/** What a program can change about sensors. */
+/** The limits of sensors that a program can change. */
 export interface SensorLimits {
   /** Range of each axis of the accelerometer in both directions, in mg. */
   readonly accelerometerRangeMg: number;
@@ -27,7 +27,7 @@ interface Range {
 }
 
 const PRESSABLE: Range = { min: 0, max: 1, start: 0 };
-/** Where the axes start: the board lies on the table, display up. */
+/** Initial values of the axes: the board lies on the table, display up. */
 const AT_REST: Readonly<Record<string, number>> = { accelerometerX: 0, accelerometerY: 0, accelerometerZ: -GRAVITY_MG };
 const AXES = Object.keys(AT_REST);
 const SOUND = { min: 0, max: 255, start: 0 } as const;

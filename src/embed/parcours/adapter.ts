@@ -58,7 +58,7 @@ class ParcoursAdapter implements Adapter {
     this.goOn();
   }
 
-  /** What is under way may take as long as the run lets it wait. */
+  /** True while a command waits for the run, which may take as long as the run lets it. */
   private awaitsRun(): boolean {
     const { busyWith } = this;
     return busyWith !== null && 'type' in busyWith && AWAIT_RUN.includes(busyWith.type);
@@ -122,7 +122,7 @@ class ParcoursAdapter implements Adapter {
 /** Commands that a run which does not answer could hold up for good. */
 const AWAIT_RUN: readonly CommandName[] = ['run', 'get-position', 'step-line', 'run-to', 'look-at', 'go-on'];
 
-/** Whether it ends a run, even one that has not begun. */
+/** True if it ends a run, even one that has not begun. */
 const endsRun = ({ asked }: Incoming): boolean => 'type' in asked && (asked.type === 'stop' || asked.type === 'reset');
 
 /** `null` if it is not ours. A message of a page in the same realm may even throw when it is read. */

@@ -12,7 +12,7 @@ const VARIABLES = {
   globals: [{ name: '__proto__', value: { type: 'str', text: "'x'" } }],
 } as const;
 
-/** What is answered once everything that was promised has come. */
+/** The answer, once everything that was promised has arrived. */
 async function asked(host: ReturnType<typeof greeted>, type: string, fields: object = {}) {
   const id = host.say(type, fields);
   await settled();

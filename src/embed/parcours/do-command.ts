@@ -36,7 +36,7 @@ export interface PageFacts {
 /** The result of a command: the fields of its answer, or why it was not carried out. */
 export type Outcome = { readonly done: object } | { readonly refused: CommandRefusal };
 
-/** What commands reach. */
+/** The port and facts that commands use. */
 export interface CommandReach {
   readonly simulator: EmbeddedSimulator;
   readonly sender: EventSender;

@@ -22,7 +22,7 @@ export type DebugCommand = Extract<
   }
 >;
 
-/** What a command came to: the fields of its answer, or why it was not carried out. */
+/** The outcome of a command: the fields of its answer, or the reason for its refusal. */
 type Came = { readonly answer: object } | Refusal;
 
 /** Carries out such a command. */

@@ -33,7 +33,7 @@ export class EventSender {
   private passedOver: Snapshot | null = null;
   /** By the name of a further device, and by an empty text for the first. */
   private readonly rates = new Map<string, DeviceRates>();
-  /** Whether there is a run whose programs' ends must be reported. */
+  /** True if there is a run whose programs' ends must be reported. */
   private awaitsEnd = false;
   /** The devices whose programs have ended, by name as above. */
   private readonly over = new Set<string>();
@@ -186,7 +186,7 @@ export class EventSender {
     rate.omit(omitted);
   }
 
-  /** What was left out last is reported in a message of its own. */
+  /** Reports the omissions since the last message in a message of its own. */
   private tellOmitted(): void {
     for (const [name, { output, radio, log }] of this.rates) {
       const device = name === FIRST ? {} : { device: name };
@@ -224,7 +224,7 @@ const keyOf = ({ device }: OfDevice): string => device ?? FIRST;
 /** The device of an event, for a message. */
 const from = ({ device }: OfDevice): OfDevice => (device === undefined ? {} : { device });
 
-/** What may be sent of one device in a second. */
+/** The rate limits of one device, per second. */
 type DeviceRates = Readonly<Record<'output' | 'radio' | 'log', RateLimit>>;
 
 const sizeOf = (packet: PlainPacket): number =>

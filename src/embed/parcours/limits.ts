@@ -10,7 +10,7 @@ export const limits = {
   radioBytes: 251,
   labels: 30,
   labelCharacters: 200,
-  /** Of one program. */
+  /** Maximum per program. */
   breakPoints: 500,
   snapshotHz: 60,
   /** Rate of a program's output, and of its packets and its rows: the rest is left out and counted. */

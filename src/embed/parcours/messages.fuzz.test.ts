@@ -25,7 +25,7 @@ const project: unknown = JSON.parse(projectToText(fullProject()));
 const scene: unknown = JSON.parse(serializeScene({ ...defaultScene(), name: 'Bahn' }));
 const wall = { type: 'wall', id: 'w1', from: [0, 0], to: [100, 0], thickness: 10 };
 
-/** What hosts say. */
+/** Messages that hosts usually send. */
 const USUAL: readonly { readonly type: CommandName; readonly [field: string]: unknown }[] = [
   ...commandNames.map((type) => ({ type })),
   { type: 'hello', session: 's', client: 'a page', versions: [1] },
@@ -102,7 +102,7 @@ function messageOf(rng: Rng, id: string): unknown {
 const fieldsOf = (message: unknown): Readonly<Record<string, unknown>> =>
   typeof message === 'object' && message !== null ? (message as Record<string, unknown>) : {};
 
-/** Whether the manual promises this message of the page. */
+/** True if the manual promises this message of the page. */
 function expectPromised(said: object, seed: number): void {
   const { type, reply, ok, ...data } = said as Readonly<Record<string, unknown>>;
   const where = `seed ${String(seed)}`;

@@ -54,7 +54,7 @@ export interface ProjectFile {
   readonly course?: string;
   readonly settings?: ProjectSettings;
   readonly files: readonly SourceFile[];
-  /** Where there are several microcomputers: the name of the first, and the further ones. */
+  /** In a project with several microcomputers: the name of the first, and the further ones. */
   readonly devices?: { readonly first: string; readonly others: readonly object[] };
   readonly scene: SceneFile;
 }
@@ -183,11 +183,11 @@ export interface PlainDevice extends Omit<PlainSnapshot, 'atMs' | 'blocks' | 'mo
   readonly name: string;
 }
 
-/** Where a program is, and what its variables are. */
+/** The place of a program, and its variables. */
 export interface Position {
   /** Simulated ms of the device's clock. */
   readonly atMs: number;
-  /** Of the innermost of the program's own functions; `null`: none runs. */
+  /** The file of the innermost of the program's own functions; `null`: none runs. */
   readonly file: string | null;
   readonly line: number | null;
   /** The program's own functions that run, innermost first. */

@@ -15,7 +15,7 @@ export class RateLimit {
   /** @param atMs wall clock now */
   constructor(private atMs: number) {}
 
-  /** Whether something was left out that was not reported yet. */
+  /** True if something was left out that was not reported yet. */
   get hasOmitted(): boolean {
     return this.omitted > 0;
   }

@@ -37,7 +37,7 @@ export function refusal(code: RefusalCode, message: string, path = ''): CommandR
   return { code, message: short, path: path.slice(0, messageCharacters) };
 }
 
-/** Whether it is a message of this dialect, of any version; all others are ignored. */
+/** True if it is a message of this dialect, of any version; all others are ignored. */
 export const isOurs = (message: unknown): message is Readonly<Record<string, unknown>> =>
   typeof message === 'object' && message !== null && typeof (message as { parcours?: unknown }).parcours === 'number';
 

@@ -230,7 +230,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return null;
   }
 
-  /** Where the program of every device is; a text: why nobody can say; `null`: the run does not answer. */
+  /** The place of every device's program; a text: the reason why it is unknown; `null`: the run does not answer. */
   where: ProgramMoment | string | null = 'This needs a run; it is "ready".';
   private points: readonly BreakPoint[] = [];
   private pastUs: number | null = null;

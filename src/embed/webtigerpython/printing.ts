@@ -25,7 +25,7 @@ export class Printing {
   /** @param output receives the next piece of a program's output; never empty */
   constructor(private readonly output: (text: string) => void) {}
 
-  /** Whether a program runs; later output of the REPL is ignored. */
+  /** True if a program runs; later output of the REPL is ignored. */
   get isLive(): boolean {
     return this.printed !== null;
   }

@@ -13,7 +13,7 @@ import { OrderedReader, OrderedWriter } from './ordered-values';
 /** The column of all words. */
 export const WORDS = 0;
 
-/** What a `ColumnWriter` wrote. */
+/** The output of a `ColumnWriter`. */
 export interface Bytes {
   readonly figures: Uint8Array;
   readonly words: Uint8Array;
@@ -117,7 +117,7 @@ export class ColumnReader extends OrderedReader {
     return of.end - of.at;
   }
 
-  /** Whether everything was read. */
+  /** True if everything was read. */
   get isAtEnd(): boolean {
     return this.columns.every(({ at, end }) => at === end);
   }

@@ -45,7 +45,7 @@ export interface Content {
   readonly course: string | null;
   readonly settings: LinkSettings | null;
   readonly scene: LinkScene;
-  /** What the task of a whole course has besides its rules; nothing before version 3. */
+  /** The properties of a whole course's task besides its rules; empty before version 3. */
   readonly extras: TaskExtras;
   /** The settings' robot of one's own as JSON, checked like a file's; empty before version 4, and without one. */
   readonly myRobot: string;
@@ -55,7 +55,7 @@ export interface Content {
   readonly starts: readonly PlacedStart[];
   /** How the robots share the task of a whole course; `null` before version 6. */
   readonly sharing: TaskRule | null;
-  /** What is new of the objects of a whole course; nothing before version 7. */
+  /** The new properties of the objects of a whole course; empty before version 7. */
   readonly additions: readonly PlacedAdditions[];
   /** Name and colour of the first robot in a whole course; `null` before version 8, and without. */
   readonly firstRobot: FirstRobot | null;
@@ -70,7 +70,7 @@ export interface ContentCodec {
   readonly columns: number;
 }
 
-/** What is in the content of a version; what is not is as it was before there was any of it. */
+/** The parts of the content of a version; missing ones have their old meaning. */
 interface Parts {
   readonly extras?: (shared: SharedCodecs) => Codec<TaskExtras>;
   readonly myRobot?: (shared: SharedCodecs) => Codec<string>;

@@ -40,7 +40,10 @@ export type { Room } from './link-bytes';
 /** The ready courses by their ids; `null` for an unknown id. */
 export type ReadyCourses = (id: string) => Scene | null;
 
-/** What did not fit into a link: the background's picture (sensors do not need it), the whole background, the task's picture. */
+/**
+ * The parts that did not fit into a link: the background's picture (sensors do not need it), the whole background,
+ * the task's picture.
+ */
 export type Omitted = 'picture' | 'background' | 'task-picture';
 
 /** A link, and what did not fit. */
@@ -65,7 +68,7 @@ export interface LinkProblem {
   /** One English sentence with the way out. */
   readonly message: string;
   readonly params: Readonly<Record<string, string | number>>;
-  /** What is wrong with the content of an undamaged link that makes no project. */
+  /** The faults of the content of an undamaged link that makes no project. */
   readonly problems: readonly ProjectProblem[];
 }
 
@@ -89,7 +92,7 @@ export function linkOf(
   return last;
 }
 
-/** What may be left out of a course, the least first; the last is made however long the link is. */
+/** The parts that may be left out of a course, the least important first; the last is made whatever its length. */
 function omissions({ background, task }: Scene): readonly (readonly Omitted[])[] {
   const ways: readonly (readonly Omitted[])[] = [
     [],
@@ -154,7 +157,7 @@ const EMPTY_PROGRAM = { name: MAIN, text: '' };
 export const linkOfBytes = ({ version, bytes }: LinkBytes): string =>
   `${LINK_NAME}=${String(version)}.${sealed(bytes)}`;
 
-/** Whether the part of an address behind `#` says that it is a link to a project. */
+/** True if the part of an address behind `#` says that it is a link to a project. */
 export const isProjectLink = (fragment: string): boolean => /^#?p=/.test(fragment);
 
 /**
@@ -260,7 +263,7 @@ function failed(
   return { problem: { code, message, params, problems } };
 }
 
-/** What is said of it in English. */
+/** The message in English. */
 export const DAMAGED_LINK = 'The link is damaged: a part of it is missing or changed. Copy it again, whole.';
 
 const damaged = (): ReadLink => failed('damaged', DAMAGED_LINK, {});

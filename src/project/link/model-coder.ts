@@ -66,7 +66,7 @@ export class ModelReader extends OrderedReader {
     return this.room;
   }
 
-  /** Whether everything was read. */
+  /** True if everything was read. */
   get isAtEnd(): boolean {
     return this.coder.isAtEnd;
   }

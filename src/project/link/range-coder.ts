@@ -63,7 +63,7 @@ export class RangeDecoder {
     return bit;
   }
 
-  /** Whether exactly the existing bytes were read. */
+  /** True if exactly the existing bytes were read. */
   get isAtEnd(): boolean {
     return this.at === this.bytes.length + BEYOND;
   }

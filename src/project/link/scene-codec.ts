@@ -123,7 +123,7 @@ export const linkOrder: LinkObject['type'][] = [
   'label',
 ];
 
-/** What the codecs of several kinds share. */
+/** The codecs that several kinds share. */
 export interface SharedByKinds {
   readonly columns: Columns;
   readonly id: Codec<string>;
@@ -277,7 +277,7 @@ export function startsCodec({ columns, text, word, options }: SharedCodecs): Cod
   return columns.list(start, sceneLimits.objects);
 }
 
-/** What version 7 of links adds to an object, and the object's place in its course. */
+/** The additions of link version 7 to an object, and the object's place in its course. */
 export type PlacedAdditions = Additions & { readonly place: number };
 
 /** The codec of what version 7 of links adds to the objects of a course. */
@@ -328,7 +328,7 @@ function withoutNulls<T>(said: { readonly [K in keyof T]: T[K] | null }): T {
   return Object.fromEntries(Object.entries(said).filter(([, value]) => value !== null)) as T;
 }
 
-/** What version 8 of links adds: name and colour of the first robot. */
+/** The additions of link version 8: name and colour of the first robot. */
 export type FirstRobot = Required<Pick<RobotStart, 'name' | 'color'>>;
 
 /** The codec of the first robot's name and colour; `null`: it has neither. */
@@ -342,7 +342,7 @@ export function sharingCodec({ columns }: SharedCodecs): Codec<TaskRule | null> 
   return columns.optional(columns.choice(taskRules));
 }
 
-/** What version 3 of links adds to a task; in the versions before it, a task has none of it. */
+/** The additions of link version 3 to a task; in earlier versions a task has none of them. */
 export type TaskExtras = Pick<Task, 'allows' | 'stars' | 'card'>;
 
 /** The codec of what a task has besides its rules. */

@@ -289,7 +289,7 @@ export function classProject(): Project {
   return { ...taskProject(), task };
 }
 
-/** What a pupil hands in. */
+/** A project that a pupil hands in. */
 export function handedInProject(): Project {
   const said = { task: 'parkieren-7b', alias: 'Änni', verdict: 'passed', tries: 12, hash: '0a'.repeat(32) };
   return { ...taskProject(), handIn: { version: 1, ...said, remarks: ['hand'] } };

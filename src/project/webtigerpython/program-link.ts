@@ -33,7 +33,7 @@ export interface ProgramLinkProblem {
   /** One English sentence with the way out. */
   readonly message: string;
   readonly params: Readonly<Record<string, string | number>>;
-  /** What is wrong with the files of an undamaged link. */
+  /** The faults of the files of an undamaged link. */
   readonly problems: readonly ProjectProblem[];
 }
 

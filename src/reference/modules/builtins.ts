@@ -105,7 +105,7 @@ const types = {
   NotImplemented: absent(value('object')),
 };
 
-/** What only desktop Python's exceptions carry. */
+/** Names that only the exceptions of desktop Python have. */
 const desktopOnly = (...names: string[]) =>
   Object.fromEntries(names.map((name) => [name, absent(saidBy('builtins.desktopOnly', value('object')))]));
 

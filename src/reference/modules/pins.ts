@@ -59,7 +59,7 @@ export const pinNames: Names = {
   }),
 };
 
-/** What the Calliope mini has instead or besides. */
+/** The pins that the Calliope mini has instead or in addition. */
 export const calliopePinNames: Names = calliopeAlone({
   pin3: saidBy('calliopemini.pin3', pinOf('Touch')),
   ...pins('Digital', ['pin18', 'pin_RGB', 'pin_M0_DIR', 'pin_M0_SPEED', 'pin_M1_DIR', 'pin_M1_SPEED', 'pin_M_MODE']),

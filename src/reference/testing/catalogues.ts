@@ -34,7 +34,7 @@ function keyMistakes(keys: readonly string[], texts: Readonly<Record<string, str
   ];
 }
 
-/** What a pupil would type stays the same in every language: names with a dot, a bracket or an underscore, and numbers. */
+/** Finds faults in what must be equal in every language: names with a dot, a bracket or an underscore, and numbers. */
 function textMistakes(text: string, german: string): string[] {
   const [said, wanted] = [codeIn(text), codeIn(german)];
   return said === wanted ? [] : [`says “${said}” where German says “${wanted}”`];

@@ -6,7 +6,7 @@ import { BUMPER_LEFT, BUMPER_RIGHT } from './type';
 
 /** The bar in front with its two switches. */
 export interface Bumper {
-  /** Whether this half is pressed, for a program. The first call puts the bumper on. */
+  /** True if this half is pressed, for a program. The first call puts the bumper on. */
   read(side: Side): boolean;
   /** Which halves are pressed, or `null` while the robot carries no bumper. */
   state(): { readonly left: boolean; readonly right: boolean } | null;

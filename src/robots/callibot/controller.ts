@@ -69,7 +69,7 @@ export interface ControllerParts {
   /** @param index 0 front left, 1 rear left, 2 rear right, 3 front right; parts of the colour 0 … 255 */
   colorLight(index: number, color: Rgb): void;
   isBright(side: Side): boolean;
-  /** Whether this half of the bumper is pressed. Called whenever a program reads the byte that reports it. */
+  /** True if this half of the bumper is pressed. Called whenever a program reads the byte that reports it. */
   isPressed(side: Side): boolean;
   /** Output of a line sensor in mV. */
   lineMv(side: Side): number;

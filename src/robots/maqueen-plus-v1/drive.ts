@@ -16,7 +16,7 @@ const US_PER_S = 1_000_000;
 export interface Drive {
   /** Duties −1 … 1 as the program set them. */
   motors(left: number, right: number): void;
-  /** Whether the wheels' speed is kept constant, see speed-control.ts. */
+  /** True if the wheels' speed is kept constant, see speed-control.ts. */
   speedControl(isOn: boolean): void;
   /** Turns of a wheel, forward or backward, since its counter was reset; 16 bits, then from 0 again. */
   pulses(side: Side): number;
@@ -28,7 +28,7 @@ export interface Drive {
   readonly stop: Stop;
 }
 
-/** What they are put on: a chassis of any scale. */
+/** The chassis they are mounted on, of any scale. */
 export interface DriveContext {
   readonly chassis: Chassis;
   readonly clock: Clock;

@@ -58,7 +58,7 @@ export interface ControllerParts {
   brightness(sensor: LineName): number;
 }
 
-/** Where boards of the same kind differ. */
+/** The differences between boards of the same kind. */
 export interface ControllerOptions {
   /** End of the version text. */
   readonly version: '2.0' | '2.1';

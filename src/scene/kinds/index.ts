@@ -44,7 +44,7 @@ export function boundsOf(object: SceneObject): Bounds {
   return bounds;
 }
 
-/** Whether a part of an object lies in an arena of this size; for the round ends of strokes this errs towards yes. */
+/** True if a part of an object lies in an arena of this size; for the round ends of strokes this errs towards yes. */
 export function reachesInto(object: SceneObject, size: Point): boolean {
   const arena = arenaOutline(size);
   return boundsMeet(boundsOf(object), boundsOfOutline(arena)) && kindOf(object).reachesInto(object, arena);

@@ -18,7 +18,7 @@ export interface SceneKind<O extends AnyObject = SceneObject> {
   solid(object: O): readonly Outline[];
   /** The smallest rectangle along the axes around all of it. World mm. */
   bounds(object: O): Bounds;
-  /** Whether a part of it lies within the arena's outline; for the round ends of strokes this errs towards yes. */
+  /** True if a part of it lies within the arena's outline; for the round ends of strokes this errs towards yes. */
   reachesInto(object: O, arena: Outline): boolean;
 }
 

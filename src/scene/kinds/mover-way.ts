@@ -6,11 +6,11 @@ export interface MoverStop {
   readonly wait: number;
 }
 
-/** What a mover does besides turning: what its options offer. */
+/** The movements of a mover besides turning, as its options offer them. */
 export const moverWays = ['to-and-fro', 'round', 'stays', 'chases', 'guards'] as const;
 export type MoverWay = (typeof moverWays)[number];
 
-/** What a mover does. */
+/** The movement of a mover. */
 export function wayOf({ at, to, stops, loops, chases }: Mover): MoverWay {
   if (chases) return chases.zone === undefined ? 'chases' : 'guards';
   if (loops) return 'round';
@@ -24,7 +24,7 @@ export function stopsOf(mover: Mover): readonly MoverStop[] {
   return places.map((place, index) => ({ at: place, wait: waits[index] ?? 0 }));
 }
 
-/** Whether it neither goes anywhere nor turns. */
+/** True if it neither goes anywhere nor turns. */
 export const isIdle = (mover: Mover): boolean => isStill(mover) && mover.spin === undefined && !mover.chases;
 
 const isStill = ({ at, to, stops }: Mover): boolean => stops === undefined && at[0] === to[0] && at[1] === to[1];

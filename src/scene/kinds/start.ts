@@ -4,7 +4,7 @@ import { optionsProperty } from '../robot-values';
 import { sceneDefaults, type Start } from '../scene';
 import { filling, type SceneKind } from './kind';
 
-/** Where the robot of a further device starts. */
+/** The start of a further device's robot. */
 export const start: SceneKind<Start> = {
   name: 'start',
   write: ({ at, heading, robot, options, name, color }) => [
@@ -22,7 +22,7 @@ export const start: SceneKind<Start> = {
 /** Side of the box on the floor in which a robot starts, in mm. Chosen: a robot of 13 cm stands in it. */
 export const START_SIDE_MM = 140;
 
-/** What a start covers, however it is turned: good enough to grab it, and to find room for it. World mm. */
+/** The outline of a start in any orientation: good enough to grab it, and to find room for it. World mm. */
 export function startOutline({ at }: Start): Outline {
   return boxOutline({ at, size: [START_SIDE_MM, START_SIDE_MM], angle: 0 });
 }

@@ -20,7 +20,7 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
   };
 }
 
-/** Whether an object is a zone of any kind. */
+/** True if an object is a zone of any kind. */
 export const isZone = (object: SceneObject): object is Zone => zoneTypes.some((type) => type === object.type);
 
 const zoneTypes: readonly SceneObject['type'][] = ['target', 'checkpoint', 'forbidden'] satisfies Zone['type'][];
@@ -37,7 +37,7 @@ export const forbidden = zoneKind('forbidden');
 /** Figures of a course are whole mm; so little is an error of rounding. */
 const ROUNDING_MM = 1e-6;
 
-/** Whether a place lies in a zone; its edge belongs to it. World mm. */
+/** True if a place lies in a zone; its edge belongs to it. World mm. */
 export function zoneHolds(zone: Zone, place: Vec): boolean {
   if (zone.corners) return outlineHolds(shapeOutline(zone), place, ROUNDING_MM);
   const { x, y } = toOwnFrame(zone, place);
@@ -49,7 +49,7 @@ export function zoneHolds(zone: Zone, place: Vec): boolean {
   return alongX * alongX + alongY * alongY <= 1;
 }
 
-/** Whether a convex outline in world mm covers a part of a zone; touching its edge is not yet covering. */
+/** True if a convex outline in world mm covers a part of a zone; touching its edge is not yet covering. */
 export function zoneOverlaps(zone: Zone, outline: Outline): boolean {
   if (!zone.round) return shapeParts(zone).some((part) => overlapMm(outline, part) > ROUNDING_MM);
   const scaleX = 2 / zone.size[0];
@@ -61,7 +61,7 @@ export function zoneOverlaps(zone: Zone, outline: Outline): boolean {
   return coversUnitCircle(inCircle);
 }
 
-/** Whether a convex outline covers a part of the circle of radius 1 about the origin. */
+/** True if a convex outline covers a part of the circle of radius 1 about the origin. */
 function coversUnitCircle(outline: Outline): boolean {
   let lefts = 0;
   let rights = 0;

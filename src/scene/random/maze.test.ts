@@ -11,7 +11,7 @@ const wishOf = (seed: number): MazeWish => ({
 });
 const wallsOf = (scene: Scene): Wall[] => scene.objects.filter((object) => object.type === 'wall');
 
-/** Whether a wall lies between two neighbouring places: asked of the drawing, not of how it was made. */
+/** True if a wall lies between two neighbouring places: asked of the drawing, not of how it was made. */
 function isBlocked(walls: readonly Wall[], from: Point, to: Point): boolean {
   const [x, y] = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
   return walls.some((wall) => {

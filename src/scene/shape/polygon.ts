@@ -2,12 +2,12 @@ import type { Vec } from '#core/geometry';
 import type { Outline } from '../outline';
 import type { Point } from '../scene';
 
-/** What keeps corners from being a polygon: two edges meet that are no neighbours, or they enclose nothing. */
+/** Reasons why corners are no polygon: two edges meet that are not neighbours, or they enclose nothing. */
 export type PolygonFault =
   /** Numbers of the edges; edge 0 goes from corner 0 to corner 1. */
   { readonly code: 'crossing'; readonly one: number; readonly other: number } | { readonly code: 'flat' };
 
-/** What is wrong with the corners of a polygon; `null`: nothing. */
+/** The fault of a polygon's corners; `null`: none. */
 export function polygonFault(corners: readonly Point[]): PolygonFault | null {
   const count = corners.length;
   const corner = (index: number): Point => corners[index % count] ?? [0, 0];
@@ -57,7 +57,7 @@ function edgesMeet(a: Point, b: Point, c: Point, d: Point): boolean {
   );
 }
 
-/** Whether a place on the line through two others lies between them. */
+/** True if a place on the line through two others lies between them. */
 const isBetween = (a: Point, b: Point, [x, y]: Point): boolean =>
   x >= Math.min(a[0], b[0]) && x <= Math.max(a[0], b[0]) && y >= Math.min(a[1], b[1]) && y <= Math.max(a[1], b[1]);
 

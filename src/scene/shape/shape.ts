@@ -64,7 +64,7 @@ const placedAt = ({ at, angle }: Shaped, outline: Outline): Outline =>
 /** Parts narrower than this, in mm, are left out: nothing feels them, and the physics cannot hold them. */
 const NARROWEST_MM = 0.2;
 
-/** Whether a convex part is wide enough everywhere to be something. */
+/** True if a convex part is wide enough everywhere to be something. */
 function isBody(part: Outline): boolean {
   return part.every((from, index) => {
     const to = part[(index + 1) % part.length] ?? from;

@@ -24,7 +24,7 @@ function corners(rng: Rng): readonly Point[] {
     return [Math.round(far * exactCos(rad)) + 0, Math.round(far * exactSin(rad)) + 0];
   });
 }
-/** What any object may have, and mostly has not. */
+/** The properties that any object may have and mostly lacks. */
 const common = (rng: Rng): Pick<SceneObject, 'lock' | 'group'> => ({
   ...(inPercent(rng, 10) ? { lock: true } : {}),
   ...(inPercent(rng, 10) ? { group: oneOf(rng, ['g', 'toString', '1']) } : {}),
@@ -76,7 +76,7 @@ export function randomObject(rng: Rng, id: string): SceneObject {
   return { ...oneOf(rng, makers)(), ...common(rng) };
 }
 
-/** What a mover may do besides going to and fro. */
+/** Random properties of a mover beyond a path between two places. */
 function foe(rng: Rng, at: Point): Partial<Mover> {
   const spin = wholeFrom(rng, -360, 360);
   const turning = spin === 0 ? {} : { spin };

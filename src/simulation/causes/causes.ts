@@ -9,7 +9,7 @@ export interface Cause {
   readonly sinceUs: number;
   /** Innermost first; empty: it was typed at the REPL. */
   readonly lines: readonly CodeLine[];
-  /** What it was set to, as the robot or board tells it; `null`: it is an event. */
+  /** The value it was set to, as the robot or board reports it; `null`: it is an event. */
   readonly value: OutputSet['value'];
   /** Others that have set it once more to what it was, the last ones; `null`: none have. */
   readonly again: readonly CodeLine[] | null;
@@ -24,7 +24,7 @@ export class Causes {
   /** All is known up to here. */
   untilUs = 0;
 
-  /** What hears a repetition from its start on. They are all the same: what one has told before counts once. */
+  /** Makes a listener to a repetition from its start. All listeners are the same: a report counts once. */
   listener(): (set: OutputSet, device: number) => void {
     const heard: number[] = [];
     return (set, device) => {

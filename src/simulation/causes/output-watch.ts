@@ -150,7 +150,7 @@ export class OutputWatch implements Observer {
   }
 }
 
-/** What a program has made of a wire. */
+/** The state into which a program has brought a wire. */
 function stateOf(wire: Wire): string {
   const { pwm } = wire;
   return pwm === null ? `${wire.level}` : `${pwm.dutyFraction} of ${pwm.periodUs}`;

@@ -25,7 +25,7 @@ export interface CodeLine {
 /** That a program sets an output, maybe to what it is already. */
 export interface OutputSet {
   readonly output: Output;
-  /** Of the device's clock. */
+  /** In µs of the device's clock. */
   readonly timeUs: number;
   /** The same as before if nothing has changed by it; `null`: it is an event, and none is like another. */
   readonly value: string | number | null;

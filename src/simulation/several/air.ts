@@ -19,7 +19,7 @@ const BYTE_US = [8, 4, 32] as const;
 const FRAME_BYTES = 1 + 5 + 1 + 2;
 /** Sent strength in dBm by `power`: nRF52833 product specification, RADIO TXPOWER, as micropython-microbit-v2 uses it. */
 const POWER_DBM = [-30, -20, -16, -12, -8, -4, 0, 4] as const;
-/** What arrives of 0 dBm after a metre. Chosen: two micro:bits on a table; the antennas are on their boards. */
+/** Received power of 0 dBm after a metre. Chosen: two micro:bits on a table; the antennas are on their boards. */
 const AT_A_METRE_DBM = -50;
 /** Nothing is nearer than two boards on each other, in m². */
 const NEAREST_M2 = 0.05 * 0.05;
@@ -44,7 +44,7 @@ const CAPTURE_DB = 10;
 export class Air {
   /** Sent, and not over before the last step; in order of their ends, then of the devices. */
   private flying: Packet[] = [];
-  /** What was sent shortly before: it may overlap with what is flying. */
+  /** Packets sent shortly before, which may overlap with those in the air. */
   private past: readonly Packet[] = [];
   private readonly chance;
 

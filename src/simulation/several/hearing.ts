@@ -26,7 +26,7 @@ export function levelAt(here: Vec, speakers: readonly Speaker[]): number {
   return Math.round(Math.max(0, ...levels));
 }
 
-/** What its speaker plays, 0 … 255: every sound is as loud as the volume. */
+/** Loudness of its speaker, 0 … 255: every sound is as loud as the volume. */
 const loudnessOf = ({ music, sound }: Speaker['board']): number =>
   sound.isSpeakerOn && (music.frequencyHz !== null || sound.isSounding) ? sound.volume : 0;
 
@@ -63,7 +63,7 @@ export class Hearing {
     this.tell(Math.max(this.own, this.heard()));
   }
 
-  /** What has been set since by hand, is the level without the others. */
+  /** The level without the others; a value set by hand since then is that level. */
   private ownNow(): number {
     const now = this.sensors.get('soundLevel');
     return now === this.last ? this.own : now;

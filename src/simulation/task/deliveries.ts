@@ -76,13 +76,13 @@ function liesIn(target: Zone, { xMm: x, yMm: y, headingRad }: Pose, corners: Out
   return !target.corners || !shapeOutline(target).some((corner) => isWithin(outline, corner));
 }
 
-/** Whether two poses are the same to the last bit. */
+/** True if two poses are the same to the last bit. */
 export const isSame = (a: Pose, b: Pose): boolean =>
   a.xMm === b.xMm && a.yMm === b.yMm && a.headingRad === b.headingRad;
 
-/** Whether a place lies inside an outline and not only at its edge. */
+/** True if a place lies inside an outline and not only at its edge. */
 const isWithin = (outline: Outline, place: Vec): boolean =>
   outlineHolds(outline, place, 0) && distanceToEdge(outline, place) > ROUNDING_MM;
 
-/** So little is an error of rounding. */
+/** Differences up to this are rounding errors. */
 const ROUNDING_MM = 1e-6;

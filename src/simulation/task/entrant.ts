@@ -97,7 +97,7 @@ export class Entrant {
     this.outcome = { ...failure, state: 'failed', atMs: timeUs / 1000, place: this.place() };
   }
 
-  /** Where it is, to a tenth of a mm. */
+  /** Its place, to a tenth of a mm. */
   place(): NonNullable<Verdict['place']> {
     const { xMm, yMm } = this.robot.chassis.pose();
     return { xMm: tenths(xMm), yMm: tenths(yMm) };

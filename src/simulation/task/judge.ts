@@ -125,7 +125,7 @@ export class Judge {
     return this.watched.spiked.size > 0 || isTask(this.brief);
   }
 
-  /** What those that are still open do wrong in this moment. */
+  /** The failures of the entrants that are still open at this moment. */
   private look(): ReadonlyMap<Entrant, Failure> {
     let failures: Map<Entrant, Failure> | null = null;
     for (const entrant of this.entrants) {
@@ -136,7 +136,10 @@ export class Judge {
     return failures ?? NOTHING;
   }
 
-  /** What has no name may be another robot: it is named, or may be touched where that is the task. */
+  /**
+   * Handles contact with something that has no name: another robot is named, or may be touched where that is the
+   * task.
+   */
   private withOtherRobot(entrant: Entrant, failure: Failure): Failure | null {
     if (failure.reason !== 'touched' || failure.by !== null) return failure;
     const touched = this.watched.robots.find(({ chassis }) => entrant.isTouching(chassis));

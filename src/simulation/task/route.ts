@@ -14,7 +14,7 @@ export type Waiting = ReadonlySet<string> | null;
 export class Route {
   private readonly reached = new Set<string>();
   private arrival: EarlyArrival | null = null;
-  /** What `later` found last: a robot is asked about with each step, and it seldom changes. */
+  /** The last result of `later`: it is needed with each step, and seldom changes. */
   private found: { readonly next: number; readonly reached: number; readonly zones: readonly Zone[] } | null = null;
 
   constructor(private brief: TaskBrief) {}

@@ -5,7 +5,7 @@ import type { Entrant, Failure, RobotFailure } from './entrant';
 export interface Standing {
   readonly timeUs: number;
   readonly entrants: readonly Entrant[];
-  /** What those who are still open have done wrong in this step. */
+  /** The failures in this step of the entrants that are still open. */
   readonly failures: ReadonlyMap<Entrant, Failure>;
   /** All blocks that are wanted lie in their targets. */
   readonly areDelivered: boolean;
@@ -49,7 +49,7 @@ function allOfThem(standing: Standing): Decision | null {
   return isDone ? passAll(entrants, timeUs) : overtime(standing);
 }
 
-/** Who has been everywhere first has won. Who does something wrong is out. */
+/** The first to have been everywhere wins. An entrant that fails is out. */
 function firstWins(standing: Standing): Decision | null {
   const { timeUs, entrants, failures, areDelivered } = standing;
   const won = areDelivered ? passAll(arriving(standing), timeUs) : null;
@@ -58,7 +58,7 @@ function firstWins(standing: Standing): Decision | null {
   return won ?? (stillOpen(entrants).length === 0 ? failed : overtime(standing));
 }
 
-/** Who leaves the ring or does something wrong is out; the last one inside has won. */
+/** An entrant that leaves the ring or fails is out; the last one inside wins. */
 function lastInside(standing: Standing): Decision | null {
   const { timeUs, entrants, failures, ring } = standing;
   const leaving = ring.length === 0 ? [] : stillOpen(entrants).filter((entrant) => !entrant.isIn(ring));

@@ -8,7 +8,7 @@ export interface TaskBrief {
   readonly checkpoints: readonly Zone[];
   /** Targets that the robot must reach. */
   readonly robotTargets: readonly Zone[];
-  /** Where the task is to stay in the ring, those targets instead. */
+  /** Where the task is to stay in the ring, its targets. */
   readonly ring: readonly Zone[];
   /** Targets that want blocks. */
   readonly blockTargets: readonly Zone[];
@@ -45,13 +45,13 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
   };
 }
 
-/** Whether there is something to do besides holding out: a place to reach, a block to deliver, a robot to beat. */
+/** True if there is something to do besides holding out: a place to reach, a block to deliver, a robot to beat. */
 export const hasGoal = ({ checkpoints, robotTargets, blockTargets, task }: TaskBrief): boolean =>
   checkpoints.length + robotTargets.length + blockTargets.length > 0 ||
   task.robots === 'ring' ||
   task.robots === 'catch';
 
-/** Whether there is anything to judge, apart from spikes. */
+/** True if there is anything to judge, apart from spikes. */
 export const isTask = (brief: TaskBrief): boolean =>
   hasGoal(brief) || brief.forbidden.length > 0 || brief.task.noTouch || brief.task.seconds !== null;
 

@@ -16,13 +16,13 @@ export interface Verdict {
    * touched.
    */
   readonly by: string | null;
-  /** Where the robot that decided it was then, or `null` while it is open. */
+  /** Place of the deciding robot at that time, or `null` while it is open. */
   readonly place: { readonly xMm: number; readonly yMm: number } | null;
   /** Help that there was until the decision, allowed or not. */
   readonly help: readonly Help[];
   /** The last place that a robot came to before its turn and has not yet come to in time, or `null`. */
   readonly early: EarlyArrival | null;
-  /** Of several robots that go their own ways: of all together, or of the one that is farthest if the first wins. */
+  /** For several robots on paths of their own: of all together, or of the one that is farthest if the first wins. */
   readonly checkpoints: { readonly passed: number; readonly of: number };
   /** Targets for the robot: the number that it has reached; of several robots like `checkpoints`. */
   readonly targets: { readonly reached: number; readonly of: number };

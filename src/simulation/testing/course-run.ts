@@ -6,7 +6,7 @@ import type { DeviceSetup, RunSetup } from '../run-setup';
 const at = (path: string): URL => new URL(`../../../courses/${path}`, import.meta.url);
 const read = (path: string): string => readFileSync(at(path), 'utf8');
 
-/** What `course.json` says of the devices of a course that has several. */
+/** The part of `course.json` on the devices of a course that has several. */
 interface CourseData {
   readonly devices?: readonly { readonly name: string; readonly robot: string }[];
 }

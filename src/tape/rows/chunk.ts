@@ -7,7 +7,7 @@ import { putLeaf, type Column, type Key, type Leaf } from './leaves';
 /** The codes of one column at successive moments: `ABSENT` before it was first seen. */
 export type Series = readonly number[];
 
-/** What one piece of a tape holds. */
+/** The content of one piece of a tape. */
 export interface ChunkContent {
   /** It needs none of the pieces before it: its columns and values are all there are. */
   readonly isFirst: boolean;
@@ -82,13 +82,13 @@ export interface Chunk {
   readonly codes: readonly Series[];
 }
 
-/** What the pieces before a piece have told. */
+/** The content of the pieces before a piece. */
 export interface Told {
   readonly columns: readonly Column[];
   readonly values: readonly Leaf[];
 }
 
-/** What is told before the first piece. */
+/** The content before the first piece. */
 export const NOTHING_TOLD: Told = { columns: [], values: [] };
 
 /** Reads a piece, or says `null` where the bytes are none. */
@@ -161,7 +161,7 @@ export function timesOf({ columns, codes }: Chunk): readonly number[] | null {
   return codes[at]?.map((code) => code / 2) ?? null;
 }
 
-/** What stands at one path at each of a piece's moments; `undefined` where nothing does. */
+/** The values at one path for each of a piece's moments; `undefined` where there is none. */
 export function leavesAt({ columns, values, codes }: Chunk, path: readonly Key[]): readonly (Leaf | undefined)[] {
   const at = columns.findIndex((column) => isSame(column.path, path));
   return codes[at]?.map((code) => leafOf(code, columns[at]?.step ?? 1, values)) ?? [];

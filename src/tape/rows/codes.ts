@@ -1,6 +1,6 @@
 import type { Leaf } from './leaves';
 
-/** Of a leaf that is not there at a moment: what it belonged to is gone. */
+/** Code of a leaf that does not exist at a moment: its parent is gone. */
 export const ABSENT = 1;
 
 /**

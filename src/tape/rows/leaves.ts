@@ -6,7 +6,7 @@
 /** A key of an object, or a place in a list. */
 export type Key = string | number;
 
-/** What stands at the end of a path: an empty list or object is one of them. */
+/** The value at the end of a path; empty lists and objects are leaves, too. */
 export type Leaf = number | string | boolean | null | readonly [] | Readonly<Record<string, never>>;
 
 /** All leaves at one path, over time. */

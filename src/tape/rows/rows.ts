@@ -5,7 +5,7 @@ interface Piece {
   readonly bytes: Uint8Array;
   readonly fromUs: number;
   readonly toUs: number;
-  /** What the pieces before it have told. */
+  /** The content of the pieces before it. */
   readonly before: Told;
   /** Every how many moments one was kept. */
   readonly thinned: number;

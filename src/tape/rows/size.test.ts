@@ -12,7 +12,7 @@ const firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 
 const PERIOD_US = 20_000;
 
-/** What a run shows every 20 ms, and the tape of it. */
+/** A run's snapshots every 20 ms, and the tape of it. */
 async function taped(setup: RunSetup, seconds: number): Promise<{ rows: Rows<Snapshot>; last: Snapshot }> {
   const simulation = await Simulation.create(setup, firmware);
   const [writer, rows] = [new RowWriter(), new Rows<Snapshot>()];

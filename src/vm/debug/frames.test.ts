@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { deviceWith, type ProgramOptions } from '../run/testing/run-program';
 import { readFrames, readPosition } from './frames';
 
-/** Where a program is half a second after its start, as text, innermost first. */
+/** The stack of a program half a second after its start, as text, innermost first. */
 function stackOf(program: string, options: ProgramOptions = {}): readonly string[] {
   const { vm } = deviceWith(`from microbit import *\n${program}`, options);
   vm.resume(500_000);

@@ -11,7 +11,7 @@ export const STATE = { function: 0, at: 4, slots: 20 } as const;
 /** The code of a function of the pupil's, with the lines of its bytecodes. */
 export interface OwnCode extends Code {
   readonly lines: readonly LineRange[];
-  /** Where its generators go on: after a `yield`. */
+  /** The addresses where its generators resume: after a `yield`. */
   readonly resumes: ReadonlySet<number>;
   /** Its `yield from`: there they go on with the same bytecode. */
   readonly delegates: ReadonlySet<number>;
@@ -25,7 +25,7 @@ export interface Frame {
   readonly line: number;
 }
 
-/** Where a program is: in the innermost of its own functions. */
+/** The place of a program: in the innermost of its own functions. */
 export interface Position {
   readonly file: string;
   readonly line: number;
@@ -45,7 +45,7 @@ export function readFrames(vm: Inspected, names = new Names(vm.memory, vm.intern
   return found;
 }
 
-/** Where the program is, or `null` while none of the pupil's functions runs. */
+/** The place of the program, or `null` while none of the pupil's functions runs. */
 export function readPosition(vm: Inspected, names?: Names): Position | null {
   const frames = readFrames(vm, names);
   const [innermost] = frames;

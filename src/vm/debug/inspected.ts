@@ -22,13 +22,13 @@ export interface Inspected {
   sizeOf(address: number): number;
   /** All that were compiled here; some may be gone. */
   readonly scopes: CompiledScopes;
-  /** Where the interpreter asks before it goes on. */
+  /** The bytecodes before which the interpreter asks. */
   readonly marks: CodeMarks;
-  /** Whether it is a file on the board: its lines are the pupil's. */
+  /** True if it is a file on the board: its lines are the pupil's. */
   isOwnFile(name: string): boolean;
 }
 
-/** What was compiled. */
+/** The scopes of the compiled code. */
 export interface CompiledScopes {
   /** Addresses of their code. */
   readonly codes: Iterable<number>;
@@ -44,7 +44,7 @@ export interface CodeMarks {
   set(from: number, to: number, isMarked: boolean): void;
 }
 
-/** What the compiler knew of a module, class or function. */
+/** The compiler's knowledge of a module, class or function. */
 export interface Scope {
   readonly kind: 'module' | 'class' | 'function';
   readonly slots: readonly Slot[];

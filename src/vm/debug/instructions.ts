@@ -11,14 +11,14 @@ export interface Instruction {
     | 'small-int'
     | 'add-in-place'
     | 'return'
-    /** What follows is where the generator goes on. */
+    /** The generator resumes at the next instruction. */
     | 'yield'
     /** The generator goes on with the same bytecode. */
     | 'yield-from'
     /** `target` is where an exception, a `return` or the end of a loop leads to. */
     | 'handler'
     | 'other';
-  /** Where it leads besides, for jumps and handlers. */
+  /** Its other target, for jumps and handlers. */
   readonly target: number | null;
 }
 

@@ -7,7 +7,7 @@ export interface LineRange {
   /** Addresses: from the first up to, not including, the last. */
   readonly from: number;
   readonly to: number;
-  /** Where the line begins; another address: here it goes on. */
+  /** The address where the line begins; at another address it resumes. */
   readonly start: number;
   /** A loop comes back to here: with each round the line begins anew. */
   readonly isLoop?: boolean;
@@ -15,7 +15,7 @@ export interface LineRange {
   readonly entry?: number;
 }
 
-/** Where a function's table of line numbers is, and where its bytecodes begin. */
+/** The addresses of a function's table of line numbers and of its bytecodes. */
 export interface CodePlace {
   readonly table: { readonly start: number; readonly end: number };
   readonly first: number;
@@ -45,7 +45,7 @@ export function readLines(memory: Memory, place: CodePlace): readonly LineRange[
   return ranges;
 }
 
-/** Whether a line begins at this address, for a program that comes from another one. */
+/** True if a line begins at this address, for a program that comes from another one. */
 export function begins(ranges: LineRange, at: number, before: { readonly line: number; readonly at: number }): boolean {
   const { line, start, isLoop, entry } = ranges;
   if (at !== start) return false;

@@ -12,7 +12,7 @@ const UNTIL_US = 1_700_000;
 /** No more is compared of one program. */
 const MOST_STOPS = 300;
 
-/** Where and when a program stops, with the undisturbed end of it. */
+/** The stops of a program, with its undisturbed end. */
 interface Stops {
   readonly stops: readonly string[];
   readonly output: string;
@@ -45,7 +45,7 @@ const deviceOf = ({ 'main.py': main = '', ...files }: Files): Device => deviceWi
 
 const undisturbed = new Map<Files, Omit<Stops, 'stops'> & { readonly endUs: number }>();
 
-/** What a program comes to if nobody looks. */
+/** The outcome of a program that is not debugged. */
 function undisturbedOf(files: Files) {
   const known = undisturbed.get(files);
   if (known !== undefined) return known;

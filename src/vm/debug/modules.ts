@@ -3,13 +3,13 @@ import { STATE } from './frames';
 import type { Inspected } from './inspected';
 import type { Entry, Objects } from './objects';
 
-/** What a program can import, as far as it tells the program's names from those that it has imported. */
+/** The modules that a program can import, as far as they tell its own names from imported ones. */
 export interface Modules {
   /** The dict of the program's globals. */
   readonly program: number;
   /** Whether a global is a module, or was imported from one, that is no file of the pupil's. */
   isImported(entry: Entry): boolean;
-  /** Whether a module has been imported since. */
+  /** True if a module has been imported since. */
   haveChanged(): boolean;
 }
 

@@ -26,7 +26,7 @@ const MOST_NAME = 200;
 /** An entry of a dict, or an attribute. */
 export type Entry = readonly [key: number, value: number];
 
-/** What kind of thing an object is: its own layout in memory. */
+/** The kind of an object: its layout in memory. */
 export type Layout =
   | 'immediate' | 'int' | 'name' | 'big' | 'float' | 'str' | 'bytes' | 'list' | 'tuple' | 'named' | 'dict' | 'set'
   | 'array' | 'range' | 'function' | 'closure' | 'method' | 'generator' | 'module' | 'class' | 'instance'
@@ -166,7 +166,7 @@ export class Objects {
   dictOf = (object: number): number =>
     this.layoutOf(object) === 'module' ? this.memory.word(object + 4) : this.slot(object, TYPE.locals);
 
-  /** What an instance of a class that is made from a built-in type holds of that, or `null`. */
+  /** The built-in value inside an instance of a class derived from a built-in type, or `null`. */
   native(instance: number): number | null {
     const type = this.typeAt(instance);
     for (let base = this.slot(type, TYPE.parent); base !== NOTHING; base = this.slot(base, TYPE.parent)) {
@@ -210,7 +210,7 @@ export class Objects {
   /** A name in a table, or what stands for it. */
   nameText = (key: number): string => new TextDecoder().decode(this.text(key, MOST_NAME).bytes);
 
-  /** What a module calls itself; empty if it has no name. */
+  /** The module's own name; empty if it has none. */
   moduleName(module: number): string {
     const named = this.members(module, Infinity).find(([key]) => this.nameText(key) === '__name__');
     return named === undefined ? '' : this.nameText(named[1]);
@@ -242,7 +242,7 @@ export class Objects {
     return false;
   }
 
-  /** What a type has in an optional slot; 0: nothing. */
+  /** The value in an optional slot of a type; 0: none. */
   private slot(type: number, slot: number): number {
     const place = this.memory.byte(type + slot);
     return place === 0 ? NOTHING : this.memory.word(type + TYPE.slots + 4 * (place - 1));

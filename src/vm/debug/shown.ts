@@ -6,9 +6,9 @@ import { quotedBytes, quotedText } from './quoted';
 export interface Shown {
   /** `int`, `list`, the name of a class. */
   readonly type: string;
-  /** What `repr` would give, shortened; of objects that repr would ask, `<Robot object>`. */
+  /** The text of `repr`, shortened; `<Robot object>` for objects with a `__repr__` of their own. */
   readonly text: string;
-  /** What it consists of, if it can be unfolded. */
+  /** Its parts, if it can be unfolded. */
   readonly parts?: readonly Part[];
   /** How many parts there are besides. */
   readonly more?: number;
@@ -113,7 +113,10 @@ const attribute =
   (objects: Objects) =>
   ([key, value]: readonly [number, number]): Named => [objects.nameText(key), value];
 
-/** What `repr` gives. @param around what it is in, to name cycles as MicroPython would never end to do */
+/**
+ * The text of `repr`. @param around the objects it is inside of, to detect cycles, on which MicroPython would never
+ * end
+ */
 function textOf(objects: Objects, object: number, around: readonly number[]): string {
   const layout = objects.layoutOf(object);
   switch (layout) {

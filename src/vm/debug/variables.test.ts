@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { deviceWith, runProgram } from '../run/testing/run-program';
 import { readVariables, type Variable, type Variables } from './variables';
 
-/** What is seen of a program half a second after its start. */
+/** The variables of a program half a second after its start. */
 function look(program: string, files: Readonly<Record<string, string>> = {}): Variables {
   const { vm } = deviceWith(`from microbit import *\n${program}`, { files });
   vm.resume(500_000);

@@ -136,7 +136,7 @@ err(set_volume, 'loud')`;
   });
 });
 
-/** What a program lets sound, with whole ms. */
+/** The sounds of a program, with whole ms. */
 function heard(program: string, untilMs: number): readonly SoundEvent[] {
   const events: SoundEvent[] = [];
   play(program, {}, ({ board }) => board.sound.onEvent((event) => events.push(event))).until(untilMs);

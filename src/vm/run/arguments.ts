@@ -21,7 +21,7 @@ export function textOf(value: Value | undefined): string {
 /** Error numbers as MicroPython's `errno` has them; syscalls return them negative. */
 export const Errno = { ENOENT: 2, EBADF: 9, ENODEV: 19, ENOSPC: 28 } as const;
 
-/** What a table has under the name that Python gives; a name that only JavaScript's objects have is none. */
+/** The value of a table under a name given by Python; names that only JavaScript's objects have are ignored. */
 export function ownOf<T>(table: Readonly<Record<string, T>>, name: Value | undefined): T | undefined {
   const text = textOf(name);
   return Object.hasOwn(table, text) ? table[text] : undefined;

@@ -11,7 +11,7 @@ import type { Memory } from './values';
 const FREE_LIBRARY_BYTECODES = 20_000;
 /** The longest stretch without a tick, in µs: keeps the counter well within 32 bits. */
 const LONGEST_STRETCH_US = 1_000_000;
-/** Where a suspended program's stack is kept: the deepest recursion that the VM allows needs less (engine tests). */
+/** Size of the stack of a suspended program: the deepest recursion that the VM allows needs less (engine tests). */
 const UNWIND_BYTES = 1024 * 1024;
 
 /** Upper limit for a program's buffer: the device's heap. */
@@ -48,7 +48,7 @@ export interface Watch {
   look(catchUp: () => void): boolean;
 }
 
-/** What the loaded library has said of itself. */
+/** The facts that the loaded library reports. */
 export interface Agreed {
   /** Address of its function that callbacks go through; 0: there is none yet. */
   readonly dispatcher: number;
@@ -139,7 +139,7 @@ export class Engine implements Machine {
     if (this.firmware.queued() & EXCEPTION_WAITS) this.firmware.set_pending(0);
   }
 
-  /** Whether code that is compiled from now on prints the values of its expressions. */
+  /** True if code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void {
     this.firmware.echo.value = Number(on);
   }

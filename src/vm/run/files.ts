@@ -93,13 +93,16 @@ export class Files {
   }
 }
 
-/** What a reader finds in a file: until it is closed, its last chunk reads as nothing (microbitfs.c, file_read). */
+/**
+ * The bytes that a reader finds in a file: until it is closed, its last chunk reads as nothing (microbitfs.c,
+ * file_read).
+ */
 export function readableBytes({ name, bytes, isClosed }: StoredFile): Uint8Array {
   if (isClosed) return bytes;
   return bytes.subarray(0, Math.max((chunksOf(name, bytes.length) - 1) * CHUNK_BYTES - headerBytes(name), 0));
 }
 
-/** What `os.size` says: until a file is closed, the place where it ends is that of erased flash (file_size). */
+/** The result of `os.size`: until a file is closed, its end is taken from erased flash (file_size). */
 export function toldSize({ name, bytes, isClosed }: StoredFile): number {
   if (isClosed) return bytes.length;
   return (chunksOf(name, bytes.length) - 1) * CHUNK_BYTES + ERASED - headerBytes(name);

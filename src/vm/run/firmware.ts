@@ -5,7 +5,10 @@ import { Memory, VALUE_BYTES } from './values';
 
 type TableFunction = (...args: readonly number[]) => number;
 
-/** What the firmware exports: MicroPython's own entries and those that the build step added (../firmware/transform.mjs). */
+/**
+ * The exports of the firmware: MicroPython's own entries and those that the build step added
+ * (../firmware/transform.mjs).
+ */
 export interface Firmware {
   readonly memory: WebAssembly.Memory;
   readonly __indirect_function_table: { get(index: number): TableFunction };
@@ -105,7 +108,7 @@ export type HostCall = (
 ) => void;
 export type Given = Value | undefined;
 
-/** What the engine knows of the firmware's state without asking there. */
+/** The firmware's state, as far as the engine knows it without asking. */
 export interface Flow {
   /** A suspended call is being resumed: the stack is built up again, down to where it was. */
   isRewinding: boolean;

@@ -20,10 +20,10 @@ const DEVICE_BYTES = 64_512;
  */
 const RESERVE_BLOCKS = 258;
 
-/** Whether one of the four kinds in this byte of the table is FREE (two zero bits). */
+/** True if one of the four kinds in this byte of the table is FREE (two zero bits). */
 const hasFree = (kinds: number): boolean => ((kinds | (kinds >> 1)) & 0x55) !== 0x55;
 
-/** What `micropython.mem_info()` tells. */
+/** The figures of `micropython.mem_info()`. */
 export interface HeapInfo {
   readonly totalBytes: number;
   readonly usedBytes: number;

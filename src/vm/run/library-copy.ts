@@ -5,20 +5,23 @@ import type { Agreed } from './engine';
 import type { Firmware } from './firmware';
 import type { Memory } from './values';
 
-/** What loading the library depends on: it asks the board, and which files there are. Neither time nor chance comes into it. */
+/**
+ * The facts that loading the library depends on: it asks the board, and which files there are. Neither time nor
+ * chance matters.
+ */
 export interface LoadedFor {
   readonly module: WebAssembly.Module;
   readonly board: Pick<Board, 'type' | 'firmware'>;
   readonly fileNames: readonly string[];
 }
 
-/** What the host has heard while the library was loaded. */
+/** Everything that the host received while the library was loaded. */
 interface Heard {
   readonly agreed: Agreed;
   readonly scopes: ReadonlyMap<number, Scope>;
 }
 
-/** What loading the library has made of a VM that was just started: the parts of its state that are different. */
+/** The effect of loading the library on a VM that was just started: the parts of its state that differ. */
 export interface LibraryCopy extends Heard {
   readonly pages: readonly { readonly at: number; readonly bytes: Uint8Array }[];
   readonly globals: readonly { readonly name: string; readonly value: number }[];

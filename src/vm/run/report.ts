@@ -159,7 +159,7 @@ function innermostPlace(traceback: string): Place | null {
   return last ? { file: last[1] ?? '', line: Number(last[2]) } : null;
 }
 
-/** What is said of a fault. Each engine has words of its own for a wild address or a stack that is full; ours are the same. */
+/** The text of a fault. Each engine words a wild address or a full stack in its own way; ours is always the same. */
 function faultText(thrown: unknown): string {
   if (thrown instanceof VmFault) return thrown.message;
   const isCrash = thrown instanceof WebAssembly.RuntimeError || isStackFull(thrown);

@@ -53,7 +53,7 @@ export class Session {
   private readonly engine: Engine;
   private readonly heap: Heap;
   private readonly scopes: Scopes;
-  /** What a debugger may read. */
+  /** The state that a debugger may read. */
   readonly inspected: Inspected;
   private readonly program: () => void;
   private restartsAs: 'reset' | 'reboot' | null = null;
@@ -79,7 +79,7 @@ export class Session {
     this.program = this.executor(PROGRAM);
   }
 
-  /** What the firmware asks. */
+  /** The functions that the firmware calls. */
   private host(rng: Rng): FirmwareHost {
     const { engine, heap, scopes } = this;
     return {
@@ -217,7 +217,7 @@ export class Session {
     };
   }
 
-  /** What a program may ask of the machine: panic(number), reset(), kbd_intr(byte, −1 for none). */
+  /** The calls of a program to the machine: panic(number), reset(), kbd_intr(byte, −1 for none). */
   private programCalls(engine: Engine): SyscallTable {
     const { report, port } = this.ports;
     return {

@@ -10,7 +10,7 @@ type Style = 'e' | 'f' | 'g';
 /** How the digits of a number are set. */
 export interface Layout {
   style: Style;
-  /** What is left of the number. */
+  /** The remainder of the number. */
   rest: number;
   /** Size of the decimal exponent. */
   exponent: number;
@@ -25,7 +25,7 @@ export interface Layout {
 
 /** One version's way from a number to its digits. */
 export interface Digits {
-  /** Whether a digit that rounding adds pushes the last one out of a full buffer. */
+  /** True if a digit that rounding adds pushes the last one out of a full buffer. */
   readonly keepsInBuffer: boolean;
   /** Lays out a number below 1; zeros that it starts with may go to `text`. */
   belowOne(layout: Layout, room: number, text: string[]): void;

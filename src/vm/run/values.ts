@@ -19,7 +19,7 @@ function isAscii(text: string): boolean {
   return true;
 }
 
-/** What is longer is cut: it still is more than the board's memory can take. Chosen, several times 64 KiB. */
+/** Longer values are cut: they are still more than the board's memory can take. Chosen, several times 64 KiB. */
 const MOST_CHARACTERS = 256 * 1024;
 
 /** The bytes of one value at the boundary: kind and two words. */

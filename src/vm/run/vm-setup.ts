@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { Clock } from '#core/clock';
 import type { Observer } from './observed';
 
-/** What a VM needs to run a program. */
+/** Everything that a VM needs to run a program. */
 export interface VmSetup {
   /** The compiled firmware (.cache/vm/vm.wasm). */
   readonly firmware: WebAssembly.Module;

@@ -30,9 +30,15 @@ export interface Vm {
   stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
-  /** What a debugger reads (`../debug`) while the program stands still; another object after a reset of the board. */
+  /**
+   * The state that a debugger reads (`../debug`) while the program is paused; another object after a reset of the
+   * board.
+   */
   readonly inspected: Inspected;
-  /** Where the program shall stop before its time is over; a watch that is set takes effect with the next `resume`. */
+  /**
+   * The condition on which the program is paused before its time is over; a watch takes effect with the next
+   * `resume`.
+   */
   readonly hold: Hold;
   /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end, the bytes it left. */
   heapFree(): number;

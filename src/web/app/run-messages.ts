@@ -73,7 +73,7 @@ export function showEnd(parts: RunMessages, ended: Ended, run: RunModel, device:
 const isHidden = ({ layout }: RunMessages): boolean =>
   layout.kind.value === 'phone' && !layout.isShown.value.console && layout.tabs.value.includes('console');
 
-/** Whether the motors turn: they go on when the program is over, as on the real robot. */
+/** True if the motors turn: they go on when the program is over, as on the real robot. */
 function isDriving(run: RunModel, device: number): boolean {
   const duty = run.deviceNow(device)?.robot?.state.duty;
   return duty !== undefined && (duty.left !== 0 || duty.right !== 0);

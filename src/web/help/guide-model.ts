@@ -2,11 +2,11 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import type { HelpEntry } from '../kit/features/feature';
 
-/** Whether the help is requested, and where; whether it is visible. */
+/** True if the help is requested, and where; whether it is visible. */
 export interface GuideModel {
   /** `null`: closed; an entry's name, or `''` for the help's beginning. */
   readonly at: Readonly<ShallowRef<string | null>>;
-  /** Whether it is on the page yet: it is fetched with the first request. */
+  /** True if it is on the page yet: it is fetched with the first request. */
   readonly isShown: ShallowRef<boolean>;
   /** Opens the help at one of its entries, or at its beginning. */
   readonly open: (entry?: string) => void;

@@ -1,6 +1,6 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** Whether the tour is on. Where it was left is a setting. */
+/** True if the tour is on. Where it was left is a setting. */
 export interface TourModel {
   readonly isOpen: Readonly<ShallowRef<boolean>>;
   /** Begins the tour, or goes on where it was left. It is fetched first and may take a moment. */

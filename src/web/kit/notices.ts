@@ -9,7 +9,7 @@ export interface Notice {
   readonly values?: TextValues;
   /** One thing to do about it. */
   readonly action?: { readonly key: TextKey; readonly values?: TextValues; readonly run: () => void };
-  /** Whether it is still true and what it offers can be done; it is followed, and the message goes when it is not. */
+  /** True if it is still true and what it offers can be done; it is followed, and the message goes when it is not. */
   readonly holds?: () => boolean;
 }
 

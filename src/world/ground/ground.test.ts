@@ -114,7 +114,7 @@ const drawings: readonly (readonly [string, readonly StrokeShape[]])[] = [
   ['a curve', [CURVE]],
 ];
 
-/** What a spot sees, from a square pattern of about 2,000 points in it. */
+/** The reading of a spot, from a square pattern of about 2,000 points in it. */
 function sampled(strokes: readonly StrokeShape[], at: Vec, radius: number, floor = (_at: Vec): number => 1): number {
   const SIDE = 50;
   let sum = 0;

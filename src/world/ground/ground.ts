@@ -100,7 +100,7 @@ function insertByLayer(pieces: Segment[], piece: Segment): void {
   pieces[place] = piece;
 }
 
-/** Whether the spot meets neither end of a piece. */
+/** True if the spot meets neither end of a piece. */
 function isStraightUnder({ ax, ay, ex, ey, length }: Segment, x: number, y: number, radius: number): boolean {
   const along = (x - ax) * ex + (y - ay) * ey;
   return along >= radius && along <= length - radius;

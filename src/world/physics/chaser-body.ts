@@ -15,7 +15,7 @@ const PUSH_N = 4;
 /** How quickly it becomes faster or slower, in units/s². */
 const ACCELERATION = (PUSH_N * UNITS_PER_NEWTON) / MASS_G;
 
-/** What it may run after. */
+/** A robot that it may chase. */
 export interface Prey {
   pose(): Pose;
   /** Convex parts of all of it, with what it holds, world mm. */
@@ -30,7 +30,7 @@ export interface Prey {
 export class ChaserBody implements MoverHandle {
   private readonly body: Body;
   private readonly velocity = new Vec2(0, 0);
-  /** Where it stands, or goes to stand, while it runs after nobody. */
+  /** Its place, or the place it returns to, while it chases nothing. */
   private rest: Vec | null;
 
   constructor(

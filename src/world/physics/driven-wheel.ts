@@ -13,7 +13,7 @@ export interface MotorLaw {
   readonly breakawaySpeed: number;
 }
 
-/** What a motor does in a step at one duty, and what its tyre then does. */
+/** A motor at one duty during a part of a step, and its tyre after it. */
 class Stretch {
   // Numbers with a point from the start: the engines of JavaScript would translate all of this once more when the first
   // one comes.

@@ -35,7 +35,7 @@ export function engineShapes(form: BodyForm, parts: readonly Polygon[]): readonl
 export const circleOutline = (radius: number): Polygon =>
   unitCircle.map(({ x, y }) => ({ x: x * radius, y: y * radius }));
 
-/** Where the area of convex parts has its middle, in their frame and unit. */
+/** The centroid of convex parts, in their frame and unit. */
 export function centroidOf(parts: readonly Polygon[]): Vec {
   let [sum, x, y] = [0, 0, 0];
   for (const part of parts) {

@@ -36,12 +36,12 @@ export class Lodged {
     }
   }
 
-  /** Whether this part is inside something. */
+  /** True if this part is inside something. */
   has({ fixture }: Solid): boolean {
     return this.pairs.has(fixture);
   }
 
-  /** Whether these two are still inside each other; once they are not, they collide from then on. */
+  /** True if these two are still inside each other; once they are not, they collide from then on. */
   holds(own: Fixture, other: Fixture): boolean {
     if (this.pairs.get(own)?.has(other) !== true) return false;
     if (gapBetween(outlineOf(own), outlineOf(other)).gap < -OVERLAP) return true;

@@ -15,7 +15,7 @@ import { placesAlong } from './way';
  */
 const JAMMED = 4 * UNITS_PER_MM;
 
-/** What a moving obstacle is in the engine. Throws RangeError if a side or the speed is not above 0. */
+/** The fixtures of a moving obstacle. Throws RangeError if a side or the speed is not above 0. */
 export function moverFixtures(mover: MoverShape): readonly FixtureOf[] {
   const { id, sizeMm, speedMmPerS } = mover;
   if (!(sizeMm.x > 0 && sizeMm.y > 0 && speedMmPerS > 0))

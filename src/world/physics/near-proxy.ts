@@ -14,7 +14,7 @@ interface Placed {
   readonly q: { readonly s: number; readonly c: number };
 }
 
-/** What planck 1.5.0 keeps on a fixture to tell its search for contacts where it is. */
+/** Property of a fixture by which planck 1.5.0 tells its search for contacts where it is. */
 interface Synchronized {
   readonly m_proxies: readonly { readonly aabb: Box; readonly proxyId: number }[];
   synchronize(broadPhase: Boxes, from: Placed, to: Placed): void;

@@ -138,7 +138,7 @@ function isForkAcross(a: Fixture, b: Fixture): boolean {
   return gapBetween(outlineOf(a), outlineOf(b)).gap < -OVERLAP;
 }
 
-/** Whether one of the two is a moving obstacle that passes over the other. */
+/** True if one of the two is a moving obstacle that passes over the other. */
 function isPassedOver(movers: readonly MoverBody[], a: Fixture, b: Fixture): boolean {
   return movers.some(
     (mover) =>

@@ -19,12 +19,12 @@ export class Power {
     return this.now;
   }
 
-  /** Whether it is the same through all of this step. */
+  /** True if it is the same through all of this step. */
   get isSteady(): boolean {
     return this.since === 0;
   }
 
-  /** Whether the motor drives at some moment of this step. */
+  /** True if the motor drives at some moment of this step. */
   get isOn(): boolean {
     return this.now !== 0 || !this.isSteady;
   }

@@ -40,7 +40,7 @@ interface Moved {
  */
 export class PushPlan {
   private readonly around: Surroundings;
-  /** Whether a fixture is the one that pushes. */
+  /** True if a fixture is the one that pushes. */
   private readonly pushes: (fixture: Fixture) => boolean;
   private readonly moved = new Map<BlockBody, Moved>();
 
@@ -54,7 +54,7 @@ export class PushPlan {
     return (thing.block && this.moved.get(thing.block)?.outlines[thing.part]) ?? thing.outline;
   }
 
-  /** Whether the plan has already pushed a block against this direction. */
+  /** True if the plan has already pushed a block against this direction. */
   isPinched(block: BlockBody, normal: Vec): boolean {
     const before = this.moved.get(block)?.normal;
     return before !== undefined && before.x * normal.x + before.y * normal.y < 0;

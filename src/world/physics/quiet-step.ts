@@ -14,7 +14,7 @@ interface Edge {
   readonly next: Edge | null;
 }
 
-/** What it keeps on a body besides. */
+/** Further properties of a body. */
 interface QuietBody extends SolverBody {
   readonly m_next: QuietBody | null;
   readonly m_jointList: Edge | null;
@@ -35,7 +35,7 @@ interface ListedContact {
   readonly m_next: ListedContact | null;
 }
 
-/** What it keeps in a world. */
+/** Properties of a world. */
 interface QuietWorld {
   readonly m_newFixture: boolean;
   readonly m_bodyList: QuietBody | null;
@@ -68,7 +68,7 @@ export function quietStep(planckWorld: PlanckWorld, rounds: number): boolean {
   return true;
 }
 
-/** What moves, if each has joints to the floor alone and touches nothing; else `null`. */
+/** The moving bodies, if each has joints to the floor alone and touches nothing; else `null`. */
 function aloneIn(world: QuietWorld): readonly QuietBody[] | null {
   if (world.m_newFixture) return null;
   const awake: QuietBody[] = [];

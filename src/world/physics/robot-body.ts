@@ -51,7 +51,7 @@ export class RobotBody implements Chassis {
   private collisionCount = 0;
   private readonly wheelTurn: [number, number] = [0, 0];
   private readonly wheelDuty: [number, number] = [0, 0];
-  /** What acts on the motors now, while `wheelDuty` may be ahead of it. */
+  /** Duties acting on the motors now, while `wheelDuty` may be ahead of them. */
   private readonly acting: [number, number] = [0, 0];
   private later: LaterDuty[] = [];
   private battery: (left: number, right: number) => number = () => 1;
@@ -262,7 +262,7 @@ export class RobotBody implements Chassis {
     this.placedAnew.clear();
   }
 
-  /** Whether a fixture of this body has been inside another since it was put there, so that the two do not collide. */
+  /** True if a fixture of this body has been inside another since it was put there, so that the two do not collide. */
   isLodged(own: Fixture, other: Fixture): boolean {
     return this.lodged.holds(own, other);
   }

@@ -80,7 +80,7 @@ export class Solid {
     this.body.setAwake(true);
   }
 
-  /** Whether something presses against it, according to the last step. */
+  /** True if something presses against it, according to the last step. */
   isTouched(): boolean {
     if (!this.isThere) return false;
     for (let edge = this.body.getContactList(); edge; edge = edge.next) {

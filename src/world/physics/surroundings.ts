@@ -14,7 +14,7 @@ export interface Thing {
   readonly part: number;
 }
 
-/** What stands around. */
+/** The things around. */
 export interface Surroundings {
   /** Everything solid that may reach into the box around these outlines (world frame, units), always in the same order. */
   near(outlines: readonly Polygon[]): Thing[];

@@ -4,7 +4,7 @@ import { STEP_US } from '../step';
 
 /** A leg of a way, or a wait. Waits have lengths, too: that of the leg that would take as long. */
 interface Piece {
-  /** Where it ends, along all pieces. */
+  /** Distance of its end, along all pieces. */
   readonly endMm: number;
   readonly from: Vec;
   readonly to: Vec;
@@ -13,7 +13,7 @@ interface Piece {
   readonly isBack: boolean;
 }
 
-/** Where something on a way is after so many steps of the world, in mm. */
+/** Distance of a thing on a path after a number of steps of the world, in mm. */
 export function placesAlong(way: Way, speedMmPerS: number): (steps: number) => Vec {
   const pieces = piecesOf(way, speedMmPerS);
   const home = way.stops[0]?.atMm ?? { x: 0, y: 0 };

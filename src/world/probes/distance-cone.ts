@@ -45,7 +45,7 @@ interface Circle {
   readonly radius: number;
 }
 
-/** What a beam can meet, in its own frame. */
+/** The things that a beam can meet, in its own frame. */
 interface Met {
   readonly edges: Edge[];
   readonly circles: Circle[];

@@ -3,7 +3,7 @@ import { waitsProperty } from '../mover-way';
 import type { KindReader } from './kind-reader';
 import { readBody, readObjectId, readPlace, unread, type Unread } from './unread';
 
-/** What is said of a way; who runs after robots has none. */
+/** The properties of a path; a mover that chases robots has none of them. */
 const wayProperties = ['stops', 'waits', 'loops', 'phase'] as const;
 
 export const mover: KindReader<Mover> = {

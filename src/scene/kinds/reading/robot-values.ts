@@ -1,4 +1,4 @@
-/** What is said of a robot wherever it starts, as it is read. */
+/** Reads the properties that a robot has wherever it starts. */
 import type { Fields, Reader } from '../../reader';
 import { robotColors, sceneLimits, type RobotColor, type RobotStart } from '../../scene';
 
@@ -25,7 +25,7 @@ export function readOptions(value: unknown, path: string, reader: Reader): Robot
   return Object.fromEntries(choices);
 }
 
-/** What a robot is called; empty: as its device. */
+/** The name of a robot; empty: that of its device. */
 export const readRobotName = (value: unknown, path: string, reader: Reader): string =>
   reader.text(value, path, sceneLimits.startNameCharacters);
 

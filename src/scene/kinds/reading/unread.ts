@@ -46,10 +46,10 @@ export function readAngle({ reader, at }: Unread): number {
   return 45 * reader.whole(turn, turnPath, { min: 0, max: 7 });
 }
 
-/** What every object may have, in a file. */
+/** The properties that every object may have in a file. */
 export const commonProperties = ['id', 'type', 'lock', 'group'] as const;
 
-/** Whether the editor leaves an object as it is, and its group. */
+/** True if the editor leaves an object as it is, and its group. */
 export function readCommon({ reader, at }: Unread): Pick<SceneObject, 'lock' | 'group'> {
   const [group, path] = at('group');
   return {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { createHalBench } from '../testing/hal-bench';
 
 const HEART = Number.parseInt('avve4', 32);
-/** Where the heart lies in memory. */
+/** Address of the heart in memory. */
 const AT = 1000;
 
 /** The board on the table, with the built-in heart in memory. */

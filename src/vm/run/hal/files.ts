@@ -3,7 +3,7 @@ import { Errno, textOf, wholeOf } from '../arguments';
 import { readableBytes, toldSize, type Files } from '../files';
 import type { Machine, SyscallTable } from '../syscall';
 
-/** What `file_span` counts. */
+/** The units that `file_span` counts in. */
 const Unit = { BYTES: 0, CHARACTERS: 1, LINE: 2 } as const;
 const NEWLINE = 10;
 

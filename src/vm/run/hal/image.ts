@@ -13,7 +13,7 @@ const ZERO = 0x30;
 const IMAGE_HEAD = 5;
 const CONSTANT = 4;
 
-/** What image_pixel, image_set and image_fill return instead. */
+/** The result of image_pixel, image_set and image_fill for a place outside the image. */
 const BAD_PLACE = -1;
 
 const single = Math.fround;
@@ -77,7 +77,7 @@ function newPicture(machine: Machine, address: Value | undefined, width: number,
   return pictureAt(machine, address);
 }
 
-/** What a call that makes or changes so many pixels costs; what it makes is one object more on the heap. */
+/** Charges a call that makes or changes `count` pixels; a new image is one object more on the heap. */
 type Charge = (count: number, pixelUs: number, made?: 'new' | 'same') => void;
 
 const chargeFor =

@@ -5,7 +5,7 @@ import { pinsByNumber } from './pins';
 import { SPEAKER_PIN, SPEAKER_REFUSED } from './sound';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
-/** What the player prints when its turn comes to something that is no text: modmusic.c, microbit_music_tick. */
+/** Printed by the player when its turn comes to something that is no string: modmusic.c, microbit_music_tick. */
 const NO_NOTE = new TextEncoder().encode('TypeError: expecting a str for note\n');
 
 /**

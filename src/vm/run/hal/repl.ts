@@ -7,11 +7,11 @@ const CTRL_C = 3;
 /** The Python form of a request. */
 const Code = { statement: 1, program: 2, names: 3, reboot: 4, pasted: 2 } as const;
 
-/** What the REPL's functions need from the engine. */
+/** The parts of the engine that the REPL's functions use. */
 export interface ReplMachine {
   /** Forgets a pending KeyboardInterrupt. */
   forgetInterrupt(): void;
-  /** Whether code that is compiled from now on prints the values of its expressions. */
+  /** True if code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void;
 }
 

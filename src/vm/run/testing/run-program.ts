@@ -12,7 +12,7 @@ export interface Device {
   readonly vm: Vm;
   readonly clock: Clock;
   readonly board: Board;
-  /** What was printed so far. */
+  /** The output so far. */
   readonly console: () => string;
 }
 

@@ -10,7 +10,7 @@ export function byId(id: string): HTMLElement {
 /** Likewise a field or a button: with its value, its mark and whether it can be used. */
 export const fieldById = (id: string): HTMLInputElement => byId(id) as HTMLInputElement;
 
-/** Whether something with this `data-testid` is on the page. */
+/** True if something with this `data-testid` is on the page. */
 export const isThere = (id: string): boolean => idsShown().includes(id);
 
 /** All `data-testid`s on the page, in its order; with `prefix` only those that begin with it. */

@@ -90,7 +90,7 @@ function undoes(key: string, shift: boolean, editor: Editor): boolean {
 interface LateActs {
   /** At once, or as soon as they are there, in the order of the calls. */
   readonly use: (act: (acts: SelectionActs) => void) => void;
-  /** Whether something waits for them. */
+  /** True if something waits for them. */
   readonly areComing: () => boolean;
 }
 
@@ -121,7 +121,7 @@ const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.len
 const removes = (key: string, isSelected: boolean): 'remove' | null =>
   isSelected && (key === 'delete' || key === 'backspace') ? 'remove' : null;
 
-/** Whether what is selected in the arena is what gets copied: not where text is selected on the page. */
+/** True if what is selected in the arena is what gets copied: not where text is selected on the page. */
 const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
 
 /** What a key does together with Ctrl, besides the clipboard; `null` leaves it to the browser. */

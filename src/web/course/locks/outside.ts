@@ -8,7 +8,7 @@ const remarksIn = ({ handIn }: Project): readonly unknown[] => {
   return Array.isArray(remarks) ? (remarks as readonly unknown[]) : [];
 };
 
-/** Whether some of the program was written elsewhere. */
+/** True if some of the program was written elsewhere. */
 export const isFromOutside = (project: Project): boolean => remarksIn(project).includes(OUTSIDE);
 
 /** The project, with that told. It stays with the work, over a reload and in its file. */

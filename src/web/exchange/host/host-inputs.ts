@@ -12,7 +12,7 @@ import { hardwareNow } from '../../session/work/hardware/use-hardware';
 export interface HostInputs {
   /** @param device its name; left out: the first, and for radio all */
   take(action: InputAction, device?: string): Refusal;
-  /** Whether what is done to the run at this moment is the host's. */
+  /** True if what is done to the run at this moment is the host's. */
   isOwn(): boolean;
 }
 

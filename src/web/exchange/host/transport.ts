@@ -100,7 +100,7 @@ export function openTransport(options: TransportOptions): HostTransport {
 interface Partner {
   readonly origin: string;
   readonly session: unknown;
-  /** Whether it sends its messages to the window; otherwise it uses its port alone. */
+  /** True if it sends its messages to the window; otherwise it uses its port alone. */
   readonly isOnWindow: boolean;
   isOpen(): boolean;
   receive(data: unknown): void;
@@ -157,7 +157,7 @@ function refuse(send: (message: object) => void, id: unknown, code: keyof typeof
 /** Equals `limits.idCharacters` of the dialect, whose code is not loaded yet. */
 const LONGEST_ID = 100;
 
-/** Whether it is a message of our own dialect, of any version. */
+/** True if it is a message of our own dialect, of any version. */
 const isOurs = (data: unknown): data is Readonly<Record<'type' | 'session' | 'id', unknown>> =>
   typeof data === 'object' && data !== null && 'parcours' in data && typeof data.parcours === 'number';
 

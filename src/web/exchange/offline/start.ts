@@ -13,7 +13,7 @@ export async function startOffline(keepsWork: boolean): Promise<void> {
   await keepOffline();
 }
 
-/** Whether the browser lets this page keep anything: frames and private windows may not. */
+/** True if the browser lets this page keep anything: frames and private windows may not. */
 function canStore(): boolean {
   const KEY = 'parcours.probe';
   try {

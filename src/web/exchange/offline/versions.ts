@@ -12,7 +12,7 @@ export type ToServiceWorker =
   /** A page holds its version's lock now: files that are no longer needed may go. */
   | { readonly type: 'tidy' };
 
-/** Whether something that came as a message is one of ours. */
+/** True if something that came as a message is one of ours. */
 export function isMessage(data: unknown): data is ToServiceWorker {
   const type = typeof data === 'object' && data !== null && 'type' in data ? data.type : null;
   return type === 'take-over' || type === 'tidy';

@@ -9,7 +9,7 @@ export const LONG_LINK = 8_000;
 
 /** The link to the present project. */
 export interface ShareLink {
-  /** Whether the program comes along. */
+  /** True if the program comes along. */
   readonly program: ShallowRef<boolean>;
   /** The whole address; `null`: the project is too large for one. */
   readonly link: ComputedRef<string | null>;

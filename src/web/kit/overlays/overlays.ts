@@ -1,6 +1,6 @@
 /** What lies over the page: a menu or a dialog. */
 export interface Overlay {
-  /** Whether a click there is one beside it. */
+  /** True if a click there is one beside it. */
   isBeside(target: Node): boolean;
   /** It shall close: Escape was pressed, or something beside it was clicked. */
   leave(by: 'escape' | 'beside'): void;

@@ -10,7 +10,7 @@ const MOST_UNITS = 2;
 /** The ids of the curves that somebody has chosen, for as long as the page is open; `null`: nobody has. */
 export const chosenCurves = lateModel(() => shallowRef<readonly string[] | null>(null));
 
-/** Whether a curve can come to those that are drawn. */
+/** True if a curve can come to those that are drawn. */
 export function canJoin({ unit }: Series, drawn: readonly Series[]): boolean {
   const units = new Set([...drawn.map((series) => series.unit), unit]);
   return drawn.length < MOST_CURVES && units.size <= MOST_UNITS;

@@ -20,7 +20,7 @@ export interface DeviceQuestion {
 export interface DeviceMarksOptions {
   /** Asked at every check; `null`: there is nothing to check against, no marks. */
   readonly question: () => DeviceQuestion | null;
-  /** Whether the program is one of ours just as it came, for its own board: there is nothing to find in it. */
+  /** True if the program is one of ours just as it came, for its own board: there is nothing to find in it. */
   readonly isOurs: () => boolean;
   /** Tells when the question has changed, for another board or another file of the project. */
   readonly onChange: (listener: () => void) => Stop;

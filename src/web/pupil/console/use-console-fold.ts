@@ -5,7 +5,7 @@ import type { RunParts } from '../../session/run/parts';
 import type { ConsoleEntry } from './log/console-log';
 import type { ConsoleParts } from './parts';
 
-/** Whether the console shows its head alone, and how to change that by hand. */
+/** True if the console shows its head alone, and how to change that by hand. */
 export interface ConsoleFold {
   readonly isFolded: ComputedRef<boolean>;
   readonly canFold: ComputedRef<boolean>;
@@ -46,6 +46,6 @@ export function useConsoleFold({
   };
 }
 
-/** Whether this is something to read: neither the head of a run nor a word about its end. */
+/** True if this is something to read: neither the head of a run nor a word about its end. */
 const says = (entry: ConsoleEntry): boolean =>
   entry.kind === 'error' || (entry.kind === 'text' && entry.text.trim() !== '');

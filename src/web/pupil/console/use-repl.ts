@@ -18,7 +18,7 @@ export function useRepl({
   const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
   return {
     isRepl,
-    /** Whether there is a listener: after a panic there is none until the next run. */
+    /** True if there is a listener: after a panic there is none until the next run. */
     isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
     /** Says in the field what it is for. */

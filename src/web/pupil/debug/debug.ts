@@ -12,7 +12,7 @@ import { fileKey } from './file-key';
 import { Past, type PastParts } from './past';
 import { changedFile } from './ran-program';
 
-/** Whether there is something to see of the program of the device that is shown. */
+/** True if there is something to see of the program of the device that is shown. */
 export interface Stillness {
   /** It stands still, and would go on. */
   readonly isStanding: ComputedRef<boolean>;

@@ -46,7 +46,7 @@ export function useMyRobot(app: Workplace, fitter: Fitter) {
     choose: (robot: string): void => void (chosen.value = robot),
     rename: (name: string): void => keep({ name }),
     measure: (change: Partial<Measured>): void => keep({ measured: { ...measured.value, ...change } }),
-    /** Whether runs with this robot are driven by the measured one. */
+    /** True if runs with this robot are driven by the measured one. */
     use: (used: boolean): void => keep({ used }),
     forget: (): void => settings.change({ myRobot: null }),
     again,

@@ -115,7 +115,7 @@ function nearestBetween(from: Vec, to: Vec, at: Vec): Vec {
   return { x: from.x + along * dx, y: from.y + along * dy };
 }
 
-/** Whether a place is on what lies flat on the floor. A text is no thing to stand on. */
+/** True if a place is on what lies flat on the floor. A text is no thing to stand on. */
 export function isOn(object: SceneObject, at: Vec): boolean {
   if (object.type === 'stroke') {
     const near = nearestOfLine(
@@ -129,7 +129,7 @@ export function isOn(object: SceneObject, at: Vec): boolean {
 
 const isZone = (object: SceneObject): object is Zone => 'number' in object;
 
-/** Whether a place is inside a convex outline of either turn. */
+/** True if a place is inside a convex outline of either turn. */
 function isInside(outline: Outline, { x, y }: Vec): boolean {
   const sides = outline.map((from, i) => {
     const to = outline[(i + 1) % outline.length] ?? from;

@@ -22,7 +22,7 @@ export function watchAhead(): Watcher {
   };
 }
 
-/** Whether something is ahead that is worth telling of. */
+/** True if something is ahead that is worth telling of. */
 export const isNear = ({ ahead }: Moment): boolean => stepAt(ahead?.mm ?? Infinity, 1) > 0;
 
 /** How many of the distances it is nearer than; those already passed hold a little longer. */

@@ -3,7 +3,7 @@ import type { Moment } from './moment';
 /** Chosen: a car that parks falls silent, too, once it stands. */
 const STILL_AFTER_MS = 3000;
 
-/** Whether nothing has changed for some seconds: neither the robot's place nor what it sees. */
+/** True if nothing has changed for some seconds: neither the robot's place nor what it sees. */
 export function watchStill(): (moment: Moment) => boolean {
   let before = '';
   let sinceMs = 0;

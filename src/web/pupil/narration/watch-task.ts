@@ -32,6 +32,6 @@ export function watchTask(numbers: () => readonly number[]): Watcher {
   }
 }
 
-/** Whether the task was decided between two moments. */
+/** True if the task was decided between two moments. */
 export const isDecided = (last: Moment, now: Moment): boolean =>
   last.verdict?.state === 'open' && now.verdict !== null && now.verdict.state !== 'open';

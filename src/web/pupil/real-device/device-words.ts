@@ -18,7 +18,7 @@ export function doneSentence({ machine, isStarted, said, same }: Extract<PutResu
   return same.length === 0 ? sentence : `${sentence} ${t(states.same, { files: same.join(', ') })}`;
 }
 
-/** Whether the program failed as soon as it started. */
+/** True if the program failed as soon as it started. */
 export const isTraceback = (said: string): boolean => /^Traceback|^\s*File ".*", line \d+|Error\b/m.test(said);
 
 /** What went wrong and what helps. */

@@ -18,7 +18,7 @@ export interface PutWish {
   readonly files: readonly DeviceFile[];
   /** Firmware modules that the program needs: one from each list. */
   readonly modules: readonly (readonly string[])[];
-  /** Whether a file with this fingerprint may be replaced without asking. */
+  /** True if a file with this fingerprint may be replaced without asking. */
   isKnown(fingerprint: string): boolean;
   /**
    * Asks whether these unknown files on the device may be replaced.
@@ -109,7 +109,7 @@ interface Content extends DeviceFile {
 }
 
 class Transfer {
-  /** Whether something on the device has been changed. */
+  /** True if something on the device has been changed. */
   isTouched = false;
   private readonly repl: RawRepl;
   private readonly files: readonly Content[];

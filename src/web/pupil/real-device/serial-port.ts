@@ -7,7 +7,7 @@ const BOARDS: readonly SerialPortFilter[] = [{ usbVendorId: 0x0d28, usbProductId
 /** Of MicroPython on the micro:bit and most other boards. */
 const BAUD = 115_200;
 
-/** Whether this browser, here, has serial lines. */
+/** True if this browser, here, has serial lines. */
 export type SerialAbility = 'yes' | 'browser' | 'frame';
 
 /** The page's line, when the browser has one. */

@@ -26,7 +26,7 @@ export type DeviceState =
   | {
       readonly kind: 'asking';
       readonly names: readonly string[];
-      /** Whether they have been saved on this computer. */
+      /** True if they have been saved on this computer. */
       readonly saved: 'no' | 'going' | 'yes';
       answer(yes: boolean): void;
       save(): void;

@@ -9,7 +9,7 @@ import AddDeviceForm from './AddDeviceForm.vue';
 import DeviceNameForm from './DeviceNameForm.vue';
 import words from './words';
 
-/** Whether the project takes one more. */
+/** True if the project takes one more. */
 export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devices.value.length < MOST_DEVICES;
 
 /** Asks what the new device shall be, and adds it. */

@@ -1,6 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-/** Whether the arena has the whole screen, as for a projector. */
+/** True if the arena has the whole screen, as for a projector. */
 export class ArenaAlone {
   private readonly alone = shallowRef(false);
   readonly isAlone: Readonly<ShallowRef<boolean>> = this.alone;

@@ -36,7 +36,7 @@ export interface LayoutModel {
   readonly isConsoleFolded: ShallowRef<boolean>;
   /** Height that something else in the console needs, in px; 0: there is nothing. The greeting of a first visit sets it. */
   readonly leastConsolePx: ShallowRef<number>;
-  /** Whether there is a reason to fold it: where panes lie beside the arena. */
+  /** True if there is a reason to fold it: where panes lie beside the arena. */
   readonly canFold: ComputedRef<boolean>;
   /** A phone held across: its panes are wide and low. */
   readonly isAcross: Readonly<ShallowRef<boolean>>;
@@ -97,7 +97,7 @@ const LOW_SIZES: Partial<Sizes> = { console: 170, below: 172 };
 /** Width of the board where no arena needs the room: what is unfolded then stands beside the drawing. Chosen by eye. */
 const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 480, narrow: 320, phone: 0 };
 
-/** Whether the window is a phone's now, before there is a layout. */
+/** True if the window is a phone's now, before there is a layout. */
 export const isPhoneNow = (): boolean => !QUERIES.some(([, query]) => matchMedia(query).matches);
 
 /** Follows the window's width and the pupil's wishes. @param isHelpShown whether the help takes its share of the page */

@@ -3,7 +3,7 @@ export interface ReadingsParts {
   /** Number of line sensors, and digits of their longest reading. */
   readonly count: number;
   readonly digits: number;
-  /** Whether the robot measures a distance, and whether it carries a bumper. */
+  /** True if the robot measures a distance, and whether it carries a bumper. */
   readonly distance: boolean;
   readonly bumper: boolean;
 }

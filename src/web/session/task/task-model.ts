@@ -16,7 +16,7 @@ import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text'
 export interface TaskModel {
   /** What the card says. */
   readonly text: ComputedRef<ShownText>;
-  /** Whether there is anything to read: then there is a card. */
+  /** True if there is anything to read: then there is a card. */
   readonly hasText: ComputedRef<boolean>;
   readonly isOpen: Readonly<Ref<boolean>>;
   /** How many hints have been asked for since the course was opened. */

@@ -8,7 +8,7 @@ export interface HostWish {
   readonly settings: HostSettings;
   /** The dialect that the page speaks before it is asked, or `null`: it then answers only a hello. */
   readonly dialect: 'microbit' | 'webtigerpython' | null;
-  /** Whether the work of this page is kept in the browser; pages that a host fills forget it. */
+  /** True if the work of this page is kept in the browser; pages that a host fills forget it. */
   readonly keepsWork: boolean;
   /** Origins that may command; empty: the parent, whatever its origin. */
   readonly origins: readonly string[];

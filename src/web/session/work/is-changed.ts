@@ -5,7 +5,7 @@ import type { WorkParts } from './model/parts';
 
 type Parts = Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>;
 
-/** Whether any program has been written on since the run began. */
+/** True if any program has been written on since the run began. */
 export function isChanged(parts: Parts): boolean {
   const { devices = [] } = parts.run.recording.value.setup ?? {};
   const { project } = parts.work.work.value;

@@ -7,7 +7,7 @@ import { ahead } from '#check/testing/tasks';
 import { askOnLeaving } from './ask-on-leaving';
 import { classWith, program } from './model/testing/class';
 
-/** Whether the browser would ask. */
+/** True if the browser would ask. */
 function asks(): boolean {
   const leaving = new Event('beforeunload', { cancelable: true });
   dispatchEvent(leaving);

@@ -39,7 +39,7 @@ export function withSide(quad: Quad, index: number, by: Point, extent: Extent): 
   return isUsable(moved) ? moved : quad;
 }
 
-/** Whether it goes clockwise round four corners, none of them pointing inwards, and is large enough to be meant. */
+/** True if it goes clockwise round four corners, none of them pointing inwards, and is large enough to be meant. */
 function isUsable(quad: Quad): boolean {
   return quad.every((corner, index) => {
     const next = quad[(index + 1) % 4] ?? corner;

@@ -60,7 +60,7 @@ export class PartDrag {
     if (event.pointerType === 'touch') this.timer = setTimeout(() => this.lift(x, y), LIFT_MS);
   }
 
-  /** Whether a click belongs to a drag that has just ended: then it inserts nothing. */
+  /** True if a click belongs to a drag that has just ended: then it inserts nothing. */
   swallows(): boolean {
     return this.hasDragged;
   }

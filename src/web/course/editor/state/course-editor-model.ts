@@ -73,9 +73,9 @@ export interface CourseEditorModel {
   readonly tool: ComputedRef<ArenaTool>;
   readonly options: Readonly<ShallowRef<ToolOptions>>;
   readonly selection: Readonly<ShallowRef<Selection>>;
-  /** Whether the palette is unfolded. While it is folded, only the hand works. */
+  /** True if the palette is unfolded. While it is folded, only the hand works. */
   readonly isOpen: ComputedRef<boolean>;
-  /** Whether snapping is off. */
+  /** True if snapping is off. */
   readonly free: ShallowRef<boolean>;
   /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
@@ -89,7 +89,7 @@ export interface CourseEditorModel {
   readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
   /** The course with which the run on show began; `null` without a run. */
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
-  /** Whether the run has yet to pick up changes that need a new start: walls, fixed things, the robot's start. */
+  /** True if the run has yet to pick up changes that need a new start: walls, fixed things, the robot's start. */
   readonly isWaiting: ComputedRef<boolean>;
   /** The announcement of what has just happened. */
   readonly said: Readonly<ShallowRef<string>>;
@@ -123,7 +123,7 @@ export interface EditorSurroundings {
   readonly settings: SettingsModel;
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
-  /** Whether a run is under way. */
+  /** True if a run is under way. */
   readonly isActive: Readonly<ShallowRef<boolean>>;
   /** The moment that is looked at instead of now; `null`: nobody looks back. */
   readonly past: Readonly<ShallowRef<unknown>>;
@@ -257,6 +257,6 @@ class CourseEditor implements CourseEditorModel {
   };
 }
 
-/** Whether two selections are equal. */
+/** True if two selections are equal. */
 export const isSameSelection = (one: Selection, other: Selection): boolean =>
   one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);

@@ -14,7 +14,7 @@ export interface EditorPanels {
   readonly shown: Readonly<ShallowRef<EditorPanel | null>>;
   readonly open: (panel: EditorPanel) => void;
   readonly close: () => void;
-  /** Whether what is selected is to be laid onto the shelf of parts, as soon as that is open. */
+  /** True if what is selected is to be laid onto the shelf of parts, as soon as that is open. */
   readonly keeps: ShallowRef<boolean>;
   /** A course to be printed instead of the open one, after which the shelf of parts is open again; `null`: none. */
   readonly printed: ShallowRef<Scene | null>;

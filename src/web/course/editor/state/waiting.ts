@@ -1,7 +1,7 @@
 import type { Scene } from '#scene/scene';
 import { pendingChanges } from '#simulation/at-once';
 
-/** Whether part of a course takes effect only at the next start of a run that began with `start`. */
+/** True if part of a course takes effect only at the next start of a run that began with `start`. */
 export function waitsForStart(start: Scene, now: Scene): boolean {
   if (start === now) return false;
   const { coming, going, robot, arena } = pendingChanges(start, now);

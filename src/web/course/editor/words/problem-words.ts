@@ -9,7 +9,7 @@ import kindNames from './kinds';
 
 const texts = editingWords.problems;
 
-/** Whether a problem is worth a hint. A line drawn twice is not: it looks the same, and sensors read the same. */
+/** True if a problem is worth a hint. A line drawn twice is not: it looks the same, and sensors read the same. */
 const isWorthTelling = ({ code, params }: RuleProblem): boolean => !(code === 'covered' && params['kind'] === 'stroke');
 
 /** The likely mistakes in a course that are worth a hint. */

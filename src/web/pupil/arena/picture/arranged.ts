@@ -48,7 +48,7 @@ const blocksOf = memoOf((objects: Scene['objects']): readonly PlacedBlock[] =>
   objects.filter((object): object is Block => object.type === 'block').map(placedBlock),
 );
 
-/** Whether all blocks lie where they lay. */
+/** True if all blocks lie where they lay. */
 export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlock[]): boolean {
   return (
     before === now ||
@@ -60,7 +60,7 @@ export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlo
   );
 }
 
-/** Whether a block lies where it lay. */
+/** True if a block lies where it lay. */
 export function liesStill(before: PlacedBlock, now: PlacedBlock): boolean {
   if (before === now) return true;
   const { id, pose, sizeMm } = now;

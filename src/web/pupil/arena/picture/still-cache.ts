@@ -41,7 +41,7 @@ const MANY = 1500; // chosen: 4 ms on the reference tablet
 /** Amount of painting, in points; an object counts as this many. */
 const OBJECT_POINTS = 20;
 
-/** Whether a picture of these objects should be kept. */
+/** True if a picture of these objects should be kept. */
 export function areMany(objects: readonly SceneObject[]): boolean {
   let count = 0;
   for (const object of objects) {
@@ -51,7 +51,7 @@ export function areMany(objects: readonly SceneObject[]): boolean {
   return false;
 }
 
-/** Whether two objects look the same. */
+/** True if two objects look the same. */
 export type IsSame<T> = (one: T, other: T) => boolean;
 
 /** How many objects more there are than before at the end of the list, or `null` where anything else has changed. */
@@ -133,7 +133,7 @@ function put(
 const isSame = (one: View, other: View): boolean =>
   one.pxPerMm === other.pxPerMm && one.leftPx === other.leftPx && one.bottomPx === other.bottomPx;
 
-/** Whether two frames differ in nothing but the view. */
+/** True if two frames differ in nothing but the view. */
 const isSameBut = (one: StillFrame, other: StillFrame): boolean =>
   one.ratio === other.ratio &&
   one.palette === other.palette &&

@@ -16,9 +16,9 @@ export interface FaceProps {
   readonly microphoneOn: boolean;
   readonly sounding: boolean;
   readonly power: Power;
-  /** Whether its lights can glow: it has power and is awake. */
+  /** True if its lights can glow: it has power and is awake. */
   readonly lit: boolean;
-  /** Whether simulated time passes; when not, nothing in the drawing moves. */
+  /** True if simulated time passes; when not, nothing in the drawing moves. */
   readonly moving: boolean;
   /** The keys that look pressed. */
   readonly down: ReadonlySet<BoardKey>;

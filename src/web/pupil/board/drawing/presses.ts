@@ -7,7 +7,7 @@ export type BoardKey = (typeof BOARD_KEYS)[number];
 /** The two buttons. */
 export type ButtonKey = 'a' | 'b';
 
-/** Whether this key is a button that clicks, rather than a pad that feels a finger. */
+/** True if this key is a button that clicks, rather than a pad that feels a finger. */
 export function isButtonKey(key: BoardKey): key is ButtonKey {
   return key === 'a' || key === 'b';
 }
@@ -28,7 +28,7 @@ export class Presses {
 
   constructor(private readonly listener: PressListener) {}
 
-  /** Whether anyone holds this key. */
+  /** True if anyone holds this key. */
   isDown(key: BoardKey): boolean {
     return [...this.holds.values()].some((keys) => keys.includes(key));
   }

@@ -134,7 +134,7 @@ function detailOf(item: Item): string {
   return text.length <= 30 ? text : `(${names.slice(0, 2).join(', ')}, …)`;
 }
 
-/** Whether a name is written to be called. Types with constants (`Image.HEART`) are more often written for those. */
+/** True if a name is written to be called. Types with constants (`Image.HEART`) are more often written for those. */
 function isCalled(item: Item): boolean {
   if (item.calls.length === 0 || item.kind === 'exception') return false;
   return item.text !== 'microbit.Image' && item.text !== 'audio.SoundEffect';

@@ -46,7 +46,7 @@ export function sceneOf({ from }: SeriesTask): Project['scene'] | null {
   return from.kind === 'project' ? from.project.scene : null;
 }
 
-/** Whether the work is in the course as it was handed out: only there it counts. */
+/** True if the work is in the course as it was handed out: only there it counts. */
 export function isAsGiven(project: Project, task: SeriesTask): boolean {
   const scene = sceneOf(task);
   return scene !== null && isSameArena(scene, project.scene);

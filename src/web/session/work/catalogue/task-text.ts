@@ -38,6 +38,6 @@ export function taskText(
   };
 }
 
-/** Whether there is anything to read. */
+/** True if there is anything to read. */
 export const hasWords = ({ text, hints, picture }: ShownText): boolean =>
   text.trim() !== '' || hints.length > 0 || picture !== '';

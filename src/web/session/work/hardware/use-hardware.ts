@@ -19,7 +19,7 @@ export function hardwareNow(parts: WorkParts, place = parts.work.place.value): H
   return hardwareOf(project, settings);
 }
 
-/** Whether any of the devices drives. */
+/** True if any of the devices drives. */
 export const hasRobot = (parts: WorkParts): boolean =>
   parts.work.devices.value.some((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
 

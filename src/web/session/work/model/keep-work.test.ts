@@ -44,7 +44,7 @@ function browserIsKilled(): void {
   sessionStorage.clear();
   localStorage.clear();
 }
-/** Whether the browser's storage for text takes nothing more. */
+/** True if the browser's storage for text takes nothing more. */
 let isFull = false;
 /** A storage for text like the browser's. */
 function textStore() {

@@ -12,9 +12,9 @@ import type { InputAction } from '#simulation/input';
  */
 export interface Keeper {
   readonly locks: Locks;
-  /** Whether this is locked; whoever asks wants to change it, and has been told. */
+  /** True if this is locked; whoever asks wants to change it, and has been told. */
   refuses(what: LockName): boolean;
-  /** Whether a tool of the course editor is there. The hand always is. */
+  /** True if a tool of the course editor is there. The hand always is. */
   hasTool(tool: string): boolean;
   refusesTool(tool: string): boolean;
   /** A step of the course, before it is done or taken back. */
@@ -34,7 +34,7 @@ export interface Keeper {
   inEditor(file: string): Extension;
 }
 
-/** Whether its task is a pupil's: then the page keeps what it locks. */
+/** True if its task is a pupil's: then the page keeps what it locks. */
 export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
 
 /** The project for something else: a task that was handed out belongs to its own course and program. */

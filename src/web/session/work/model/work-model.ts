@@ -57,7 +57,7 @@ export class WorkModel {
   readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
   /** Where the browser keeps the pupil's programs of ready courses (`own-programs.ts`); `null`: nowhere. */
   programs: Storage | null = null;
-  /** Whether course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
+  /** True if course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
   staysAsItIs: () => boolean = () => false;
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;

@@ -44,10 +44,10 @@ export const devices: readonly Device[] = [
   OLDER_CALLIOPE,
 ];
 
-/** Whether the settings may name this as the device. */
+/** True if the settings may name this as the device. */
 export const isDevice = (id: string): boolean => id === AUTO_DEVICE || devices.some((device) => device.id === id);
 
-/** Whether the settings may name this as the robot. */
+/** True if the settings may name this as the robot. */
 export const isRobotChoice = (id: string): boolean => id === AUTO_ROBOT || id === NO_ROBOT || findRobot(id) !== null;
 
 /** The requested board of a run: an id, or `auto`. */

@@ -29,7 +29,7 @@ export interface Settings {
   /** … the point around which it turns, and its trail. */
   readonly centre: boolean;
   readonly trace: boolean;
-  /** Whether the arena shows what the devices send by radio. */
+  /** True if the arena shows what the devices send by radio. */
   readonly packets: boolean;
   /** Form and place of chains of lights, as far as they were chosen. */
   readonly lights: LightWishes;
@@ -49,11 +49,11 @@ export interface Settings {
   readonly seed: number;
   /** The pupil's own robot, as it was measured, or `null`. */
   readonly myRobot: MyRobot | null;
-  /** Whether the editor marks what would not run on the microcomputer. */
+  /** True if the editor marks what would not run on the microcomputer. */
   readonly deviceCheck: boolean;
   /** What is unfolded below the board, or `null`. */
   readonly panel: BoardPanel | null;
-  /** Whether the board on the robot feels the arena. */
+  /** True if the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
   /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
   readonly showTools: boolean | null;

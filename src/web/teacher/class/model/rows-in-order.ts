@@ -14,7 +14,7 @@ export const stateOf = ({ result }: Row): RowState => {
 /** What a teacher should look at; that nobody has worked on a program is no such thing. */
 const TELLING: readonly RemarkCode[] = ['hand', 'outside', 'course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'twins', 'other-task', 'unreadable']; // prettier-ignore
 
-/** Whether something about a hand-in should be looked at. */
+/** True if something about a hand-in should be looked at. */
 export const isToLookAt = ({ result }: Row): boolean =>
   result?.remarks.some(({ code }) => TELLING.includes(code)) === true;
 

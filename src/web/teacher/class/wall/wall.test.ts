@@ -60,7 +60,7 @@ describe('the wall of results', () => {
 
 describe('the cards of a wall', () => {
   const aspect = 1200 / 900;
-  /** Whether they fit without scrolling, and how wide a drawing is. */
+  /** True if they fit without scrolling, and how wide a drawing is. */
   const laidOut = (count: number, width: number, height: number) => {
     const { columns, rowPx, namePx } = gridFor(count, { width, height }, aspect);
     const lines = Math.ceil(count / columns);

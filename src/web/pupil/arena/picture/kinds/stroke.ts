@@ -31,7 +31,7 @@ export function drawStroke(context: CanvasRenderingContext2D, view: View, stroke
   context.restore();
 }
 
-/** Whether a light floor would swallow a line of this colour. */
+/** True if a light floor would swallow a line of this colour. */
 export const needsRim = ({ color }: Pick<Stroke, 'color'>): boolean => color === 'white' || color === 'yellow';
 
 /** A line made ready for a zoom: `step` as of `pathStep`. */
