@@ -23,7 +23,7 @@ export interface Place {
 /** The mouse's main button, or the one that opens menus. */
 export type MouseButton = 'left' | 'right';
 
-/** What a test can do with a page in any of the three engines. Elements are named by CSS selectors. */
+/** A page in any of the three engines, as tests use it. Elements are named by CSS selectors. */
 export interface App {
   readonly engine: string;
   /** Opens an address, relative to the app's. */

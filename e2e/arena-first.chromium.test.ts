@@ -53,7 +53,7 @@ const cutOff = (page: Page): Promise<readonly string[]> =>
     const selector = '.app button, .app [role=tab], .app .read, .app .goal, .pane-head h2, .arena-head .name';
     const parts = Array.from(document.querySelectorAll<HTMLElement>(selector));
     const isSeen = (part: HTMLElement): boolean => part.checkVisibility() && part.getBoundingClientRect().width > 1;
-    /** What hides an overflow; whoever scrolls shows it by a bar or a fade. */
+    /** True for an element that hides its overflow without a scroll bar or a fade. */
     const clips = (part: Element): boolean => {
       const { overflowX, overflowY } = getComputedStyle(part);
       return [overflowX, overflowY].includes('hidden') || [overflowX, overflowY].includes('clip');

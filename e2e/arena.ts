@@ -23,13 +23,13 @@ export const watchTrail = (app: App): Promise<void> =>
     note();
   }, ARENA);
 
-/** Where the robot came by since `watchTrail`, about ten times a second, the newest last. */
+/** The robot's places since `watchTrail`, about ten times a second, the newest last. */
 export async function trailOf(app: App): Promise<readonly Shown[]> {
   const trail = await app.evaluate(() => (window as WithTrail).trail ?? []);
   return trail.map(([xMm, yMm, headingDeg]) => ({ xMm, yMm, headingDeg }));
 }
 
-/** Where the robot stands, to a tenth of a mm: what the arena has written on it. */
+/** The robot's place to a tenth of a mm, as the arena writes it. */
 export const robotAt = (app: App): Promise<Shown> =>
   app.evaluate((css) => {
     const { xMm, yMm, headingDeg } = document.querySelector<HTMLElement>(css)?.dataset ?? {};
@@ -86,7 +86,7 @@ export function seenFrom({ xMm, yMm, headingDeg }: Shown, points: readonly Vec[]
   }));
 }
 
-/** Where a place of the arena (mm) is in the window, in CSS px, while the arena is shown as a whole. */
+/** A place of the arena (mm) in the window, in CSS px, while the whole arena is shown. */
 export async function inWindow(
   app: Pick<App, 'evaluate'>,
   size: readonly [number, number],

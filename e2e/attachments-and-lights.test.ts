@@ -24,7 +24,7 @@ async function take(app: App, name: string): Promise<void> {
   await app.press('Enter');
 }
 
-/** What is painted ahead of the robot's body, where a claw is: x ahead of the axle, y to the left, in mm. */
+/** The pixels painted ahead of the robot's body, where a claw is: x ahead of the axle, y to the left, in mm. */
 async function paintAhead(app: App) {
   const painted = seenFrom(await robotAt(app), await paintOf(app, 'moving', defaultScene().size));
   return painted.filter(({ x, y }) => x > 90 && x < 230 && Math.abs(y) < 90);
@@ -245,7 +245,7 @@ interface Probe {
   readonly what: string;
   readonly options: Readonly<Record<string, string>>;
   readonly program: string;
-  /** What the program finds. */
+  /** The output expected of the program. */
   readonly finds: readonly RegExp[];
 }
 

@@ -163,7 +163,7 @@ const SCREENS = {
 
 type Screen = keyof typeof SCREENS;
 
-/** What Escape closes, so that the next screen finds the page as it was. */
+/** The elements that Escape closes, so that the next screen finds the page as it was. */
 const CLOSES: Readonly<Partial<Record<Screen, string>>> = {
   tour: by('tour'),
   'main menu': '[role=menu]',

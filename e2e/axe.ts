@@ -15,7 +15,7 @@ interface WithAxe {
   readonly axe?: { run(options: object): Promise<{ readonly violations: readonly Violation[] }> };
 }
 
-/** What axe finds on the page as it is now: one line for each rule broken, with the places. */
+/** The violations that axe finds on the page: one line for each rule, with the places. */
 export const violationsOn = (app: App): Promise<readonly string[]> => violationsBy((code) => app.evaluate(code));
 
 /** The same in the page of a frame. */

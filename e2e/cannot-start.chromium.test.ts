@@ -2,7 +2,7 @@ import type { Page, Route } from '@playwright/test';
 import { expect, test } from './app';
 import { on } from './page';
 
-/** What is in sight of what the page says where it cannot start. */
+/** The visible message of a page that cannot start. */
 const said = (page: Page): Promise<string> =>
   page.evaluate(() => {
     const place = document.querySelector<HTMLElement>('.cannot-start');

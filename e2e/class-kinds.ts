@@ -47,7 +47,7 @@ interface Kind {
   readonly text: string;
   readonly remarks?: readonly SaidRemark[];
   readonly scene?: Project['scene'];
-  /** What the hand-in says otherwise than it is. */
+  /** False statements of the hand-in. */
   readonly lies?: Partial<Said>;
   readonly isCut?: boolean;
 }

@@ -12,7 +12,7 @@ import { openedCourse } from './opened-course';
 import { isThere, openWork } from './page';
 import { by, gone, until } from './parts';
 
-/** What pupils have sent: right, wrong, with an error, endless, the same as another's, and damaged. */
+/** The pupils' mail: right, wrong, with an error, endless, the same as another's, and damaged. */
 const MAIL = `Guten Tag, hier sind alle.
 
 Ada: ${linkTo(RIGHT)}
@@ -62,7 +62,7 @@ async function missionMail(): Promise<string> {
   ].join('\n');
 }
 
-/** What is saved is kept here instead. */
+/** Keeps saved files here instead. */
 const keepSaved = (app: App): Promise<void> =>
   app.evaluate(() => {
     URL.createObjectURL = (blob) => {
@@ -72,7 +72,7 @@ const keepSaved = (app: App): Promise<void> =>
     HTMLAnchorElement.prototype.click = () => undefined;
   });
 
-/** What the page has saved last. */
+/** The last file that the page saved. */
 const saved = (app: App): Promise<string> => app.evaluate(() => document.documentElement.dataset['saved'] ?? '');
 
 test('a class that sends links is checked: table and report are byte for byte those of the command line', async ({
@@ -176,7 +176,7 @@ test(
   },
 );
 
-/** What of hand-ins lies in the browser's database: a list as JSON. */
+/** The hand-ins in the browser's database: a list as JSON. */
 const keptRows = (): Promise<string> =>
   new Promise((resolve) => {
     const opened = indexedDB.open('parcours', 1);

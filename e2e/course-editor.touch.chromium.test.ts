@@ -49,7 +49,7 @@ test('with fingers: a link brings the project to another tablet', async ({ page,
   await context.close();
 });
 
-/** Where a line is drawn from one place to another: places of the arena in small steps. */
+/** Places of the arena in small steps along a line. */
 const line = (from: Point, to: Point): readonly Point[] =>
   Array.from({ length: 13 }, (_, i) => [
     from[0] + ((to[0] - from[0]) * i) / 12,

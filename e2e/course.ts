@@ -46,7 +46,7 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
 /** A minute of simulated time at full speed, on a busy machine. */
 export const PATIENCE = { timeout: 60_000 };
 
-/** What `courses/golden.json` says of a course. */
+/** The record of a course in `courses/golden.json`. */
 interface Recorded {
   readonly folder: string;
   readonly endMm: { readonly x: number; readonly y: number };

@@ -17,7 +17,7 @@ const FOLDER = process.env['PARCOURS_PICTURES'];
 const isKept = (name: string): boolean =>
   FOLDER !== undefined && (process.env['PARCOURS_PICTURES_OF'] === 'all' || SHOWN.includes(name));
 
-/** What the verdict says in a language when a course is passed. */
+/** The verdict's words in a language when a course is passed. */
 function passedIn(language: Language): string {
   const words = new URL(`../src/web/kit/words/${language}.json`, import.meta.url);
   return (JSON.parse(readFileSync(words, 'utf8')) as { readonly verdict: { readonly passed: string } }).verdict.passed;

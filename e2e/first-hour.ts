@@ -15,7 +15,7 @@ export interface Beginner {
   readonly look: (name: string) => Promise<void>;
 }
 
-/** What the first program says, in the pupil's language: its comment, and what it prints. */
+/** The words of the first program in the pupil's language: its comment, and its output. */
 const PROGRAM_WORDS: Readonly<Record<Language, readonly [comment: string, said: string]>> = {
   de: ['Herz, bis ich A drücke', 'Hallo, ich bin da!'],
   fr: ['Un cœur, jusqu’à ce que j’appuie sur A', 'Bonjour, me voilà !'],

@@ -16,7 +16,7 @@ async function openIn(app: App, sandbox: string, path: string, size = 'width:120
 
 const untilInFrame = (app: App, css: string): Promise<void> => expect.poll(() => isInFrame(app, css)).toBe(true);
 
-/** Where the robot in the frame stands, in mm from the left. */
+/** The place of the robot in the frame, in mm from the left. */
 const robotX = (app: App): Promise<number> =>
   app.inFrame('iframe', () => {
     const said = document.querySelector('[role=application] p:last-of-type')?.textContent ?? '';
@@ -78,7 +78,7 @@ test('in a frame without an origin the single file runs a program, drives and as
   ).toBe('refused');
 });
 
-/** What the frame has said to the page around it, in the words of one dialect: `kind` or `type`. */
+/** The messages of the frame to the page around it, in the words of one dialect: `kind` or `type`. */
 const heard = (app: App, word: 'kind' | 'type', which: string): Promise<readonly unknown[]> =>
   app.evaluate(
     ([key, name]) =>

@@ -25,7 +25,7 @@ async function open(app: App, parameters: readonly string[] = ['?color=%236c4bc1
     await expect.poll(() => app.evaluate((at) => (window as never as Host).simulators?.[at]?.status ?? '', index)).toBe('connected'); // prettier-ignore
 }
 
-/** What host.js puts into the window. */
+/** The globals that host.js sets. */
 interface Host {
   readonly simulators: (SimulatorOfHost & {
     files: Record<string, string>;

@@ -8,7 +8,7 @@ import { appAddress, consoleInFrame, hostPage, isInFrame, pressInFrame, type Hos
 import { buildSampleHost, serveHost } from './hosts/webtigerpython/sample-host';
 import { consoleIn, isThere, on, programIn } from './page';
 
-/** What the host page has heard. */
+/** The messages that the host page received. */
 interface Heard {
   readonly type: string;
   readonly data: unknown;
@@ -147,7 +147,7 @@ test(
   },
 );
 
-/** What each parameter makes of the page: true once it is so. */
+/** The effect of each parameter on the page: true once it has happened. */
 const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
   ['?lang=fr', () => document.documentElement.lang.startsWith('fr')],
   ['#?lang=it-CH', () => document.documentElement.lang.startsWith('it')],

@@ -4,7 +4,7 @@ import type { AddressInfo } from 'node:net';
 
 import type { App } from './app';
 
-/** Where the tested app is served: `http://localhost:…/`. */
+/** The address of the tested app: `http://localhost:…/`. */
 export const appAddress = (): string => process.env['PARCOURS_APP'] ?? 'http://localhost:8080/';
 
 /** A page of another site. */
@@ -36,7 +36,7 @@ export async function hostPage(body: string): Promise<HostPage> {
 export const isInFrame = (app: App, css: string): Promise<boolean> =>
   app.inFrame('iframe', (selector) => document.querySelector(selector) !== null, css);
 
-/** What the console in the frame has. */
+/** The text of the console in the frame. */
 export const consoleInFrame = (app: App): Promise<string> =>
   app.inFrame('iframe', () => document.querySelector('[role=log]')?.textContent ?? '');
 

@@ -28,7 +28,7 @@ function file(name: string, text: string): string {
   writeFileSync(path, text);
   return path;
 }
-/** What the command line says, and how it ends. */
+/** The command line's output and exit code. */
 function parcours(...args: readonly string[]): {
   readonly code: number | null;
   readonly said: string;

@@ -50,7 +50,7 @@ export class Lent {
     return { app: this.watched(this.profile.app, wish.baseURL), page: this.profile.page };
   }
 
-  /** What was taken is not to be used again. */
+  /** Marks the page as unusable for further tests. */
   spoil(): void {
     this.isSpoilt = true;
   }

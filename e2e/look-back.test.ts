@@ -18,7 +18,7 @@ const output = (app: App): Promise<string> =>
 const at = async (app: App): Promise<number> =>
   Number(await app.evaluate(() => document.querySelector('[data-testid="time-rail"]')?.getAttribute('aria-valuenow')));
 
-/** Where the robot stands when the words about it, which are renewed once a second, change no more. */
+/** The robot's place once the words about it, renewed once a second, no longer change. */
 async function robotAtRest(app: App): Promise<Shown> {
   let last = await robotIn(app);
   await expect

@@ -12,7 +12,7 @@ import { sceneOf } from './course';
 import { on } from './page';
 import { by } from './parts';
 
-/** What may be missing after the tab died, and after the whole browser was killed. */
+/** Longest loss after the tab died, and after the whole browser was killed, in ms. */
 const TAB_MS = 1000;
 const BROWSER_MS = 3000;
 
@@ -22,7 +22,7 @@ const TIMES = Number(process.env['NO_WORK_LOST'] ?? 1);
 /** How somebody works while it happens. */
 type Manner = 'fast' | 'with pauses' | 'drawing';
 
-/** What has been done up to when, in ms: characters typed, or places of the pen. */
+/** The work done up to a time, in ms: characters typed, or places of the pen. */
 type Done = { readonly count: number; readonly atMs: number }[];
 
 const MANNERS: readonly Manner[] = ['fast', 'with pauses', 'drawing', 'fast', 'drawing'];

@@ -13,7 +13,7 @@ function link(): string {
   return `./#${made.fragment}`;
 }
 
-/** What the message lies over: controls by their names, and the middle of the course. */
+/** The things that the message covers: controls by their names, and the middle of the course. */
 const covered = (page: Page): Promise<readonly string[]> =>
   page.evaluate(() => {
     const notice = document.querySelector('.notice')?.getBoundingClientRect();

@@ -117,7 +117,7 @@ test('a new version asks before it comes, and keeps the work', async ({ app }) =
   await runs(app, 'second version');
 });
 
-/** Of which versions files are kept. */
+/** The versions whose files are stored. */
 const keptAssets = (app: App): Promise<{ second: boolean; first: boolean }> =>
   app.evaluate(async () => {
     const urls: string[] = [];

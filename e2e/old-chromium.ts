@@ -10,7 +10,7 @@ export const oldChromiums = (): readonly string[] =>
 export interface OldPage {
   readonly app: App;
   readonly version: string;
-  /** What was thrown in the page and not caught. */
+  /** Uncaught exceptions of the page. */
   readonly faults: readonly string[];
   close(): Promise<void>;
 }

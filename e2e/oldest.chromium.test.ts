@@ -6,7 +6,7 @@ import { oldChromiums, openOldChromium, type OldPage } from './old-chromium';
 import { closedLine, on, openApp, openWork } from './page';
 import { by, until } from './parts';
 
-/** Where the robot stands, in mm from the left, as the arena tells it. */
+/** The robot's place in mm from the left, as the arena reports it. */
 const robotX = (app: App): Promise<number> =>
   app.evaluate(() => {
     const said = document.querySelector('[role=application] p:last-of-type')?.textContent ?? '';
@@ -31,7 +31,7 @@ const choose = (app: App, id: string, value: string): Promise<void> =>
     { id, value },
   );
 
-/** What the oldest browsers lack is lowered, filled in or done without: the whole of the page works there. */
+/** The oldest browsers: features they lack are lowered, filled in or done without, so the whole page works there. */
 const programs = oldChromiums();
 if (programs.length === 0) test.skip('an old Chromium runs the page', () => undefined); // none could be fetched
 

@@ -80,7 +80,7 @@ export async function pasteProgram(app: App, source: string): Promise<void> {
 export const isThere = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.querySelector(selector) !== null, css);
 
-/** What an attribute of the first such element says; `null` without element or attribute. */
+/** The value of an attribute of the first such element; `null` without element or attribute. */
 export const attribute = (app: App, css: string, name: string): Promise<string | null> =>
   app.evaluate((of) => document.querySelector(of.css)?.getAttribute(of.name) ?? null, { css, name });
 
@@ -95,14 +95,14 @@ export function programIn(app: App): Promise<string> {
   }, EDITOR);
 }
 
-/** Where the arena shows the robot. */
+/** The robot's place in the arena's words. */
 export interface Shown {
   readonly xMm: number;
   readonly yMm: number;
   readonly headingDeg: number;
 }
 
-/** Where the robot stands, as the arena says it. */
+/** The robot's place, as the arena reports it. */
 export function robotIn(app: App): Promise<Shown> {
   return app.evaluate((css) => {
     const said = document.querySelector(`${css} p:last-of-type`)?.textContent ?? '';
@@ -111,7 +111,10 @@ export function robotIn(app: App): Promise<Shown> {
   }, on('arena'));
 }
 
-/** What the console has, one thing under the other; also what is scrolled out of sight, which engines leave out of `text`. */
+/**
+ * The console's text, one entry below the other, including what is scrolled out of view, which engines leave out of
+ * `text`.
+ */
 export const consoleIn = (app: App): Promise<string> =>
   app.evaluate(
     (css) => Array.from(document.querySelector(css)?.children ?? [], ({ textContent }) => textContent).join('\n'),

@@ -96,7 +96,7 @@ test.describe(() => {
       await until(app, by('menu-projector'));
       await app.click(by('menu-projector'));
       await until(app, by('projector-text'));
-      /** What is cut off: it could be scrolled, which nobody does at a projector. */
+      /** Elements that are cut off: they could be scrolled, which does not happen at a projector. */
       const cut = (): Promise<readonly string[]> =>
         app.evaluate(
           (css) =>

@@ -68,7 +68,7 @@ export async function mainMenu(app: App, entry: string): Promise<void> {
   await gone(app, '[role=menu]');
 }
 
-/** What the list of objects says: the robot's start, and everything in the arena. */
+/** The rows of the list of objects: the robot's start, and everything in the arena. */
 export async function listOf(app: App): Promise<readonly string[]> {
   await courseMenu(app, 'list');
   await until(app, `${by('panel-list')} .item`);
@@ -78,7 +78,7 @@ export async function listOf(app: App): Promise<readonly string[]> {
   return rows;
 }
 
-/** What the open list of objects says. */
+/** The rows of the open list of objects. */
 export const rowsIn = (app: App): Promise<readonly string[]> =>
   app.evaluate(() =>
     Array.from(document.querySelectorAll('.objects .item'), (row) =>

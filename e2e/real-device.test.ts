@@ -11,7 +11,7 @@ import { by, gone, until } from './parts';
 import { savedFiles, watchSaving } from './transfer';
 
 interface Cable {
-  /** What the page has sent since the last call. */
+  /** The bytes sent by the page since the last call. */
   take(): number[];
   /** The device sends this. */
   give(bytes: readonly number[]): void;

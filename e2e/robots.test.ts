@@ -7,7 +7,7 @@ import { by, choose, gone, until } from './parts';
 const isAt = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.activeElement?.matches(selector) === true, css);
 
-/** What the arena calls the robot; shown, a long name may be cut off. */
+/** The robot's name in the arena; shown, a long name may be cut off. */
 const robotName = (app: App): Promise<string | null> => attribute(app, '.pane-arena .robot .name', 'title');
 
 /** Goes on with Tab until the keyboard is at an element. */
@@ -187,7 +187,7 @@ test(
   },
 );
 
-/** Where the robot points once it stands. The picture follows what the program prints, some of it ten times a second. */
+/** The robot's heading at rest. The picture follows the program's output, some of it ten times a second. */
 async function headingAtRest(app: App): Promise<number> {
   let before = await robotIn(app); // it starts at 400 mm
   const isAtRest = async (): Promise<boolean> => {

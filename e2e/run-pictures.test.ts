@@ -4,7 +4,7 @@ import { violationsOn } from './axe';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram } from './page';
 import { by, gone, until } from './parts';
 
-/** What the page has saved: name, kind, size, and for pictures how large they are and how much of them is coloured. */
+/** A file saved by the page: name, type, size, and for pictures their dimensions and coloured share. */
 interface Saved {
   readonly name: string;
   readonly begins: string;

@@ -129,10 +129,10 @@ test(
   },
 );
 
-/** Where the closed line has its robot, in mm. */
+/** The robot's start on the closed line, in mm. */
 const FIRST = [400, 130] as const;
 
-/** Where the course has the start of a second robot, once it was saved. */
+/** The start of the second robot in the saved course. */
 async function startIn(app: App): Promise<readonly [number, number]> {
   const find = (): Promise<readonly [number, number] | null> =>
     app.evaluate(() => {

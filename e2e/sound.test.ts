@@ -9,7 +9,7 @@ import { expect, test } from './app';
 
 const PROBE = process.env['PARCOURS_PROBE'] ?? '';
 
-/** What a board's sound hardware tells while it does something for so long. */
+/** The events of a board's sound hardware while it is used for a time. */
 function soundOf(use: (bench: Bench) => void, forMs: number): readonly SoundEvent[] {
   const events: SoundEvent[] = [];
   const bench = createBench();

@@ -30,7 +30,7 @@ const projectOf = (app: App): Promise<string> =>
     return JSON.stringify({ format: 'parcours-project', version: 4, ...project });
   });
 
-/** What the command line says of programs that are handed in for a task. */
+/** The command line's results for programs handed in for a task. */
 function checkedByCommandLine(task: string, programs: Readonly<Record<string, string>>) {
   const folder = mkdtempSync(join(tmpdir(), 'parcours-task-'));
   try {

@@ -9,7 +9,7 @@ export const tablet = { viewport: { width: 820, height: 1180 }, hasTouch: true, 
 /** Time between two places of a finger that draws, in ms: about what a tablet reports. */
 const MOVE_MS = 16;
 
-/** So many places a finger reports while it comes to rest. */
+/** Number of places that a finger reports while it comes to rest. */
 const RESTS = 8;
 
 /** Fingers on a touch screen, in Chromium alone: its protocol sends real touches, from which the page gets pointer events. */

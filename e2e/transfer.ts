@@ -28,7 +28,7 @@ export const watchSaving = (app: App): Promise<void> =>
     };
   });
 
-/** What was saved since `watchSaving`, the oldest first. */
+/** The files saved since `watchSaving`, the oldest first. */
 export const savedFiles = (app: App): Promise<SavedFile[]> =>
   app.evaluate(() => Promise.all((window as WithSaved).saved ?? []));
 

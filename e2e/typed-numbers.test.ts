@@ -5,7 +5,7 @@ import { by, until } from './parts';
 import { clearAll, listOf, openEditor, SIZE, toolButton, toolsCame, withMouse } from './pupil';
 import { withKeys } from './keys';
 
-/** What is said to screen readers of what the tools do. */
+/** The tools' announcements to screen readers. */
 const SAID = by('arena-said');
 
 test('by keyboard: a wall is made exactly 25 cm long by typing it', IN_ONE_ENGINE, async ({ app }) => {

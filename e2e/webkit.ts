@@ -222,7 +222,7 @@ export class WebKitSession {
   }
 }
 
-/** What the page remembers between aiming at an element and the press. */
+/** The page's memory between aiming at an element and pressing it. */
 interface Aimed {
   aimedAt?: { hit: boolean | null };
 }

@@ -2,7 +2,7 @@ import { allTexts } from '../scripts/texts.mjs';
 import { LANGUAGES, languages, type Language } from '../src/core/languages';
 import type { App } from './app';
 
-/** What the app says in one language: as it stands, and as patterns where values have places in a text. */
+/** The texts of the app in one language: as they are, and as patterns where they have placeholders. */
 interface Said {
   readonly whole: ReadonlySet<string>;
   readonly patterns: readonly RegExp[];

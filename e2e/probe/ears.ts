@@ -8,7 +8,7 @@ export interface Stretch {
   readonly toMs: number;
 }
 
-/** What was heard. */
+/** The sounds that were heard. */
 export interface Heard {
   /** Root mean square of each ms, in thousandths of full scale. */
   readonly loudness: readonly number[];

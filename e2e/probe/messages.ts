@@ -8,13 +8,13 @@ export interface ProbeTask {
   readonly untilMs: number;
 }
 
-/** What came of it. */
+/** The outcome of a probe. */
 export interface ProbeResult {
   readonly traceHash: string;
-  /** Of all devices, one after the other. */
+  /** The output of all devices, one after the other. */
   readonly console: string;
   readonly timeUs: number;
-  /** Of each device. */
+  /** The free heap of each device. */
   readonly heapFree: readonly number[];
   /** All that the boards said to its surroundings, in order: sounds, radio packets and rows of the data log, as JSON. */
   readonly told: readonly string[];

@@ -48,7 +48,7 @@ const isNewcomer = (): boolean =>
 /** The greeting is there with the first picture of the page, instead of changing it later. */
 const fetchGreeting = (): Promise<unknown> => import('./help/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
 
-/** What only a phone has is there with its first picture. */
+/** Loads the parts of a phone, so that they are there with its first picture. */
 const fetchPhoneParts = (): Promise<unknown> =>
   Promise.all([import('./app/PhoneNav.vue'), import('./pupil/board/MiniBoard.vue')]).catch(() => undefined);
 

@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import type { HostPage } from '../../hosts';
 import type { SerialProgram } from './programs';
 
-/** What the host page keeps of one simulator: see host.js. */
+/** The host page's record of one simulator: see host.js. */
 export interface SimulatorOfHost {
   readonly status: string;
   readonly state: Readonly<Record<string, Readonly<Record<string, unknown>>>>;
@@ -42,7 +42,7 @@ export async function microbitHost(): Promise<HostPage> {
   };
 }
 
-/** What `npx parcours run` prints for a program, with line ends `\n`. */
+/** The output of `npx parcours run` for a program, with line ends `\n`. */
 export async function printedInNode({ source, typed, usesRepl = false }: SerialProgram): Promise<string> {
   const folder = mkdtempSync(join(tmpdir(), 'parcours-host-'));
   try {

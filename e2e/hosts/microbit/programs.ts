@@ -2,7 +2,7 @@
 export interface SerialProgram {
   readonly name: string;
   readonly source: string;
-  /** What is typed once this stands at the end of the text, and what comes after it, so that both know when to go on. */
+  /** Text typed once this ends the output, and the output that follows it, so that both sides know when to go on. */
   readonly typed?: { readonly at: string; readonly text: string; readonly until: string };
   /** Runs on into the REPL, whose text is compared as well. */
   readonly usesRepl?: boolean;

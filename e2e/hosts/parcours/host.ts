@@ -1,4 +1,4 @@
-/** What the host page runs: the client, as a page without a bundler would take it from a file. */
+/** The script of the host page: the client, as a page without a bundler would load it from a file. */
 import { connect } from '#embed/client/connect';
 
 Object.assign(globalThis, { connect });

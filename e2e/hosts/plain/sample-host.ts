@@ -8,9 +8,9 @@ import { packAll } from '../../../scripts/packages.mjs';
 
 /** A sample host that was built. */
 export interface BuiltHost {
-  /** Where its sources and its node_modules are. */
+  /** Folder of its sources and its node_modules. */
   readonly folder: string;
-  /** What is served. */
+  /** The folder that is served. */
   readonly site: string;
 }
 

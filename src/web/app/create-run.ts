@@ -17,13 +17,13 @@ import { showEnd, showFailure, showStart, type RunMessages } from './run-message
 /** How long after the start of the first run the page fetches what explains errors, in ms. */
 const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
 
-/** What runs a program: a worker and the VM. */
+/** The engine that runs a program: a worker and the VM. */
 export type RunEngine = Pick<RunHost, 'createWorker' | 'firmware'>;
 
 /** The worker and the VM of the built page. */
 export const browserEngine: RunEngine = { createWorker, firmware: compileFirmware };
 
-/** What a run reaches on the page. */
+/** The models that a run uses. */
 type Around = RunMessages &
   VisitParts &
   Pick<RunParts, 'hand' | 'dataLog' | 'sound'> & {
@@ -75,7 +75,7 @@ function further({ work }: Around, device: number): { readonly device?: string }
   return name === undefined ? {} : { device: name };
 }
 
-/** What begins with a run. */
+/** Actions at the start of a run. */
 function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStart' | 'onRestarted'> {
   const { host, jump, console, dataLog, notices, hand } = around;
   let runs = 0;
@@ -99,7 +99,7 @@ function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStar
   };
 }
 
-/** What is done to a run, and what its program says and comes to. */
+/** The inputs to a run, its output and its result. */
 function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' | 'onOutput' | 'onEnded'> {
   const { host, console } = around;
   return {
@@ -122,7 +122,7 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
   };
 }
 
-/** What is said when a run goes wrong through no fault of the program. */
+/** Messages on a run that goes wrong through no fault of the program. */
 function troubles(
   around: Around,
   run: () => RunModel,

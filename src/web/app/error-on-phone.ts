@@ -7,7 +7,7 @@ import type { PageParts } from '../kit/parts';
 import type { RunModel } from '../session/run/run-model';
 import type { WorkParts } from '../session/work/model/parts';
 
-/** What is told of, and where. */
+/** The models that show the error and its line. */
 type PhoneParts = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
 
 /** Tells of an error at the foot of a phone's page, with the way to the console. */

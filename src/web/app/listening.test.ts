@@ -25,7 +25,7 @@ function listening<T>(page: TestPage, use: () => T) {
   const mounted = mountOn(page, Listener);
   return { given: given.value as T, unmount: () => mounted.vm.$.root.appContext.app.unmount() };
 }
-/** What was pressed on the board so far: `+a`, `-a`, `+pinLogo` … */
+/** The presses on the board so far: `+a`, `-a`, `+pinLogo` … */
 const presses = (page: TestPage): readonly string[] =>
   inputsOf(page).flatMap((input) =>
     input.type === 'button'

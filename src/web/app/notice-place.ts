@@ -1,4 +1,4 @@
-/** Where a message stands in the window, in CSS px: it is centred between `left` and `left` + `width`. */
+/** Place of a message in the window, in CSS px: it is centred between `left` and `left` + `width`. */
 export interface NoticePlace {
   readonly left: number;
   readonly top: number;
@@ -7,7 +7,7 @@ export interface NoticePlace {
 
 /** A part of the page that has room for messages along its upper edge. */
 export interface NoticeRoom {
-  /** What it is called in `data-notices`. */
+  /** Its name in `data-notices`. */
   readonly name: string;
   readonly left: number;
   readonly top: number;
@@ -22,7 +22,7 @@ const GAP_PX = 4;
 /** Least room for two lines and their button, without covering most of what is below. Chosen by eye. */
 const LEAST = { width: 260, height: 140 } as const;
 
-/** Where a message covers nothing that is used; `null`: at the foot of the page. */
+/** A place where a message covers nothing that is used; `null`: at the foot of the page. */
 export function noticePlace(rooms: readonly NoticeRoom[]): NoticePlace | null {
   const roomy = rooms.filter(({ width, height }) => width >= LEAST.width && height >= LEAST.height);
   const [best] = [...roomy].sort((one, other) => ORDER.indexOf(one.name) - ORDER.indexOf(other.name));

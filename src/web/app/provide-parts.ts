@@ -51,7 +51,7 @@ import { browserEngine, createRun, type RunEngine } from './create-run';
 /** The models of all rooms. */
 export type AllParts = ReturnType<typeof createParts>;
 
-/** What features bring to the help, loaded with it. */
+/** The features' entries of the help, loaded with it. */
 const contributedHelp = async (): Promise<readonly HelpEntry[]> =>
   (await import('./contributions')).contributions.flatMap(({ help }) => help ?? []);
 
@@ -119,7 +119,7 @@ function keepPast({ work, run, notices }: Pick<WorkParts, 'work'> & Pick<RunPart
   };
 }
 
-/** What another course's runs have printed goes with it, unless the next run has already begun. */
+/** Clears the output of another course's runs, unless the next run has already begun. */
 function emptyConsole({ work, run, console }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'> & ConsoleParts): void {
   async function empty(): Promise<void> {
     await run.reset();
@@ -128,7 +128,7 @@ function emptyConsole({ work, run, console }: Pick<WorkParts, 'work'> & Pick<Run
   watch(work.openings, () => void empty(), { flush: 'sync' });
 }
 
-/** What the settings say reaches the run, and the open course's name comes. */
+/** Passes the settings on to the run, and loads the open course's name. */
 function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run'>): void {
   run.setSpeed(settings.current.value.speed);
   watch(
@@ -155,7 +155,7 @@ function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run
   );
 }
 
-/** What of a project's further devices makes another run: all but what is written in their files. */
+/** The properties of further devices that require a restart: everything except their code. */
 const devicesOf = ({ devices }: Project): unknown =>
   devices && [devices.first, devices.others.map(({ files: _, ...device }) => device)];
 
@@ -179,7 +179,7 @@ function createEditor(
   return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive, past: run.past });
 }
 
-/** Where stars and programs of courses are kept: nowhere on a page that keeps no work, or where the browser allows it not. */
+/** The store for stars and programs of courses: none on a page that stores no work, or if the browser forbids it. */
 function starStore({ keepsWork }: HostWish): Storage | null {
   try {
     return keepsWork ? localStorage : null;

@@ -10,7 +10,7 @@ import { mispluggedNotice } from '../session/work/hardware/misplugged';
 import { hardwareNow, tableNow } from '../session/work/hardware/use-hardware';
 import type { WorkParts } from '../session/work/model/parts';
 
-/** Where a run is talked about. */
+/** The models that show a run's messages. */
 export type RunMessages = WorkParts & ConsoleParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
 
 /** A robot on the wrong board is told in the arena; where that is not in sight, at the foot of the page. */

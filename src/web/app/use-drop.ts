@@ -1,6 +1,6 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What takes dropped files itself. */
+/** Elements that take dropped files themselves. */
 const TAKERS = '[data-takes-files]';
 
 /** Takes files that are dropped onto the page. Returns whether files are being held over it. */

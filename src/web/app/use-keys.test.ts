@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { command, type CommandKey } from './use-keys';
 
-/** What pressing a key with Ctrl does, and whether the browser is kept from doing its own. */
+/** The effect of a key pressed with Ctrl, and whether the browser's own is prevented. */
 function pressed(key: string, held: Partial<CommandKey> = {}): readonly string[] {
   const done: string[] = [];
   const plain = { altKey: false, shiftKey: false, repeat: false, preventDefault: () => done.push('kept') };

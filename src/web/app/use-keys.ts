@@ -6,7 +6,7 @@ import type { RunParts } from '../session/run/parts';
 /** Keys of the keyboard that press something on the board. */
 const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
 
-/** What keys on the whole page do. */
+/** The actions of keys on the whole page. */
 export interface KeyActions {
   press(key: BoardKey, down: boolean): void;
   run(): void;
@@ -45,7 +45,7 @@ export function useKeys({ run }: Pick<RunParts, 'run'>, actions: KeyActions): vo
   });
 }
 
-/** What is looked at of a key that is pressed together with Ctrl or ⌘. */
+/** The properties of a key pressed together with Ctrl or ⌘. */
 export type CommandKey = Pick<KeyboardEvent, 'key' | 'altKey' | 'shiftKey' | 'repeat' | 'preventDefault'>;
 
 /** Does what a key means together with Ctrl or ⌘; the others stay the browser's. */

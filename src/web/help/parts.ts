@@ -2,7 +2,7 @@ import type { GuideModel } from './guide-model';
 import { part } from '../kit/part';
 import type { TourModel } from './tour-model';
 
-/** What helps beginners: the help and the tour. */
+/** The help for beginners: guide and tour. */
 export interface FirstStepsParts {
   readonly guide: GuideModel;
   readonly tour: TourModel;

@@ -7,7 +7,7 @@ export const latePart: Notice = {
   action: { key: 'notice.reload', run: () => location.reload() },
 };
 
-/** So long after a press somebody waits for what it asked for, in ms. Chosen: a network that hangs gives up by then. */
+/** Time after a press for which its effect is awaited, in ms. Chosen: a network that hangs gives up by then. */
 const WAITED_MS = 30_000;
 
 /**

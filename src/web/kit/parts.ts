@@ -3,7 +3,7 @@ import type { WithLate } from './state/late-models';
 import type { NoticesModel } from './notices';
 import { part } from './part';
 
-/** What any part of the page may say or ask. */
+/** The models that any part of the page may use to notify or ask. */
 export interface PageParts extends WithLate {
   readonly notices: NoticesModel;
   readonly dialogs: DialogsModel;

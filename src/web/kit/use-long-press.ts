@@ -5,7 +5,7 @@ const HOLD_MS = 500;
 /** How far it may slip meanwhile, in px. */
 const SLIP_PX = 10;
 
-/** What a control is for, shown where a finger rests on it. */
+/** A hint on a control, shown where a finger rests on it. */
 export interface Hint {
   readonly text: string;
   /** Middle of the control, in px from the left. */

@@ -6,7 +6,10 @@ export interface Download {
   readonly blob: Blob;
 }
 
-/** What the browser saves from here on, oldest first; nothing leaves the test. `vi.restoreAllMocks()` ends it. */
+/**
+ * The files that the browser saves from now on, oldest first; nothing leaves the test. `vi.restoreAllMocks()` ends
+ * it.
+ */
 export function downloads(): readonly Download[] {
   const saved: Download[] = [];
   let last = new Blob();

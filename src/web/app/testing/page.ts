@@ -8,7 +8,7 @@ import { createParts, type AllParts } from '../provide-parts';
 
 /** A page without its components: all models, joined as in the browser. Its worker runs no program; the test speaks for it. */
 export interface TestPage extends AllParts {
-  /** What the page has sent to the worker so far. */
+  /** The messages sent to the worker so far. */
   readonly sent: readonly ToWorker[];
   /** Says something for the worker. */
   readonly say: (message: FromWorker) => void;

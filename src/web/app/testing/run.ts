@@ -52,6 +52,6 @@ export async function show(page: TestPage, changes: Partial<Snapshot> = {}): Pro
   await nextTick();
 }
 
-/** What was done to the run from outside so far. */
+/** The inputs to the run so far. */
 export const inputsOf = (page: TestPage): readonly InputAction[] =>
   page.sent.flatMap((message) => (message.type === 'input' ? [message.action] : []));

@@ -7,7 +7,7 @@ import editingWords from './words/editing';
 import type { CourseEditorParts } from './state/parts';
 import type { SelectionActs } from './state/selection-acts';
 
-/** What pasting works on. */
+/** The models that pasting works on. */
 export type PasteParts = Pick<PageParts, 'notices'> & WorkParts & CourseEditorParts;
 
 /**

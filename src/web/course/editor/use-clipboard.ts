@@ -18,7 +18,7 @@ export async function writeSystem(clipboard: Clipboard): Promise<void> {
   }
 }
 
-/** What the clipboard works with. */
+/** The models that the clipboard works with. */
 export interface ClipboardPorts {
   readonly app: PasteParts;
   /** Does something at once if the acts are loaded, and else as soon as they are. */

@@ -124,7 +124,7 @@ const removes = (key: string, isSelected: boolean): 'remove' | null =>
 /** True if what is selected in the arena is what gets copied: not where text is selected on the page. */
 const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
 
-/** What a key does together with Ctrl, besides the clipboard; `null` leaves it to the browser. */
+/** The act of a key pressed with Ctrl, besides the clipboard; `null` leaves it to the browser. */
 function commandOf(
   key: string,
   shift: boolean,
@@ -136,7 +136,7 @@ function commandOf(
   return key === 'd' && isSelected ? 'duplicate' : null;
 }
 
-/** What closes by Escape itself, and the lists of the editor's windows, where it is no key of the arena. */
+/** Elements that Escape closes, and the lists of the editor's windows, where it is no key of the arena. */
 const ESCAPE_USERS = '[role="dialog"], [data-testid="guide"], [aria-expanded="true"]';
 
 /** Escape lets go of what is selected. @returns whether anything was, and the key was for it */
@@ -171,7 +171,7 @@ function toArena(event: KeyboardEvent, { selection }: Editor): boolean {
 
 type Place = 'arena' | 'console' | null;
 
-/** Where the user last clicked or moved the focus to; the page's bar does not count. */
+/** The last place that the user clicked or moved the focus to; the page's bar does not count. */
 function useLastPlace(): Readonly<ShallowRef<Place>> {
   const last = shallowRef<Place>(null);
   function use({ target }: Event): void {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { followLines } from './follow-lines';
 
 const START = ['import robot', '', 'def turn():', '    left(90)', '', 'turn()'];
-/** Where lines 3, 4 and 6 are after a change of the program, and the texts of those that are gone. */
+/** The places of lines 3, 4 and 6 after a change of the program, and the texts of those that are gone. */
 const after = (change: (lines: string[]) => unknown) => {
   const now = [...START];
   change(now);

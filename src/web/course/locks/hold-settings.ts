@@ -6,7 +6,7 @@ import { withTravelling } from '../../session/work/settings/travelling';
 import type { WorkParts } from '../../session/work/model/parts';
 import type { Keeper } from '../../session/work/model/keeper';
 
-/** What is fixed with the robot, of the settings. */
+/** The settings that are locked with the robot. */
 export const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'] as const;
 
 /** Settings that a task locks are as it says, whatever an address, another tab or somebody in a hurry has chosen. */

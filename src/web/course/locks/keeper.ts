@@ -30,7 +30,7 @@ import { UsedHand } from './used-hand';
 import { wholePastes } from './whole-pastes';
 import { isMadeWith } from './with-tools';
 
-/** What a keeper needs of the page. */
+/** The models that locks need. */
 export type KeptPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
@@ -54,7 +54,7 @@ function keepGiven(app: KeptPage, opened: Project): Stop {
   };
 }
 
-/** What was chosen before the task came, and is locked by it. */
+/** Puts back the choices that the task locks. */
 function beginWith(app: KeptPage, keeper: TaskKeeper): void {
   const { editor, sensors, hand } = app;
   watch(
@@ -173,7 +173,7 @@ class TaskKeeper implements Keeper {
     return [pasted, lockedLines(() => this.locks.lines, t(words.line), refuse)];
   }
 
-  /** Where the locked lines are now goes with the work, so that it is known after a reload, too. */
+  /** Stores the places of the locked lines with the work, so that they survive a reload. */
   private withLines(before: Project, after: Project): Project | null {
     const { task } = after;
     const { lines } = this.locks;

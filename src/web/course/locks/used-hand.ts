@@ -36,13 +36,13 @@ export class UsedHand {
   }
 }
 
-/** What a world does by itself. */
+/** The events that a world brings itself. */
 const givenIn = ({ sensors, inputs }: WorldVariant): readonly (string | null)[] => [
   ...Object.keys(sensors).map((id) => `sensor ${id}`),
   ...inputs.map(({ action }) => nameOf(action)),
 ];
 
-/** What a hand does, without how far; `null`: no hand does that, or it changes nothing for the program. */
+/** The kind of a manual action, without its amount; `null`: no manual action, or one that the program cannot notice. */
 function nameOf(action: InputAction): string | null {
   switch (action.type) {
     case 'button':

@@ -60,7 +60,7 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
 /** Opening and editing. */
 function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'setFiles' | 'setScene' | 'edit'> {
   const { run, work, host, hand } = app;
-  /** What a host opened last. The host has its own copy, so it need not be put aside. */
+  /** The project that a host opened last. The host has its own copy, so it need not be put aside. */
   let brought: Project | null = null;
   /** The name under which the pupil's own work is put aside, or `null` without such work. */
   function nameOfOwn(): string | null {

@@ -57,7 +57,7 @@ export function hostDebugger(app: HostedPage): EmbeddedDebugger {
   };
 }
 
-/** What the page says of lines and moments, for `listen`. @returns ends it */
+/** Reports lines and moments of the page to `listen`. @returns ends it */
 export function listenToDebugger(app: HostedPage, tell: (event: SimulatorEvent) => void): () => void {
   const { run, work, slot } = app;
   const atOnce = { flush: 'sync' } as const;
@@ -99,7 +99,7 @@ async function needed({ slot }: HostedPage): Promise<Debug> {
   return new Promise((resolve) => slot.need(resolve));
 }
 
-/** Where the program is at this moment, as the worker says. */
+/** The program's place at this moment, as the worker reports it. */
 async function momentNow({ run }: HostedPage, place: number): Promise<ProgramMoment | string> {
   const hasProgram = (): boolean => run.phase.value === 'running' || run.phase.value === 'paused';
   if (!hasProgram()) return `This needs a run; it is ${run.phase.value}.`;

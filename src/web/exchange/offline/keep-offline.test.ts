@@ -58,7 +58,7 @@ function browser(controller: Worker | null = null) {
   return { registration, register, workers, held, arrives, takesOver };
 }
 const textOf = (element: Element): string => (element.textContent ?? '').trim();
-/** What a message needs comes with the first one. */
+/** Waits for the parts that load with the first message. */
 async function shown(): Promise<void> {
   await vi.dynamicImportSettled();
   await nextTick();

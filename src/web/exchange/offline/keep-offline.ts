@@ -23,7 +23,7 @@ export async function keepOffline(): Promise<void> {
   }
 }
 
-/** Where there are service workers at all; asking throws in some frames. */
+/** The browser's service workers; asking throws in some frames. */
 function serviceWorkers(): ServiceWorkerContainer | null {
   try {
     return 'serviceWorker' in navigator && 'locks' in navigator ? navigator.serviceWorker : null;

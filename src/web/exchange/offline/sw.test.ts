@@ -27,7 +27,7 @@ class Cache {
   }
 }
 
-/** What happens to a service worker. */
+/** An event of a service worker. */
 class Happening {}
 
 /** A browser with the service worker of the new version, whose files a server has. */
@@ -82,7 +82,7 @@ async function browser() {
     listeners.get(name)?.(Object.assign(new Happening(), { type: name, waitUntil }, event));
     await Promise.all(work);
   }
-  /** What a page gets for this address: a text, or `null` where the worker leaves it to the browser. */
+  /** The response that a page gets for this address: a text, or `null` if the worker leaves it to the browser. */
   async function get(address: string, how: { mode?: string; method?: string } = {}): Promise<string | null> {
     const request = Object.assign(new Request(address, { method: how.method ?? 'GET' }));
     Object.defineProperty(request, 'mode', { value: how.mode ?? 'no-cors' });

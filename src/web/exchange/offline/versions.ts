@@ -1,6 +1,6 @@
-/** What the pages and the service worker agree on. */
+/** The agreement between pages and service worker. */
 
-/** Whoever adds to the kept files or takes some away holds this lock. */
+/** Lock for adding or removing cached files. */
 export const FILES_LOCK = 'parcours.files';
 
 const VERSION = 'parcours.version ';

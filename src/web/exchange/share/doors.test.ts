@@ -29,14 +29,14 @@ beforeEach(async () => {
 });
 
 const fileOf = (name: string, bytes: Uint8Array): File => new File([bytes.slice()], name);
-/** What the page says, without the name of the file. */
+/** The page's message, without the name of the file. */
 const said = (name = ''): string => {
   const notice = page.notices.current.value;
   return notice === null ? '' : t(notice.key, notice.values).replaceAll(name, '').trim();
 };
 const soon = <T>(look: () => T): Promise<T> => vi.waitFor(look, { timeout: 20_000, interval: 5 });
 
-/** What is open on the page after something came in, or what it says. */
+/** The document that opened on the page, or its message. */
 function opened(before: unknown, name = ''): string {
   if (location.hash !== '') return location.hash.slice(0, 12);
   if (page.dataLog.device.value !== null) return 'log';
@@ -46,7 +46,10 @@ function opened(before: unknown, name = ''): string {
   return page.work.work.value === before ? said(name) : `${project.scene.name}: ${files}`;
 }
 
-/** What each file does at each door where files come in: the page, its class, the series that is made there, the class's task. */
+/**
+ * The effect of each file at each door where files are taken: the page, its class, the series that is made there, the
+ * class's task.
+ */
 const files: Readonly<Record<string, readonly [page: string, class_: string, maker: string, task: string]>> = {
   'anna.py': ['anna.py forward()', 'anna forward()', 'refused', 'is no task'],
   'anna.parcours.json': ['Hall: main.py forward()', 'anna forward()', 'task', 'Hall'],
@@ -118,7 +121,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
   });
 });
 
-/** What each address does at each door where addresses come in. */
+/** The effect of each address at each door where addresses are taken. */
 const links: Readonly<Record<string, readonly [page: string, class_: string, maker: string]>> = {
   program: ['main.py forward()', 'forward()', 'refused'],
   project: ['Hall: main.py forward()', 'forward()', 'task'],

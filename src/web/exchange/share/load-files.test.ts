@@ -329,7 +329,7 @@ describe('several projects that come together', () => {
 });
 
 describe('what is saved', () => {
-  /** What the browser was given to download: name and content. */
+  /** The downloaded file: name and content. */
   async function download(save: () => void): Promise<readonly [string, string]> {
     const saved = downloads();
     save();

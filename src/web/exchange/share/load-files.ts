@@ -16,7 +16,7 @@ import { treeFile } from '../../kit/files/added-files';
 import { latePart } from '../../kit/late-part';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 
-/** Where files of all kinds are taken in. */
+/** The models that take files of all kinds. */
 export type TakesFiles = TakesDocuments & Pick<RunParts, 'dataLog'>;
 
 /** A loaded file whose name is taken: the pupil decides what happens to it. */
@@ -89,7 +89,7 @@ async function takeOthers(app: TakesFiles, files: readonly File[]): Promise<void
 
 const asTree = (file: File): TreeFile => treeFile({ path: file.name, file });
 
-/** What only some files need comes late. */
+/** Loads the parts that only some files need. */
 async function late<T>(
   { notices }: TakesFiles,
   part: Promise<T>,

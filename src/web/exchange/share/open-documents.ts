@@ -14,7 +14,7 @@ import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
 import words from './words';
 
-/** Where projects, courses and pictures are taken in. */
+/** The models that take projects, courses and pictures. */
 export type TakesDocuments = Workplace &
   ShowsSeries & {
     /** The course editor's windows, where a picture becomes the floor. */

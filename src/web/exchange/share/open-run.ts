@@ -34,7 +34,7 @@ const END_US = 4000;
 /** A recorded run as it came. */
 interface Given {
   readonly text: string;
-  /** What it is called in messages: by its file. */
+  /** Its name in messages: that of its file. */
   readonly file: string;
   /** Name of the file without its ending; left out: it came in a link. */
   readonly stem?: string;

@@ -7,7 +7,7 @@ import type { PageParts } from '../../kit/parts';
 import { keepSeries } from '../../session/task/series/kept-series';
 import { unreadableReason } from './unreadable-words';
 
-/** Where a series that was opened is shown. */
+/** The models that show an opened series. */
 export interface ShowsSeries {
   readonly router: { open(name: string, id: string): void };
 }

@@ -31,7 +31,7 @@ const files: readonly unknown[] = [
   [{ x: 1, y: 1 }],
 ];
 
-/** What is said of each broken file and link. */
+/** The message on each broken file and link. */
 function said(): readonly string[] {
   const opened = [...files.map((file) => JSON.stringify(file)), '[1,', 'x'.repeat(12_000_001)].map((text) => documentOfText(text, () => null)); // prettier-ignore
   const reasons = opened.map((it) => (it.kind === 'unreadable' ? reasonOf(it.problems) : ''));

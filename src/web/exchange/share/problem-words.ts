@@ -47,7 +47,7 @@ const byCode: Readonly<Record<FileProblem['code'], Texts>> = {
   'same-as': words.sameAs,
 };
 
-/** What is wrong with a file, in words: the first problem, and how many follow. */
+/** The fault of a file in words: the first problem, and the number of further ones. */
 export function reasonOf(problems: readonly FileProblem[]): string {
   const [first] = problems;
   if (first === undefined) return '';

@@ -15,7 +15,7 @@ import ShareDialog from './ShareDialog.vue';
 
 const link = (): string => document.querySelector<HTMLInputElement>('[data-testid="share-link"]')?.value ?? '';
 const warnings = (): readonly string[] => [...document.querySelectorAll('.callout--warn')].map(textOf);
-/** What somebody gets who opens the shown link. */
+/** The project that opening the shown link gives. */
 function received() {
   const read = projectOfLink(link().slice(link().indexOf('#')), readyScene);
   if ('problem' in read) throw new Error(read.problem.message);

@@ -13,7 +13,7 @@ import { CheckRun } from '../../session/run/check-run';
 /** Runs a project's program on its own course, as the teacher's check will; `null`: it cannot be run now. */
 export type Prover = (task: ClassTask, project: Project) => Promise<WorldResult | null>;
 
-/** What the share dialog shows and sends of a hand-in. */
+/** The share dialog's state of a hand-in. */
 export interface HandInWish {
   /** The project has a task: it can be handed in. */
   readonly canBe: ComputedRef<boolean>;
@@ -25,7 +25,7 @@ export interface HandInWish {
   /** The run in the visible world; `null`: it is being made, or could not be. */
   readonly run: Readonly<ShallowRef<WorldResult | null>>;
   readonly isRunning: Readonly<ShallowRef<boolean>>;
-  /** What goes along; `null`: it is shared as usual. */
+  /** The statements in the hand-in; `null`: it is shared as usual. */
   readonly said: ComputedRef<Said | null>;
 }
 
@@ -80,7 +80,7 @@ export function useHandIn(
   };
 }
 
-/** What a pupil's page says of its run: what was not reached may still come. */
+/** The verdict of the pupil's page on its run: goals not reached yet may still be. */
 export function verdictOf(run: WorldResult | null): Said['verdict'] {
   if (run === null || (run.reason !== null && isUnreached(run.reason))) return 'open';
   return run.passed ? 'passed' : 'failed';

@@ -9,7 +9,7 @@ export interface Command {
   readonly name: string;
   /** Its arguments as the reference names them, one text for each form of the call: `(radius: float)`. */
   readonly calls: readonly string[];
-  /** What is written into a program: `leftArc(radius)`. */
+  /** The code to insert into a program: `leftArc(radius)`. */
   readonly code: string;
   /** Under which name its words stand. */
   readonly text: string;
@@ -55,7 +55,7 @@ function neededArguments(call: string): string {
   return names.join(', ');
 }
 
-/** What stands between the outer brackets, cut at its own commas. */
+/** The parts between the outer brackets, split at their own commas. */
 function partsOf(call: string): readonly string[] {
   const parts: string[] = [];
   let [depth, part] = [0, ''];

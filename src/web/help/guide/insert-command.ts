@@ -1,6 +1,6 @@
 import type { Command } from './commands';
 
-/** What changes in a program, and where the cursor is afterwards: offsets in the text as it was, and as it becomes. */
+/** The change of a program, and the cursor after it: offsets in the text before and after. */
 export interface Insertion {
   readonly changes: readonly { readonly from: number; readonly to: number; readonly insert: string }[];
   readonly select: { readonly anchor: number; readonly head: number };
@@ -74,7 +74,7 @@ function placeOfImport(program: string): number {
   return Math.min(place, program.length);
 }
 
-/** What stands before the command: a new line with its indentation where the cursor's line has code already. */
+/** The text before the command: a new line with its indentation if the cursor's line already has code. */
 function leadOf(program: string, from: number, to: number): string {
   if (from !== to) return '';
   const start = program.lastIndexOf('\n', from - 1) + 1;

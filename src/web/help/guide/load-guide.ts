@@ -33,7 +33,7 @@ export function modulesFor(robot: string | null, board: BoardType): readonly str
   return [...own.map(({ name }) => name), ...board.modules.slice(0, 1), ...BOARD_MODULES];
 }
 
-/** What the reference needs to know to list their commands. */
+/** The context of the reference that lists their commands. */
 export const referenceFor = (
   robot: string | null,
   { api }: BoardType,

@@ -94,7 +94,7 @@ export function useGuide(app: WorkParts & Pick<FirstStepsParts, 'guide'>): Guide
 const lengthOf = (section: ShownSection): number =>
   section.kind === 'entries' ? section.entries.length : section.commands.length;
 
-/** What fits a search; the best section first, and in it the best entry. */
+/** The matches of a search; the best section first, and in it the best entry. */
 function fitting(
   all: readonly ShownSection[],
   words: readonly string[],

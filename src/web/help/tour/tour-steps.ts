@@ -9,7 +9,7 @@ import words from '../words';
 /** The steps of the tour by name; where it was left is kept by it. */
 export type TourStepId = keyof typeof words.steps;
 
-/** What the steps look at. */
+/** The models that the steps observe. */
 export type TourSubject = Pick<RunParts, 'run'> & Pick<CourseEditorParts, 'editor'> & Pick<FirstStepsParts, 'guide'>;
 
 /** One step: a real control that is pointed at, and words about it. */
@@ -19,7 +19,7 @@ export interface TourStep {
   readonly pane: Pane | null;
   /** Selectors of the control; the first one in sight counts. */
   readonly targets: readonly string[];
-  /** What can be done at it. As soon as it is done the tour goes on by itself; `null`: there is only something to see. */
+  /** True once the step was done, and the tour goes on by itself; `null`: there is only something to see. */
   readonly isDone: ((app: TourSubject) => boolean) | null;
 }
 

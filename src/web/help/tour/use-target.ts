@@ -2,7 +2,7 @@ import { onBeforeUnmount, shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { Box } from './place-bubble';
 
-/** What is pointed at: which of the selectors was in sight, the element, and where it is. */
+/** The target of a step: the selector that was visible, the element, and its place. */
 export interface Target {
   readonly selector: string;
   readonly element: HTMLElement;

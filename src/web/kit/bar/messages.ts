@@ -1,4 +1,4 @@
-/** What the bar says. It comes with the first message: `import('…/messages')`. */
+/** The texts of the bar. It loads with the first message: `import('…/messages')`. */
 import words from '../words/bar';
 import { closePageBar, showPageBar } from './page-bar';
 

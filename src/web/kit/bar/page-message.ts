@@ -6,6 +6,6 @@ export interface PageMessage {
   readonly kind: 'update' | 'no-storage' | 'may-be-refused';
   readonly text: Texts;
   readonly actions: readonly { readonly text: Texts; readonly run: () => void }[];
-  /** What the button says that takes the message away. */
+  /** The label of the button that closes the message. */
   readonly close: Texts;
 }

@@ -7,7 +7,7 @@ export interface AddedFile {
   readonly file: File;
 }
 
-/** What was dropped: files, and all that is in folders. */
+/** The dropped files, including those in folders. */
 export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly AddedFile[]> {
   // Entries must be asked for before anything is waited for: the browser takes them away with the event.
   const entries = [...items].map((item) => item.webkitGetAsEntry());
@@ -32,7 +32,7 @@ async function filesIn(entry: FileSystemEntry, above: string): Promise<readonly 
   }
 }
 
-/** What was chosen in a dialog of the browser: files, or a folder with all that is in it. */
+/** The files chosen in a dialog of the browser, or those of a folder. */
 export const chosenFiles = (files: Iterable<File>): readonly AddedFile[] =>
   [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
 

@@ -22,7 +22,7 @@ export function numberText(value: number, language: Language, decimals?: number)
   return formatIn(language)(decimals ?? 'any').format(value + 0); // + 0 makes −0 a 0
 }
 
-/** What stands between the whole of a number and its decimals; clocks ask for it with every picture. */
+/** The decimal sign; clocks need it with every picture. */
 export const decimalSign = memo((language: Language) => numberText(0.5, language, 1).charAt(1));
 
 /** A day and a time of day, as they are written in a language: `21.11.2026, 23:04`. */

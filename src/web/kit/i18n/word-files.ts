@@ -71,7 +71,7 @@ export function openWordFiles(files: WordFiles) {
     return true;
   }
 
-  /** What an `import()` gives, once the words that it brought are there. The build puts this around each. */
+  /** The result of an `import()`, once the words that it brought are there. The build wraps each one in this. */
   async function withWords<T>(imported: Promise<T>): Promise<T> {
     const part = await imported;
     const isWords = typeof part === 'object' && part !== null && 'wordTexts' in part;
@@ -99,7 +99,7 @@ function fetchedOnce(files: WordFiles, onCome: (group: string, language: Languag
     loading.catch(() => coming.delete(key));
     return loading;
   }
-  /** What each part of the group says, as far as its file has come. */
+  /** The texts of each part of the group, as far as its file is loaded. */
   const textsOf = (group: string, language: Language) => come.get(`${group} ${language}`) ?? [];
   return { textsOf, load };
 }

@@ -6,7 +6,7 @@
 type Row<T> = T[];
 type Test<T> = (value: T, index: number, row: Row<T>) => unknown;
 
-/** Of the place `index`, which counts from the end where it is negative. @throws RangeError where there is none */
+/** Index of the place `index`, which counts from the end if negative. @throws RangeError if there is none */
 function placeIn(row: Row<unknown>, index: number): number {
   const place = Math.trunc(index) || 0;
   const found = place < 0 ? place + row.length : place;
@@ -21,7 +21,7 @@ function findLastIndex<T>(this: Row<T>, test: Test<T>, owner?: unknown): number 
   return -1;
 }
 
-/** Of lists, and of lists of numbers alike. */
+/** Methods of lists and of typed arrays. */
 export const ofEveryList = {
   findLastIndex,
   findLast<T>(this: Row<T>, test: Test<T>, owner?: unknown): T | undefined {
@@ -40,7 +40,7 @@ export const ofEveryList = {
   },
 };
 
-/** Of lists alone: what changes their length. */
+/** Methods of lists alone: those that change their length. */
 export const ofLists = {
   toSpliced<T>(this: Row<T>, ...how: [number, number, ...T[]]): Row<T> {
     const changed = this.slice();
@@ -49,19 +49,19 @@ export const ofLists = {
   },
 };
 
-/** Of `Object`. */
+/** Methods of `Object`. */
 export const ofObjects = {
   hasOwn: (owner: object, name: PropertyKey): boolean => Object.prototype.hasOwnProperty.call(owner, name),
 };
 
-/** Of signals to stop. */
+/** Methods of abort signals. */
 export const ofSignals = {
   throwIfAborted(this: AbortSignal): void {
     if (this.aborted) throw new DOMException('Aborted', 'AbortError');
   },
 };
 
-/** Of a canvas. One radius for all corners is all that the page draws; it gets no larger than fits. */
+/** Methods of a canvas. The page draws only one radius for all corners, limited to what fits. */
 export const ofCanvas = {
   roundRect(this: CanvasRenderingContext2D, x: number, y: number, width: number, height: number, radius = 0): void {
     const [right, bottom] = [x + width, y + height];

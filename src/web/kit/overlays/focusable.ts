@@ -12,7 +12,7 @@ function isPassedOver(element: HTMLElement, all: readonly HTMLElement[]): boolea
   );
 }
 
-/** Where the Tab key stops inside an element, in its order. */
+/** The tab stops inside an element, in order. */
 export function tabStops(inside: HTMLElement): readonly HTMLElement[] {
   const all = [...inside.querySelectorAll<HTMLElement>(FOCUSABLE)].filter(
     (element) => element.tabIndex >= 0 && !element.matches(':disabled') && isShown(element),

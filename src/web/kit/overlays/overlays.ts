@@ -1,4 +1,4 @@
-/** What lies over the page: a menu or a dialog. */
+/** An overlay of the page: a menu or a dialog. */
 export interface Overlay {
   /** True if a click there is one beside it. */
   isBeside(target: Node): boolean;
@@ -15,7 +15,7 @@ interface Shown {
 
 /** All that are open, in the order in which they were opened: the last one is on top, and hears keys and clicks. */
 const shown: Shown[] = [];
-/** Where the click began. One that began inside and ends beside (a text was marked) closes nothing. */
+/** True if the click began beside. One that began inside and ends beside (text was selected) closes nothing. */
 let beganBeside = false;
 
 const top = (): Overlay | undefined => shown.at(-1)?.overlay;

@@ -1,4 +1,7 @@
-/** Where a menu lies when there is room: below or above its button, in line with its left edge, or at its `end` the right one. */
+/**
+ * Place of a menu if there is room: below or above its button, aligned with its left edge, or at its `end` the right
+ * one.
+ */
 export type MenuLocation = `${'bottom' | 'top'}${'' | ' start' | ' end'}`;
 
 export interface Size {

@@ -2,11 +2,11 @@ import { effectScope } from 'vue';
 
 /** The models of a page that come late, with the first component that asks for them. */
 export class LateModels {
-  /** What they watch ends with the page, not with that component. */
+  /** Ends their watchers with the page, not with that component. */
   private readonly scope = effectScope();
   private readonly made = new Map<unknown, unknown>();
 
-  /** What `make` has made for this page. */
+  /** The model that `make` made for this page. */
   of<App, T>(make: (app: App) => T, app: App): T {
     if (!this.made.has(make))
       this.made.set(

@@ -84,7 +84,7 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & 
   return { curves, groups, whole, isReading, toggle };
 }
 
-/** Where the curves of a device come from, and what is drawn of its readings before anybody has chosen. */
+/** The sources of a device's curves, and the readings drawn by default. */
 interface Sources {
   readonly printed: PrintedSource | null;
   readonly all: readonly SeriesSource[];
@@ -106,7 +106,7 @@ function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'
 const deviceAt = (snapshot: Snapshot | null, device: number): DeviceSnapshot | null =>
   device === 0 ? snapshot : (snapshot?.others[device - 1] ?? null);
 
-/** What a program prints is what somebody wants to see. */
+/** The curves drawn by default: those that a program prints. */
 function usualOf({ printed, usual }: Sources): readonly string[] {
   const ids = printed?.list().map(({ id }) => id) ?? [];
   return ids.length > 0 ? ids : usual;

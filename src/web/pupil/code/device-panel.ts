@@ -14,7 +14,7 @@ interface Marked {
   readonly diagnostic: Diagnostic;
 }
 
-/** What the line below the text says: how many places there are, and those of the line that the cursor is in. */
+/** The text of the line below the program: the number of places, and those in the cursor's line. */
 interface Said {
   readonly marked: readonly Marked[];
   readonly errors: number;

@@ -9,7 +9,7 @@ export interface DeviceQuestion {
   /** The other files of the project, by name: names that they define are not mistakes. */
   readonly files: Readonly<Record<string, string>>;
   readonly device: Device;
-  /** What the microcomputer is called. */
+  /** Name of the microcomputer. */
   readonly board: string;
   readonly language: Language;
   /** The file among all, and what it is written for: what its names mean. */

@@ -77,7 +77,7 @@ export function editorExtensions(options: {
   lineNumbers: Extension;
   /** The container of lists and cards: outside the pane, which cuts off what leaves it. */
   popups: HTMLElement;
-  /** What a task brings. */
+  /** Extensions that a task adds. */
   kept: Extension;
   onChange(text: string): void;
   onRun(): void;

@@ -4,7 +4,7 @@ import { EditorView } from '@codemirror/view';
 
 import { markWrongLine } from './wrong-line';
 
-/** What the editor should show. */
+/** The state that the editor should show. */
 export interface Shown {
   /** Unlike that of any other file. */
   readonly key: string;

@@ -6,7 +6,7 @@ import { LANGUAGES, type Language } from '../../kit/i18n';
 import { memo } from '../../kit/state/memo';
 import type { HelpMaker, HelpOptions } from './help/help-options';
 
-/** What is loaded already, by language. */
+/** The loaded help, by language. */
 const loaded = memo((_: Language) => arrival<HelpMaker>());
 
 /** Completion, cards and hints cost more than the rest of the editor: they come when the editor is used, not before. */

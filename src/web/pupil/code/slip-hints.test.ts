@@ -8,7 +8,7 @@ import { slipHints } from './slip-hints';
 const context = contextOf({ hardware: null, files: [], file: 'main.py' });
 const ALL = 'from microbit import *\nfrom mbrobot import *\n';
 
-/** What is told of a program, and what it is when every button was pressed. */
+/** The hints for a program, and the program after every button was pressed. */
 function hintsOf(program: string) {
   const hints = slipHints(program, context);
   const mended = hints

@@ -17,7 +17,7 @@ export interface SlipHint {
   readonly to: number;
   readonly key: TextKey;
   readonly values: TextValues;
-  /** What a button writes, and where; `null` where it is not sure. */
+  /** The change that a button makes; `null` if it is not certain. */
   readonly change: { readonly from: number; readonly to: number; readonly insert: string } | null;
 }
 

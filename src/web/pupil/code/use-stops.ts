@@ -26,7 +26,7 @@ export function useStops(
     slot.need((debug) => debug.points.toggle(file, number));
     return true;
   }
-  /** Where it stood when it was shown last. */
+  /** The line that was shown last. */
   let stood: unknown = null;
   function show(): void {
     const debug = slot.debug.value;

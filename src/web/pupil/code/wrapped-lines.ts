@@ -8,7 +8,7 @@ const FURTHER = 2;
 /** A line that is indented more than this begins below as if it were not: a phone has little more. */
 const MOST = 16;
 
-/** Where the rest of a line that is too long for the pane stands, in columns from its left edge. */
+/** Column, from the pane's left edge, at which the rest of a wrapped line begins. */
 export function restColumn(text: string, tabSize: number): number {
   const indent = /^[ \t]*/.exec(text)?.[0] ?? '';
   return Math.min(MOST, countColumn(indent, tabSize)) + FURTHER;

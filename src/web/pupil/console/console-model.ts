@@ -12,10 +12,10 @@ const SHOW_EVERY_MS = 50; // chosen: 20 times a second reads as at once
 
 /** The console as the page shows it: output is gathered and shown in one go, twenty times a second at most. */
 export class ConsoleModel {
-  /** Of the device that is shown. */
+  /** The entries of the device that is shown. */
   readonly entries: ComputedRef<readonly ConsoleEntry[]> = computed(() => this.lists.value[this.device()] ?? []);
   readonly isCut = computed(() => this.entries.value.length > 0 && this.logOf(this.device()).isCut);
-  /** Of each device, by its place. */
+  /** The entries of each device, by its place. */
   private readonly lists: ShallowRef<readonly (readonly ConsoleEntry[])[]> = shallowRef([]);
   /** The lines of all devices of a run that has several. */
   readonly together = new SharedLines();
@@ -33,7 +33,7 @@ export class ConsoleModel {
   private readonly visited = shallowRef<ReadonlySet<number>>(new Set());
   /** Number of the present run, from 1; 0: there was none. */
   readonly run = shallowRef(0);
-  /** What is shown of `entries`. */
+  /** The shown part of `entries`. */
   readonly shown: ComputedRef<readonly ConsoleEntry[]> = computed(() =>
     foldGreetings(this.entries.value, this.visited.value, this.run.value),
   );

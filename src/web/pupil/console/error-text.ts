@@ -7,7 +7,7 @@ import type { WorkParts } from '../../session/work/model/parts';
 import { explain } from './advice/explain';
 import { lastPlace, type ErrorPlace } from './log/console-log';
 
-/** What the live region says about an error; `''` for a program that ended without one. */
+/** The live region's sentence on an error; `''` for a program that ended without one. */
 export function errorSentence(ended: Ended, parts: WorkParts): string {
   const text = errorText(ended, parts);
   return text === null ? '' : t(text.key, text.values);

@@ -21,7 +21,7 @@ export function createJump(work: WorkModel) {
   return {
     target,
     wrong,
-    /** What the editor should write; it takes the wish away when it has. */
+    /** A correction that the editor should write; it clears it when done. */
     mending,
     mend: (file: string, before: string, after: string): void => {
       work.show(file);

@@ -4,10 +4,10 @@ import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 
-/** Where somebody writes, or has something else to answer first. */
+/** Elements in which people type, or that must be answered first. */
 const WRITING = 'input, textarea, select, [contenteditable="true"], [role="dialog"], [role="menu"], [role="listbox"]';
 
-/** What decides whether the field takes the keyboard. */
+/** The models that decide whether the field takes the keyboard. */
 type Around = Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & Pick<LayoutParts, 'layout'>;
 
 /**

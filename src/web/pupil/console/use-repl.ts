@@ -6,7 +6,7 @@ import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 import type { ConsoleParts } from './parts';
 
-/** What the serial line is good for now: text for the program, lines for the REPL, or nothing at all. */
+/** The present use of the serial line: text for the program, lines for the REPL, or none. */
 export function useRepl({
   run,
   console,

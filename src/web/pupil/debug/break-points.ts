@@ -1,6 +1,6 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** Where break points are kept over a reload. */
+/** Key of the stored break points. */
 const KEY = 'parcours.break-points';
 
 /** Lines by the file that they are in, as `fileKey` names it. */

@@ -1,6 +1,9 @@
 import type { Variable, Variables } from '#vm/debug/variables';
 
-/** What variables that have changed were before, by the names that `globalName` and `localName` give; `null`: there was none. */
+/**
+ * The former values of changed variables, by the names that `globalName` and `localName` give; `null`: there was
+ * none.
+ */
 export type Before = ReadonlyMap<string, string | null>;
 
 export const globalName = (name: string): string => `global ${name}`;

@@ -14,7 +14,7 @@ export class DebugSlot implements Stillness {
   readonly isStanding: ComputedRef<boolean>;
   readonly isStill: ComputedRef<boolean>;
   readonly showsVariables = shallowRef(false);
-  /** What the editor shows; it comes with `debug`. */
+  /** The marks in the editor; loaded with `debug`. */
   marks: typeof Marks | null = null;
   private coming: Promise<Debug> | null = null;
 
@@ -28,7 +28,7 @@ export class DebugSlot implements Stillness {
     if (hasKept()) this.need();
   }
 
-  /** What is needed comes soon. Without a connection nothing happens; the next time it is tried again. */
+  /** Loads the debugger. Without a connection nothing happens; the next call tries again. */
   need(use?: (debug: Debug) => void): void {
     this.coming ??= Promise.all([import('./debug'), import('./editor/marks')]).then(([{ Debug: Made }, marks]) => {
       this.marks = marks;

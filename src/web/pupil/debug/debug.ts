@@ -16,7 +16,7 @@ import { changedFile } from './ran-program';
 export interface Stillness {
   /** It stands still, and would go on. */
   readonly isStanding: ComputedRef<boolean>;
-  /** So it does, or a moment is looked at that has been. */
+  /** True while it is paused, or while a past moment is shown. */
   readonly isStill: ComputedRef<boolean>;
   /** The variables are shown in the board's place. */
   readonly showsVariables: ShallowRef<boolean>;
@@ -33,29 +33,29 @@ export interface Here {
   readonly file: string;
   /** `null`: the line is not there any more. */
   readonly line: number | null;
-  /** What the line said when it ran, where the file is another one by now; else `null`. */
+  /** The text of the line when it ran, if the file is another one by now; else `null`. */
   readonly ran: string | null;
 }
 
-/** What a program was found with. */
+/** The state found at a stop. */
 interface Found {
   readonly device: number;
   readonly variables: Variables;
-  /** What each variable that has changed since the stop before was then. */
+  /** The former value of each variable that has changed since the last stop. */
   readonly before: Before;
 }
 
 /** The time line has stood for this long when variables are asked for, in ms. Chosen: a drag asks for none. */
 const SETTLED_MS = 150;
 
-/** Where programs stop, how they go on line by line, and what their variables are. */
+/** Break points, stepping by lines, and variables of programs. */
 export class Debug {
   readonly points = new BreakPoints(tabStore());
-  /** Where the device that is shown stands, in a moment of the past, too; `null`: its program runs, or is over. */
+  /** Place of the shown device's program, in a moment of the past, too; `null`: it runs, or has ended. */
   readonly place: ComputedRef<Place | null>;
   /** The same in the program as it is written now. */
   readonly here: ComputedRef<Here | null>;
-  /** Of the device that is shown, while its program stands. */
+  /** The state of the shown device while its program is paused. */
   readonly found: ShallowRef<Found | null> = shallowRef(null);
   private readonly last = new Map<number, Variables>();
   private toldPoints: PointsOfDevices = [];
@@ -124,7 +124,7 @@ export class Debug {
     else void this.stepInPast(step);
   }
 
-  /** Where no line follows any more that has been, the present is there again; and from it, it goes on. */
+  /** Steps in the past. Where no recorded line follows, it returns to the present and goes on from there. */
   private async stepInPast(step: LineStep): Promise<void> {
     const { run, work } = this.app;
     const turn = ++this.turns;

@@ -3,7 +3,7 @@ import { changedLines } from '#core/changed-lines';
 /** Larger changed parts than this (lines before × lines now) are not compared. Chosen: some ms. */
 const MOST = 1_000_000;
 
-/** Where the lines of a text have got to in a changed one. */
+/** The new places of a text's lines in a changed one. */
 export interface MovedLines {
   /** The line now that was `line` before, both from 1; `null`: it is not there any more. */
   now(line: number): number | null;

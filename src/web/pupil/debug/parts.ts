@@ -1,7 +1,7 @@
 import { part } from '../../kit/part';
 import type { DebugSlot } from './debug-slot';
 
-/** Where a program stops, and what its variables are then. */
+/** Break points, stops and variables of programs. */
 export interface DebugParts {
   readonly slot: DebugSlot;
 }

@@ -16,7 +16,7 @@ import type { RunParts } from '../../session/run/parts';
 import type { Recording } from '../../session/run/recording';
 import type { WorkParts } from '../../session/work/model/parts';
 
-/** What the past needs of the page around it. */
+/** The models that looking at the past needs. */
 export interface PastParts extends Pick<RunParts, 'run'>, Pick<WorkParts, 'work'> {
   /** How workers are made, and the VM for them. */
   readonly engine: Pick<LookClientOptions, 'createWorker' | 'firmware'>;
@@ -154,7 +154,7 @@ export class Past {
     return this.client.client;
   }
 
-  /** What was done to the run comes a moment after somebody looks back. */
+  /** The inputs to the run, which arrive a moment after looking back begins. */
   private inputsOf(recording: Recording): Promise<Recording['inputs']['value']> {
     return new Promise((resolve) => {
       const stop = watch([recording.inputs, this.app.run.recording], ([inputs, now]) => {

@@ -27,7 +27,7 @@ const remarkTexts: Readonly<Record<Remark['code'], Texts>> = {
 export const problemText = (file: string, problem: LogProblem): string =>
   t(problemTexts[problem.code], { file, ...shortened(problem) });
 
-/** What to know of a file that is shown, in words. */
+/** A remark on a shown file, in words. */
 export const remarkText = (remark: Remark): string => t(remarkTexts[remark.code], shortened(remark));
 
 /** Cells and lists of names may be as long as the file. */

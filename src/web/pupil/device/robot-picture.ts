@@ -2,9 +2,9 @@ import { readRobotDrawing, type Box } from '../arena/robot/robot-drawing';
 
 /** A robot's portrait: its drawing as an address for an image, and the lights to be drawn with it. In mm, front up. */
 export interface RobotPortrait {
-  /** What the picture shows. */
+  /** The box that the picture shows. */
   readonly box: Box;
-  /** Where the drawing lies in it. */
+  /** Place of the drawing in it. */
   readonly body: Box;
   readonly href: string;
   readonly lights: readonly Light[];

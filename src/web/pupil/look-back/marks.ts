@@ -1,7 +1,7 @@
 import { leavesAt, timesOf, type Chunk } from '#tape/rows/chunk';
 import type { Key, Leaf } from '#tape/rows/leaves';
 
-/** What happened at one moment of a run. */
+/** An event at one moment of a run. */
 export type MarkKind = 'pressA' | 'pressB' | 'touch' | 'checkpoint' | 'target' | 'block' | 'passed' | 'failed' | 'end';
 
 export interface Mark {
@@ -13,7 +13,7 @@ export interface Mark {
 
 type Value = Leaf | undefined;
 
-/** What is watched: where it stands in a snapshot, and what a change of it means. */
+/** A watched value: its path in a snapshot, and the meaning of a change. */
 interface Watch {
   readonly path: readonly Key[];
   readonly device: number | null;

@@ -76,7 +76,7 @@ async function recordedNow(run: RunModel): Promise<Recorded | null> {
   return { ...untilStop({ setup: { ...setup, inputs: done }, untilUs: endUs }), untilProgramEnds: false };
 }
 
-/** Of a run that was stopped, all until then: Stop interrupts the programs, and their last words are not the run's. */
+/** The output of a stopped run up to the stop: Stop interrupts the programs, and their last words are not the run's. */
 function untilStop({ setup, untilUs }: Omit<Recorded, 'untilProgramEnds'>): Omit<Recorded, 'untilProgramEnds'> {
   const { inputs = [] } = setup;
   const last = inputs.at(-1);

@@ -14,7 +14,7 @@ export type FitState =
 /** How a robot is fitted; in tests without a worker. */
 export type Fitter = (robot: string, measured: Measured, signal: AbortSignal) => Promise<Fit>;
 
-/** What is fitted, and who hears of it. */
+/** The measurements to fit, and a listener. */
 export interface FitWish {
   readonly robot: Readonly<Ref<string>>;
   readonly measured: Readonly<Ref<Measured>>;

@@ -27,7 +27,7 @@ beforeAll(async () => {
   firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** What is told of a robot at its start, as its own run shows it. */
+/** The announcement of a robot at its start, as its own run shows it. */
 async function startOf({ id, body }: RobotType): Promise<string> {
   const hardware = chooseHardware({ scene, imports: new Set(), robot: id, board: 'auto' });
   if ('problem' in hardware) throw new Error(hardware.problem);

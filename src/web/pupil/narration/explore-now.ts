@@ -6,11 +6,11 @@ import type { Scene } from '#scene/scene';
 import type { RunParts } from '../../session/run/parts';
 import { createExplorer, tellAround, type Asked, type Told } from './explore';
 
-/** What is explored: the course with what the run and the hand have moved. */
+/** The course to explore, with everything that the run and the hand have moved. */
 export interface Explored extends Pick<RunParts, 'run' | 'hand'> {
   readonly scene: () => Scene;
   readonly robot: () => RobotType | null;
-  /** Where the keyboard's crosshair is, world mm, while it shows. */
+  /** Place of the keyboard's crosshair, world mm, while it is visible. */
   readonly crosshair: () => Vec | null;
 }
 
@@ -18,7 +18,7 @@ export interface Explored extends Pick<RunParts, 'run' | 'hand'> {
 export interface ExplorerNow {
   /** The next thing, or the one before. */
   step(back: boolean): Told;
-  /** What is around the robot, or around the crosshair. */
+  /** Describes the surroundings of the robot, or of the crosshair. */
   around(): Told;
 }
 

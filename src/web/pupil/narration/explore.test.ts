@@ -19,7 +19,7 @@ const asked = (objects: readonly SceneObject[], changes: Partial<Asked> = {}): A
   ...changes,
 });
 
-/** What a walk through the course tells. */
+/** The announcements of a walk through the course. */
 function walk(objects: readonly SceneObject[], steps: number, changes: Partial<Asked> = {}): readonly string[] {
   const explorer = createExplorer();
   return Array.from({ length: steps }, () => explorer.step(asked(objects, changes), false).words);

@@ -13,10 +13,10 @@ import { fromRobot, isOn, nearestOfLine, partsNow, vecOf } from './solids';
 
 const words = narrationWords.explore;
 
-/** What is asked about: a course as it is now, and from where. */
+/** The question: a course as it is now, and the place to describe it from. */
 export interface Asked {
   readonly scene: Scene;
-  /** Where blocks and moving obstacles are, by their id; those that are missing are where the course has them. */
+  /** Poses of blocks and moving obstacles, by their id; missing ones are where the course has them. */
   readonly moved: Readonly<Record<string, Pose>>;
   /** The robot, or `null` where there is none. */
   readonly robot: Pose | null;
@@ -45,7 +45,7 @@ const ORDER: readonly SceneObject['type'][] = [
 ]; // prettier-ignore
 
 export function createExplorer(): Explorer {
-  /** What was told last; `undefined`: nothing yet, `null`: the robot. */
+  /** The last announced object; `undefined`: none yet, `null`: the robot. */
   let last: string | null | undefined;
   return {
     step(asked, back) {
@@ -65,7 +65,7 @@ export function inOrder({ objects }: Scene): readonly SceneObject[] {
   return [...objects].sort((a, b) => ORDER.indexOf(a.type) - ORDER.indexOf(b.type) || number(a) - number(b));
 }
 
-/** Where one is, and how much there is in the course. */
+/** Announces the present place, and the number of things in the course. */
 function tellAll(asked: Asked): Told {
   const count = asked.scene.objects.length;
   const things = count === 1 ? t(words.one) : t(words.many, { count });
@@ -90,7 +90,7 @@ function tellThing(object: SceneObject, asked: Asked): Told {
   return { words: `${name}${size}: ${whereText(atMm, asked)}.`, atMm };
 }
 
-/** Where one is, what is under it and what would be met in each direction. */
+/** Announces the present place, the ground there and the next thing in each direction. */
 export function tellAround(asked: Asked): Told {
   const { scene, moved, robot, body, crosshair } = asked;
   const at = originOf(asked);
@@ -119,7 +119,7 @@ function placeText(asked: Asked): string {
   return t(asked.crosshair === null ? words.middle : words.crosshair, { x: cm(x), y: cm(y) });
 }
 
-/** Where a place is: as the robot has it, or without a robot as the picture has it. */
+/** A place in words: relative to the robot, or without a robot to the picture. */
 function whereText(at: Vec, asked: Asked): string {
   const { robot, crosshair } = asked;
   const origin = originOf(asked);

@@ -4,7 +4,7 @@ import type { Scene } from '#scene/scene';
 
 import { fromRobot, partsNow } from './solids';
 
-/** Who looks along which direction. */
+/** A place and a direction to look along. */
 export interface Look {
   /** From here, along its heading. */
   readonly pose: Pose;

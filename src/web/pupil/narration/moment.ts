@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 
-/** What there is to say about a run at one moment, and nothing that changes with every picture alone. */
+/** Everything to announce about a run at one moment, without what changes with every picture. */
 export interface Moment {
   /** By the clock on the wall, in ms: what is told must be followed by a person, at any speed of the run. */
   readonly atMs: number;
@@ -10,14 +10,14 @@ export interface Moment {
   /** Rotation and path since the start. */
   readonly turnedRad: number;
   readonly pathMm: number;
-  /** What the distance sensor meets; `null`: nothing in range, `undefined`: the robot has no such sensor. */
+  /** The distance sensor's hit; `null`: nothing in range, `undefined`: the robot has no such sensor. */
   readonly ahead: { readonly mm: number; readonly hitMm: Vec | null } | null | undefined;
   /** From left to right. */
   readonly lineSensors: readonly { readonly name: string; readonly isDark: boolean }[];
   /** How often the robot has touched something since the start. */
   readonly touches: number;
   readonly verdict: Verdict | null;
-  /** Where blocks and moving obstacles are, by their id. */
+  /** Poses of blocks and moving obstacles, by their id. */
   readonly moved: Readonly<Record<string, Pose>>;
 }
 

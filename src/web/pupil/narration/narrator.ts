@@ -14,7 +14,7 @@ import { watchTurn } from './watch-turn';
 export interface Narrator {
   /** Looks at the newest picture. It may be the same as before: that nothing moves any more is seen in time. */
   see(snapshot: Snapshot, nowMs: number): void;
-  /** What is to be said now, if anything. */
+  /** The text to announce now, if any. */
   next(nowMs: number): string | null;
   /** The run is over: what waited is no news any more; where the robot stands is told. */
   end(nowMs: number): void;

@@ -1,12 +1,12 @@
 import type { Moment } from './moment';
 
-/** What is told of, each with one sentence at a time. */
+/** The topics of announcements, each with one sentence at a time. */
 export type Topic = 'touch' | 'target' | 'checkpoint' | 'block' | 'start' | 'line' | 'ahead' | 'turn' | 'rest';
 
 /** Something worth saying, seen in a moment. */
 export type News = { readonly seen: Moment } & (
   | { readonly topic: 'touch' | 'rest' }
-  /** Where the robot is when the telling begins: at its start, or on its way. */
+  /** True if the robot is already driving when the announcements begin. */
   | { readonly topic: 'start'; readonly isOnWay: boolean }
   /** The number of the checkpoint. */
   | { readonly topic: 'checkpoint'; readonly number: number }

@@ -41,7 +41,7 @@ export function createPacer(): Pacer {
   let freeFromMs = -Infinity;
   let last: string | null = null;
 
-  /** What has happened may happen again and is told again; what is so is told when it has changed. */
+  /** The last text on a topic: events may be repeated, states are announced when they change. */
   function before(topic: Topic): string | null {
     if (topic === 'rest') return last;
     return topic === 'line' ? (told.get(topic)?.words ?? null) : null;

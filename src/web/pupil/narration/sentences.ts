@@ -10,7 +10,7 @@ import type { News } from './news';
 import { isNear } from './watch-ahead';
 import { fromRobot, nearestSolid, touchedSolid, type Solid } from './solids';
 
-/** Where the robot drives. */
+/** The course in which the robot drives. */
 export interface Surroundings {
   readonly scene: Scene;
   /** The convex parts of the robot's body in its frame, at its size. */
@@ -54,7 +54,7 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
 
 const together = (...parts: readonly (string | null)[]): string => parts.filter((part) => part !== null).join(' ');
 
-/** Where the robot stands and where it looks. */
+/** The robot's place and heading. */
 export const poseText = (which: 'start' | 'here' | 'rest', pose: Pose): string =>
   t(words[which], {
     x: Math.round(pose.xMm / 10),
@@ -68,7 +68,7 @@ function wholeDegrees(rad: number): number {
   return (degrees > 180 ? degrees - 360 : degrees <= -180 ? degrees + 360 : degrees) + 0;
 }
 
-/** What the distance sensor meets, with its distance as the sensor gives it. */
+/** The distance sensor's hit, with the distance that the sensor reports. */
 function aheadText({ ahead, moved }: Moment, scene: Scene): string | null {
   if (ahead === undefined || ahead === null) return null;
   const met = ahead.hitMm === null ? 'wall' : nearestSolid(ahead.hitMm, scene, moved).what;
@@ -87,7 +87,7 @@ function touchText({ pose, moved }: Moment, { scene, body }: Surroundings): stri
   return t(words.touch[SIDES[eighth] ?? 'front'], { thing: t(words.touched[what]) });
 }
 
-/** Where something else than lines is dark, nobody can say that a sensor is on a line. */
+/** True if only lines are dark: otherwise a sensor's darkness does not mean a line. */
 const hasLines = ({ objects, background }: Scene): boolean =>
   background === null && objects.some(({ type }) => type === 'stroke');
 

@@ -5,7 +5,7 @@ import { boundsOfOutline, lengthOf, movedOutline, overlapMm, type Outline } from
 import type { Scene, SceneObject, Zone } from '#scene/scene';
 import { ownParts } from '#scene/shape/shape';
 
-/** What a robot can bump into; `edge`: the edge of the arena. */
+/** The things that a robot can bump into; `edge`: the edge of the arena. */
 export type Solid = 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover' | 'edge';
 
 /** A place on a thing that is near something. */
@@ -41,7 +41,10 @@ export function nearestSolid(at: Vec, scene: Scene, moved: Readonly<Record<strin
   return nearest;
 }
 
-/** What a robot's body touches, or all but touches. @param body convex parts in the robot's frame, at its size */
+/**
+ * The things that a robot's body touches or nearly touches. @param body convex parts in the robot's frame, at its
+ * size
+ */
 export function touchedSolid(
   body: readonly Outline[],
   pose: Pose,

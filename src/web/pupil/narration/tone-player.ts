@@ -13,7 +13,7 @@ const ASK_MS = 500;
 
 /** Plays tones into the page's sound system. */
 export interface TonePlayer {
-  /** What is to be heard now, by the clock on the wall. Call it some twenty times a second: beeps begin with it. */
+  /** Plays the tones for now, by the wall clock. Call it some twenty times a second: beeps begin with it. */
   play(tones: Tones, nowMs: number): void;
   stop(): void;
 }

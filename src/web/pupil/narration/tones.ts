@@ -1,6 +1,6 @@
 import type { Moment } from './moment';
 
-/** What is heard of a moment besides words; `null`: nothing. */
+/** The tones of a moment; `null`: none. */
 export interface Tones {
   /** Beeps, as those of a car that parks: the nearer something is ahead, the faster and the higher. */
   readonly beat: { readonly everyMs: number; readonly hz: number } | null;

@@ -9,7 +9,7 @@ import type { Surroundings } from './sentences';
 /** How often it is asked whether there is something to say, in ms. */
 const ASK_MS = 200;
 
-/** Who explores the course by keyboard (N, O) hears the answer first: so long nothing else is told, in ms. Chosen: ten words. */
+/** Pause of other announcements after the answer to exploring by keyboard (N, O), in ms. Chosen: ten words. */
 const ANSWER_MS = 3600;
 
 /** Something that was said. The same words again are something new. */

@@ -5,7 +5,7 @@ import type { Watcher } from './news';
 const NEARER_MM = [500, 300, 200, 100];
 /** … and again only after it was so much farther away, in mm. Chosen: more than readings jump while a robot sways. */
 const BEYOND_MM = 50;
-/** Who was told of something nearer than this is told that the way is clear again, in mm. */
+/** Distance in mm beyond which the path is announced as clear again after something nearer was. */
 const CLEAR_FROM_STEP = 2;
 
 /** Tells of what comes nearer ahead, in steps, and when the way is clear again. What is there at the start is said then. */

@@ -3,7 +3,7 @@ import type { News, Watcher } from './news';
 const DEGREE = Math.PI / 180;
 /** From here on a turn is told, in rad. Chosen: less is how a robot sways along a line. */
 const LEAST_RAD = 25 * DEGREE;
-/** So far back and it is another turn, in rad. */
+/** Angle back from which it counts as another turn, in rad. */
 const BACK_RAD = 10 * DEGREE;
 /** Less is no movement, in rad. */
 const STILL_RAD = 0.2 * DEGREE;

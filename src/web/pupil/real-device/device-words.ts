@@ -21,7 +21,7 @@ export function doneSentence({ machine, isStarted, said, same }: Extract<PutResu
 /** True if the program failed as soon as it started. */
 export const isTraceback = (said: string): boolean => /^Traceback|^\s*File ".*", line \d+|Error\b/m.test(said);
 
-/** What went wrong and what helps. */
+/** The problem and its remedy. */
 export function problemSentence(problem: PutProblem): string {
   switch (problem.kind) {
     case 'frame':

@@ -1,7 +1,7 @@
 const KEY = 'parcours.device-programs';
 const KEPT = 60; // chosen: a school year of one pupil's last programs, 2 kB
 
-/** What this browser has put on devices. Such files may be replaced without asking. */
+/** The programs that this browser has put on devices. Such files may be replaced without asking. */
 export interface KnownPrograms {
   has(fingerprint: string): boolean;
   add(fingerprints: readonly string[]): void;

@@ -1,4 +1,4 @@
-/** What can go wrong during the transfer to the device. Plain data; the words are in `words`. */
+/** The problems of the transfer to the device. Plain data; the words are in `words`. */
 export type PutProblem =
   /** Nothing at all comes back. */
   | { readonly kind: 'silent' }
@@ -18,7 +18,7 @@ export type PutProblem =
   | { readonly kind: 'stuck' }
   /** The device's answers make no sense. */
   | { readonly kind: 'garbled' }
-  /** What was read back is not what was sent, twice. */
+  /** The file read back differed from the file sent, twice. */
   | { readonly kind: 'different'; readonly file: string }
   /** Python on the device raised an exception; in its own words. */
   | { readonly kind: 'exception'; readonly text: string }

@@ -33,7 +33,7 @@ const put = (board: SimulatedBoard, wish: PutWish, watched: Watched = {}): Promi
     onProgress: watched.onProgress ?? (() => undefined),
   });
 
-/** What the board lists and what stands in a file, asked at its own REPL. */
+/** The board's list of files and the content of one, read at its own REPL. */
 const filesOn = (board: SimulatedBoard): readonly string[] => {
   const answer = board.type('\x03\r\x03import os\rsorted(os.listdir())\r');
   return Array.from(/\[(.*)\]/.exec(answer)?.[1]?.matchAll(/'([^']*)'/g) ?? [], ([, name]) => name ?? '');

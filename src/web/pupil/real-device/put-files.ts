@@ -12,7 +12,7 @@ export interface DeviceFile {
   readonly text: string;
 }
 
-/** What is to be on the device. */
+/** The files to put on the device. */
 export interface PutWish {
   /** The program comes last, so that nothing drives before everything is there. */
   readonly files: readonly DeviceFile[];
@@ -48,12 +48,12 @@ export type PutResult =
       readonly same: readonly string[];
       /** False: main.py starts only when the device's reset button is pressed. */
       readonly isStarted: boolean;
-      /** What the program printed right after its start. */
+      /** The program's output right after its start. */
       readonly said: string;
     }
   | { readonly kind: 'problem'; readonly problem: PutProblem };
 
-/** What the transfer needs from outside. */
+/** The services that the transfer needs. */
 export interface PutSurroundings {
   readonly timer: Timer;
   readonly signal: AbortSignal;

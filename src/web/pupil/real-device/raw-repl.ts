@@ -5,7 +5,7 @@ const CTRL_A = '\x01';
 const CTRL_B = '\x02';
 const CTRL_C = '\x03';
 const CTRL_D = '\x04';
-/** What MicroPython's shared/runtime/pyexec.c prints when raw mode begins. */
+/** The banner that MicroPython's shared/runtime/pyexec.c prints when raw mode begins. */
 const RAW_BANNER = 'raw REPL; CTRL-B to exit\r\n>';
 
 // chosen: a micro:bit easily meets these times, and waiting them out in vain does no harm

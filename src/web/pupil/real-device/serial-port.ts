@@ -4,7 +4,7 @@ import { PutError } from './problem';
 
 /** micro:bit and Calliope mini: both carry ARM's DAPLink (usb.org: 0x0d28 is ARM's, 0x0204 DAPLink's). */
 const BOARDS: readonly SerialPortFilter[] = [{ usbVendorId: 0x0d28, usbProductId: 0x0204 }];
-/** Of MicroPython on the micro:bit and most other boards. */
+/** Baud rate of MicroPython on the micro:bit and most other boards. */
 const BAUD = 115_200;
 
 /** True if this browser, here, has serial lines. */

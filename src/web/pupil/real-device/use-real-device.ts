@@ -92,7 +92,7 @@ export function useRealDevice(other: OtherProgram | null = null) {
   return {
     state,
     ability: serialAbility(),
-    /** What goes to the device: libraries, the pupil's files, main.py. */
+    /** The files for the device: libraries, the pupil's files, main.py. */
     files: computed(() => needed.value.files),
     put,
     stop: (): void => stop.abort(),
@@ -104,7 +104,7 @@ export function useRealDevice(other: OtherProgram | null = null) {
   };
 }
 
-/** What a board needs for these files and this robot. */
+/** The files that a board needs for this program and this robot. */
 const filesOf = (of: OtherProgram | { readonly files: readonly SourceFile[]; readonly robot: string | null }) =>
   filesForDevice('files' in of ? of.files : [{ name: MAIN, text: of.text }], of.robot);
 

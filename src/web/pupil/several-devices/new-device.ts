@@ -11,7 +11,7 @@ import type { WorkParts } from '../../session/work/model/parts';
 import { AUTO_DEVICE } from '../../session/work/settings/devices';
 import words from './words';
 
-/** What the first device is called once it is not alone: a robot as the course says. */
+/** The first device's name once there are several: that of a robot as the course says. */
 export const firstName = (parts: WorkParts): string =>
   hardwareNow(parts, 0)?.robot === null ? t(words.board) : (parts.work.scene.value.robot.name ?? t(words.robot));
 

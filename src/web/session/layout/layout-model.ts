@@ -18,7 +18,7 @@ export const hasLittleRoom = (kind: LayoutKind): boolean => kind === 'narrow' ||
 export const PANES = ['code', 'board', 'arena', 'console'] as const;
 export type Pane = (typeof PANES)[number];
 
-/** What the panes' places depend on. */
+/** The models that the panes' places depend on. */
 export interface LayoutModel {
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
   /** The arrangement of the shown panes; equals `kind`, except for a pair that has room in a small frame. */
@@ -109,7 +109,7 @@ export function createLayout(
   const kind = useFirstMatch(QUERIES, 'phone');
   const pair = useFirstMatch(PAIRS, 'phone');
   const tab = shallowRef<Pane>('code');
-  /** What a host shows wins over what the pupil has chosen. */
+  /** The parts shown: a host's choice wins over the pupil's. */
   const parts = computed((): readonly Part[] => {
     if (host.parts.value !== null) return host.parts.value;
     const { showBoard, showArena } = current.value;

@@ -27,7 +27,7 @@ const GAP = '8px';
 const LEAST = { code: 220, board: 180, console: 96, top: 160, below: 132, arena: 240 } as const;
 /** Height of a folded console: its head and the frame around it. */
 const FOLDED_PX = 48;
-/** What the arena has of the window while it is to be watched. */
+/** The arena's share of the window while it is being watched. */
 const WATCHED = 2 / 3;
 /** Height of code and board, stacked, while something is unfolded below the board: room for the drawing and the dials, and for an arena in which a robot is seen. Chosen by eye. */
 const TOP_UNFOLDED_PX = 460;
@@ -97,7 +97,7 @@ export function withDeviceRow({ columns, rows, areas, splitters }: PaneGrid): Pa
   };
 }
 
-/** What takes the room that the others leave. */
+/** The track that takes the remaining room. */
 const REST = 'minmax(0, 1fr)';
 
 type Columns = Pick<PaneGrid, 'columns' | 'splitters'> & { readonly areas: readonly string[] };

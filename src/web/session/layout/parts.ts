@@ -3,7 +3,7 @@ import type { LayoutModel } from './layout-model';
 import { part } from '../../kit/part';
 import type { Router } from './router';
 
-/** What is in sight: the panes, the arena alone, or a page over them. */
+/** The visible views: the panes, the arena alone, or a page over them. */
 export interface LayoutParts {
   readonly layout: LayoutModel;
   readonly alone: ArenaAlone;

@@ -1,4 +1,4 @@
-/** What stands under the arena. */
+/** The elements under the arena. */
 export interface ReadingsParts {
   /** Number of line sensors, and digits of their longest reading. */
   readonly count: number;

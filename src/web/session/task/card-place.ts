@@ -15,7 +15,7 @@ export type CardPlace =
   | { readonly kind: 'beside'; readonly area: Area }
   | { readonly kind: 'sheet'; readonly area: Area };
 
-/** What the place depends on. */
+/** The surroundings that the place depends on. */
 export interface AroundCard {
   /** The room of all panes, or the whole window when the arena fills it. */
   readonly panes: Area;

@@ -7,11 +7,11 @@ import type { Project } from '#project/project';
 import { shownLanguage, t } from '../../kit/i18n';
 import taskWords from './words';
 
-/** What a project is checked for besides the goals of its course, in the language of the page, with what it gives. */
+/** The checks of a project besides the goals of its course, in the language of the page, with their points. */
 export interface CheckInWords {
   readonly id: string;
   readonly text: string;
-  /** What the display is to show, as SVG; `null`: it is about something else. */
+  /** The picture that the display is to show, as SVG; `null`: it is about something else. */
   readonly leds: string | null;
   readonly gives: string;
 }

@@ -45,7 +45,7 @@ export interface TaskRule {
 
 type Course = Pick<Scene, 'task' | 'objects'>;
 
-/** What is to be reached, in the order in which it is done. */
+/** The goals, in the order in which they are reached. */
 export function goalsInWords(course: Course, verdict: Verdict | null): readonly TaskGoal[] {
   const { checkpoints, robotTargets, blocksWanted, task } = briefOf(course);
   const goals: TaskGoal[] = [];
@@ -83,7 +83,7 @@ export function goalsInWords(course: Course, verdict: Verdict | null): readonly 
   return goals;
 }
 
-/** What is to be kept to while doing it, and what help is allowed. */
+/** The rules, and the help that is allowed. */
 export function rulesInWords(course: Course, verdict: Verdict | null): readonly TaskRule[] {
   const { task, objects } = course;
   const goals = goalsInWords(course, null);

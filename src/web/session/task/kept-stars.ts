@@ -35,7 +35,7 @@ export function createKeptStars(store: Storage | null): KeptStars {
   };
 }
 
-/** What cannot be read counts as nothing won. */
+/** The stored stars; unreadable ones count as none. */
 function read(store: Storage | null): Stars {
   try {
     const stored: unknown = JSON.parse(store?.getItem(KEY) ?? '{}');

@@ -14,7 +14,7 @@ import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text'
 
 /** The task of the open course as a card. */
 export interface TaskModel {
-  /** What the card says. */
+  /** The text of the card. */
   readonly text: ComputedRef<ShownText>;
   /** True if there is anything to read: then there is a card. */
   readonly hasText: ComputedRef<boolean>;
@@ -25,7 +25,7 @@ export interface TaskModel {
   readonly ready: ComputedRef<Course | null>;
   /** The best results in this browser. */
   readonly stars: KeptStars;
-  /** What a teacher has it checked for besides the goals of its course; `null`: nobody has asked yet. */
+  /** The teacher's checks besides the goals of its course; `null`: not read yet. */
   readonly checked: ShallowRef<Checked | null>;
   open(): void;
   close(): void;

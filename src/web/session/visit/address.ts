@@ -9,7 +9,7 @@ import type { HostWish } from './host-view';
 
 type Address = Pick<Location, 'search' | 'hash'>;
 
-/** What the page is made for: the `data-…` attributes of its root element. */
+/** The purpose of the page: the `data-…` attributes of its root element. */
 type PageData = Readonly<Record<string, string | undefined>>;
 
 /** Longest `show` and `flag` that are read, in characters, and the most of what can be given several times. */
@@ -57,7 +57,7 @@ function settingsIn(given: URLSearchParams, page: PageData): HostSettings {
   });
 }
 
-/** What is shown: as `show` says, else `layout`, else the page; `undefined`: everything, as the pupil has chosen. */
+/** The parts shown: those of `show`, else of `layout`, else of the page; `undefined`: all, as the pupil has chosen. */
 function partsIn(given: URLSearchParams, ofPage: string | undefined): readonly Part[] | undefined {
   const isBare = flagOf(given.get('hide_topbar')) ?? false;
   const isFull = flagOf(given.get('full_screen')) ?? false;

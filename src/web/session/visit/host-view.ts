@@ -28,7 +28,7 @@ export const noHost: HostWish = {
   flags: [],
 };
 
-/** What a host has changed about the page, and what it listens to. */
+/** The changes that a host has made to the page, and its listener. */
 export class HostView {
   /** The parts that are shown; `null`: as the pupil has chosen. */
   readonly parts: ShallowRef<readonly Part[] | null>;

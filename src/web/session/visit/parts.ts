@@ -1,7 +1,7 @@
 import type { HostView } from './host-view';
 import { part } from '../../kit/part';
 
-/** What the address and the page around this one ask for. */
+/** The wishes of the address and of the page around this one. */
 export interface VisitParts {
   readonly host: HostView;
 }

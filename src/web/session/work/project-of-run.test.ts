@@ -37,7 +37,7 @@ const settings: ProjectSettings = {
   ...{ robotOptions: {}, arenaSenses: true },
 };
 
-/** What a run of this project would be. */
+/** The set-up of a run of this project. */
 function setupOf(project: Project): RunSetup {
   const page = createPage();
   useOpenings(page).open(project, '', true);

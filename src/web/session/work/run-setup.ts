@@ -47,7 +47,7 @@ function deviceSetup(parts: WorkParts, name: string, place: number): DeviceSetup
   };
 }
 
-/** What holds for a device from the start: what the hand has set wins over what the board feels of the arena. */
+/** Inputs to a device from the start: values set by hand win over those measured in the arena. */
 function deviceInputs(parts: WorkParts, place: number, sensed: readonly InputEvent[]): readonly InputEvent[] {
   const hardware = hardwareNow(parts, place);
   if (hardware === null) return [];

@@ -29,7 +29,7 @@ function useWholeCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
-  /** What it runs on is chosen separately: the settings of the previous work do not come along. */
+  /** Opens a project without the hardware of the previous work, which is chosen separately. */
   function open({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void {
     openings.open(project, name, ours);
     app.settings.bring(newWork);

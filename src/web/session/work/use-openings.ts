@@ -39,7 +39,7 @@ export function useOpenings(app: Workplace) {
     tell(name, isOurs);
   }
 
-  /** What is left for something else keeps what it runs on, and its course keeps the program. */
+  /** Leaves the present work with its hardware, and with the program in its course. */
   function leave(): void {
     stampSettings(app);
     leaveProgram(work, Date.now());

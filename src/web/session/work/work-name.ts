@@ -1,7 +1,7 @@
 import { courseName } from './catalogue/first-course';
 import type { WorkParts } from './model/parts';
 
-/** What the present work is called where it is put aside. */
+/** Name of the present work when it is put aside. */
 export function workName({ work }: Pick<WorkParts, 'work'>): string {
   const { scene, course } = work.work.value.project;
   return nameWithFile(courseName(scene, course), work.work.value.file);

@@ -13,7 +13,7 @@ const QUIET_MS = 400;
  */
 export type KeepProblem = 'failed' | 'lost' | 'other' | 'ended';
 
-/** What is in the database, as this tab knows it. */
+/** The content of the database, as this tab knows it. */
 interface Written {
   readonly task: OpenTask | null;
   readonly rows: readonly Row[];
@@ -99,7 +99,7 @@ export class ClassKeeper {
     return true;
   }
 
-  /** What this tab has not written yet stays; its writing will find what the other one has written. */
+  /** Keeps changes that this tab has not written yet; writing them will find those of the other tab. */
   private async hear(news: ClassNews): Promise<void> {
     if (!this.isKept.value) return;
     if (news === 'ended') {

@@ -1,4 +1,4 @@
-/** What tabs of one browser tell one another of the class that is kept: it was written, or is kept no longer. */
+/** Messages between tabs of one browser about the stored class: it was written, or is no longer stored. */
 export type ClassNews = 'written' | 'ended';
 
 /** The other tabs. */

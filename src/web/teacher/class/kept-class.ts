@@ -23,7 +23,7 @@ export interface KeptClass {
   readonly stamp: string;
 }
 
-/** What of a class is written. */
+/** The written part of a class. */
 export interface Writing {
   readonly task: OpenTask | null;
   /** Number of hand-ins. */

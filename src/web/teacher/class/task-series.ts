@@ -36,7 +36,7 @@ export function projectIn({ from }: SeriesTask): Project | null {
   return course && withStart(projectOf(course, shownLanguage()), course);
 }
 
-/** What reports call it, as those of the command line do. */
+/** Name in reports, as in those of the command line. */
 export function reportName({ title, id }: SeriesTask, { scene, course }: Project): string {
   return title || (scene.name === '' && course === null ? id : courseName(scene, course));
 }

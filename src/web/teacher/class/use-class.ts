@@ -25,7 +25,7 @@ export const classOf = lateModel(
     }),
 );
 
-/** What keeps it in the browser; the first time it brings back what was kept. */
+/** Stores the class in the browser; the first call restores the stored one. */
 export const keeperOf = lateModel((app) => {
   const model = classOf(app);
   const keeper = new ClassKeeper(model);

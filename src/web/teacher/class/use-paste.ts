@@ -10,7 +10,9 @@ import words from './words';
 import { takeFiles } from './take-files';
 import { bringLink } from './task-series';
 
-/** What is said about a paste goes after this. Chosen: read twice; on a projector nothing old should stand. */
+/**
+ * Time for which the message on a paste is shown, in ms. Chosen: read twice; nothing old should stay on a projector.
+ */
 const SAID_MS = 8000;
 
 /**

@@ -4,7 +4,7 @@ import type { Point } from '#scene/scene';
 export const papers = ['a4-tiles', 'a3-tiles', 'a3', 'a2', 'a1', 'a0', 'exact'] as const;
 export type Paper = (typeof papers)[number];
 
-/** What stays white around a sheet, in mm: most printers reach no nearer than 5 mm to the edge, and the marks need room. */
+/** White margin of a sheet, in mm: most printers reach no nearer than 5 mm to the edge, and the marks need room. */
 export const MARGIN_MM = 10;
 
 /** How far neighbouring tiles overlap, in mm: there one is glued onto the other. */

@@ -22,7 +22,7 @@ import { taskOnPaper } from './task-on-paper';
 /** Longer sides of the pictures in pixels: twice a screen's arena, and fine enough for a page of A4. */
 export const PNG_PX = { usual: 1800, large: 4000 } as const;
 
-/** What can be chosen for a picture. */
+/** The options of a picture. */
 export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path' | 'task', boolean>>;
 
 /**
@@ -108,5 +108,5 @@ function useSaving(name: () => string) {
 
 const SVG_TYPE = 'image/svg+xml';
 
-/** What `usePrint` gives. */
+/** The result of `usePrint`. */
 export type Print = ReturnType<typeof usePrint>;

@@ -18,7 +18,7 @@ import words from './sheet/words';
 import { sheetSvgs } from './sheet/svg-sheet';
 import { svgAddress } from './svg-address';
 
-/** What a teacher wants on the sheet. */
+/** The teacher's wishes for the sheet. */
 export interface SheetWish {
   readonly qr: boolean;
   readonly hints: boolean;

@@ -8,11 +8,11 @@ export interface WallClock {
   after(ms: number, act: () => void): () => void;
 }
 
-/** What of a timer outlasts a reload. */
+/** The part of a timer that outlasts a reload. */
 export interface KeptTimer {
-  /** What was set, in ms. */
+  /** The set time, in ms. */
   readonly setMs: number;
-  /** What is left while it stands, in ms. */
+  /** The remaining time while it is paused, in ms. */
   readonly leftMs: number;
   /** When it ends, by the clock on the wall; `null`: it stands. */
   readonly endsMs: number | null;

@@ -1,6 +1,6 @@
 import type { KeptTimer } from './count-down';
 
-/** What this tab keeps of the timer: a reload loses neither it nor its sound. */
+/** The stored state of the timer in this tab: a reload loses neither it nor its sound. */
 export interface KeptProjector {
   readonly timer: KeptTimer | null;
   readonly hasSound: boolean;

@@ -1,4 +1,4 @@
-/** Where task and timer stand: left of the arena or above it, never over the course, and how much they take, in CSS px. */
+/** Place of task and timer: left of the arena or above it, never over the course, and their size in CSS px. */
 export interface SidePlace {
   readonly kind: 'beside' | 'above';
   readonly px: number;

@@ -12,7 +12,7 @@ import seriesWords from './words';
 
 const words = seriesWords.make;
 
-/** What was found to add: tasks, whole series, and in words what is neither. */
+/** Tasks and whole series to add, and messages on everything else. */
 export interface Collected extends Pick<TasksAmong, 'tasks' | 'series'> {
   readonly refusals: readonly string[];
 }

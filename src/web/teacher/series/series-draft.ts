@@ -12,7 +12,7 @@ const QUIET_MS = 400;
 /** The series that a teacher is making; it stays over a reload, until another is begun. */
 export interface SeriesDraft {
   readonly series: ShallowRef<Series>;
-  /** What was kept in this browser is there. */
+  /** Resolves when the draft stored in this browser is there. */
   readonly isReady: Promise<void>;
   change(part: Partial<Omit<Series, 'id'>>): void;
   /** Adds tasks at the end. @returns how many had no room */

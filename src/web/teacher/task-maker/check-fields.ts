@@ -1,7 +1,7 @@
 import { freeId } from '#check/task/read-checks';
 import { lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from '#check/task/task';
 
-/** What a check asks besides its type, as one field of its form. */
+/** A field of a check's form, besides its type. */
 export type CheckField =
   | {
       readonly kind: 'number';
@@ -61,7 +61,7 @@ export const fieldsOf: Readonly<Record<CheckKind['type'], readonly CheckField[]>
   delay: [number('most', taskLimits.delayMs, { unit: 'ms' })],
 };
 
-/** Where nobody has said anything else yet. */
+/** The initial values of each check. */
 const fresh: { readonly [T in CheckKind['type']]: Extract<CheckKind, { readonly type: T }> } = {
   goals: { type: 'goals' },
   stop: { type: 'stop', seconds: 2, zone: null },

@@ -17,7 +17,7 @@ const gestures: Readonly<Record<string, Texts>> = {
   freefall: panelWords.sensors.gestureFreefall,
 };
 
-/** What a sensor is called. */
+/** Name of a sensor. */
 export function sensorName(id: string): string {
   if (id.startsWith('accelerometer')) return t('sensors.accelerometer', { axis: id.slice(-1) });
   switch (id) {
@@ -31,7 +31,7 @@ export function sensorName(id: string): string {
   }
 }
 
-/** What something is called that happens; of a gesture which one, if that is said. */
+/** Name of an event; of a gesture which one, if it is given. */
 export function inputName(kind: InputKind, gesture?: string): string {
   const [type, name = ''] = kind.split(' ');
   switch (type) {

@@ -9,7 +9,7 @@ export function rangesText(lines: readonly number[]): string {
   return ranges.map(([from, to]) => (from === to ? String(from) : `${String(from)}–${String(to)}`)).join(', ');
 }
 
-/** What was typed, with any dash and any sign between; `null`: it is not lines of a text that has so many. */
+/** The lines that were typed, with any dash and any separator; `null`: they are not lines of a text of this length. */
 export function linesIn(typed: string, count: number): readonly number[] | null {
   const lines = new Set<number>();
   for (const part of typed.split(/[\s,;]+/u).filter((piece) => piece !== '')) {

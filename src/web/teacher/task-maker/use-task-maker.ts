@@ -71,6 +71,6 @@ export function freshWorld(task: ClassTask): WorldVariant {
   };
 }
 
-/** Where the robot of a world starts: there where it says, else where the course has it. */
+/** The start of a world's robot: the world's, else the course's. */
 export const startOf = ({ project }: ClassTask, world: WorldVariant): NonNullable<WorldVariant['start']> =>
   world.start ?? project.scene.robot;

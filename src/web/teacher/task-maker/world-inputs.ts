@@ -1,7 +1,7 @@
 import { sensorInfos, type RangeInfo } from '../../pupil/board/panels/sensor-list';
 import type { InputAction, InputEvent } from '#simulation/input';
 
-/** What can be measured and set, besides pins, which are pressed. */
+/** Sensors that can be set, besides pins, which are pressed. */
 export const worldSensors: readonly RangeInfo[] = sensorInfos.flatMap((info) =>
   info.kind === 'range' && !/^(?:pin|button|compass[XYZ])/.test(info.id) ? [info] : [],
 );
@@ -11,7 +11,7 @@ export const worldGestures: readonly string[] = sensorInfos.flatMap((info) =>
   info.kind === 'choice' ? info.choices.filter((choice) => choice !== info.start) : [],
 );
 
-/** What can happen in a world: a press, which lasts, or something of one moment, with a value. */
+/** The events of a world: a press, which lasts, or an event of one moment, with a value. */
 export const inputKinds = [
   ...(['button a', 'button b', 'touch pinLogo', 'touch pin0', 'touch pin1', 'touch pin2'] as const),
   ...(['gesture', 'radio', 'serial'] as const),
@@ -21,11 +21,11 @@ export type InputKind = (typeof inputKinds)[number];
 
 /** One thing that happens. */
 export interface InputRow {
-  /** Of its events among all of the world. */
+  /** Indexes of its events among all of the world. */
   readonly places: readonly number[];
   readonly kind: InputKind;
   readonly atUs: number;
-  /** Of a press; `null`: until the end, or it is none. */
+  /** Duration of a press; `null`: until the end, or it is none. */
   readonly heldUs: number | null;
   /** `null`: a press has none. */
   readonly value: number | string | null;
@@ -43,7 +43,7 @@ export function freshInput(kind: InputKind, atUs: number): Omit<InputRow, 'place
   return { kind, atUs, heldUs: null, value: info?.start ?? (kind === 'gesture' ? 'shake' : '') };
 }
 
-/** What happens in a world, as far as the page can show it; the rest comes from a file, and is kept. */
+/** The events of a world, as far as the page can show them; the others come from a file and are kept. */
 export function inputRows(inputs: readonly InputEvent[]): readonly InputRow[] {
   const taken = new Set<number>();
   return inputs.flatMap(({ timeUs: atUs, device, action }, place): readonly InputRow[] => {

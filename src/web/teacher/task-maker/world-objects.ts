@@ -6,7 +6,7 @@ import type { Scene } from '#scene/scene';
 
 /** An object that a world has not, or has elsewhere. */
 export interface ObjectRow {
-  /** Of its edit. */
+  /** Index of its edit. */
   readonly place: number;
   readonly id: string;
   /** How far it is moved, in mm; `null`: it is not there. */

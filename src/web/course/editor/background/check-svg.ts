@@ -41,7 +41,7 @@ export function svgProblem(text: string): SvgProblem | null {
   return hasForeignReference(plain) ? 'unsafe' : null;
 }
 
-/** Where the root element starts, after the prolog; `null` if it is not an SVG. */
+/** Start of the root element, after the prolog; `null` if it is not an SVG. */
 function rootOf(text: string): number | 'unsafe' | null {
   let at = /^[\s\uFEFF]*/.exec(text)?.[0].length ?? 0;
   for (;;) {

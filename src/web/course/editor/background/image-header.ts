@@ -1,4 +1,4 @@
-/** What the first bytes of a picture say about it. */
+/** The facts in the first bytes of a picture. */
 export interface ImageHeader {
   readonly type: 'png' | 'jpeg';
   readonly widthPx: number;

@@ -11,7 +11,7 @@ import { LONGEST_PX, type OpenedPicture } from './read-image';
 import { inLight, levelsOf, type SensorView } from './sensor-view';
 import { straightened } from './straighten';
 
-/** What becomes of an opened picture. */
+/** The use of an opened picture. */
 export interface FloorWish {
   /** In pixels of the picture. */
   readonly quad: Quad;

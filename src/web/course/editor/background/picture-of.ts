@@ -5,7 +5,7 @@ import type { Pixels } from './pixels';
 /** Its limit in characters: well below that of a course, as all copies of the work share the browser's 5 million. */
 const MOST_CHARACTERS = Math.min(600_000, sceneLimits.pictureCharacters);
 
-/** What to paint. */
+/** The picture to paint. */
 interface Source {
   readonly pixels: Pixels;
   /** A photograph: too large as a PNG, and without transparent parts. */

@@ -15,7 +15,7 @@ export const LONGEST_PX = 2000;
 /** Largest drawing that is read, in bytes: it is text, and all of it is checked. */
 const MOST_SVG_BYTES = 50_000_000;
 
-/** Where a header is looked for, in bytes: cameras write small pictures and much text before it. */
+/** Range in which a header is searched, in bytes: cameras write small pictures and much text before it. */
 const HEADER_BYTES = 1_000_000;
 
 /** A picture with more pixels than this that cannot be opened is too large for the device, in all likelihood. */

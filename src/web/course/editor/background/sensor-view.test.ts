@@ -95,7 +95,7 @@ describe('a line on a photograph', () => {
       }
     return photo;
   }
-  /** Where a place of the sheet (0 … 1 from its upper left) is in the photograph. */
+  /** Place in the photograph of a place of the sheet (0 … 1 from its upper left). */
   function seenAt(u: number, v: number): readonly [number, number] {
     const [one, two, three, four] = sheet;
     const [dx1, dx2, sx] = [two[0] - three[0], four[0] - three[0], one[0] - two[0] + three[0] - four[0]];

@@ -7,7 +7,7 @@ import { FULL_BRIGHTNESS } from './raster';
 export interface SensorView {
   /** `line`: bare floor or line, nothing between; `greys`: all sixteen levels as the picture has them. */
   readonly steps: 'line' | 'greys';
-  /** What is darker than this share of bare floor is line, in percent. */
+  /** Anything darker than this share of bare floor is line, in percent. */
   readonly thresholdPercent: number;
   /** Shadows and a lamp at one side are taken out. */
   readonly isEven: boolean;

@@ -40,7 +40,7 @@ export function usePhoto({ pixels, isPhoto }: OpenedPicture) {
     isEven: isEven.value,
   }));
 
-  /** What is dragged counts as it shows: the fine turn is then part of it. */
+  /** Makes a dragged corner count as shown: the fine turn is then part of it. */
   function settle(next: Quad): void {
     base.value = next;
     turnDeg.value = 0;
@@ -51,7 +51,7 @@ export function usePhoto({ pixels, isPhoto }: OpenedPicture) {
   }
   return {
     ...{ picture, quad, turnDeg, steps, isEven, size, showsPicture, thresholdPercent },
-    /** What the sensors will see, in few cells. */
+    /** A preview of the sensors' view, in few cells. */
     preview: computed(() => ({ ...cells.value, levels: levelsOf(cells.value, view.value) })),
     setThreshold: (percent: number): void => void (ownThreshold.value = percent),
     moveCorner: (index: number, to: Point): void => settle(withCorner(quad.value, index, to, picture.value)),

@@ -27,7 +27,7 @@ export function told(problem: RuleProblem, scene: Scene, footprint: readonly Out
   };
 }
 
-/** What mends several problems with one tap; `null` unless there are several that can be mended. */
+/** A quick fix for several problems at once; `null` unless there are several that can be fixed. */
 export function toldMendOfAll(
   problems: readonly RuleProblem[],
   scene: Scene,

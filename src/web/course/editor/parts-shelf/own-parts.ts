@@ -15,7 +15,7 @@ export interface OwnParts {
   readonly parts: Readonly<ShallowRef<readonly OwnPart[]>>;
   /** How many that are stored cannot be read. They stay where they are. */
   readonly unread: Readonly<ShallowRef<number>>;
-  /** What was done last could not be stored: it holds as long as the page does. */
+  /** True if the last change could not be stored: it holds as long as the page is open. */
   readonly isUnsaved: Readonly<ShallowRef<boolean>>;
   keep(name: string, clip: Clip): OwnPart;
   rename(id: string, name: string): void;
@@ -25,7 +25,7 @@ export interface OwnParts {
   look(): void;
 }
 
-/** Where they are kept. */
+/** The storage of parts. */
 export type PartStore = Pick<Storage, 'getItem' | 'setItem'>;
 
 /** The key of the parts in the browser's storage. */
@@ -56,7 +56,7 @@ export function createOwnParts(store: PartStore | null): OwnParts {
     unread.value = entries.length - parts.value.length + (now.foreign === null ? 0 : 1);
   }
 
-  /** What is stored by now; what could not be stored is only here. */
+  /** The stored parts; those that could not be stored are only here. */
   function look(): Read {
     const now = isUnsaved.value || store === null ? { entries, foreign: null } : read(store);
     show(now);

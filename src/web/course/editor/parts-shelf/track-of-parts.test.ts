@@ -20,7 +20,7 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** Where a track ends so far, and its direction. */
+/** The end of a track so far, and its direction. */
 interface End {
   readonly at: Vec;
   readonly deg: number;

@@ -22,7 +22,7 @@ export interface Carried {
   readonly isOver: boolean;
 }
 
-/** What a drag from the shelf works on. */
+/** The models that a drag from the shelf works on. */
 export interface PartDragPorts {
   readonly editor: Pick<CourseEditorModel, 'view' | 'brought' | 'free' | 'choose' | 'commit'>;
   readonly course: () => Pick<ToolContext, 'scene' | 'footprint'>;

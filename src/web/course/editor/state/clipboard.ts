@@ -1,6 +1,6 @@
 import type { Clip, Copies } from '#editor/clipboard';
 
-/** What was last copied. It stays until something else is copied, even if another course is opened. */
+/** The last copied objects. They stay until something else is copied, even if another course is opened. */
 export class Clipboard {
   private held: { readonly clip: Clip; readonly text: string } | null = null;
   /** The copies that were made last by duplicating: the next ones go on from there. */
@@ -16,7 +16,7 @@ export class Clipboard {
     return this.held?.clip ?? null;
   }
 
-  /** What was copied, as text for the system's clipboard. */
+  /** The copied objects as text for the system's clipboard. */
   get text(): string | null {
     return this.held?.text ?? null;
   }

@@ -13,7 +13,7 @@ import type { LayoutKind } from '../../../session/layout/layout-model';
 import type { SettingsModel } from '../../../session/work/settings/settings-model';
 import type { WorkModel } from '../../../session/work/model/work-model';
 
-/** What a pointer does in the arena: a tool edits the course, the hand reaches into the run. */
+/** The action of a pointer in the arena: a tool edits the course, the hand reaches into the run. */
 export type ArenaTool = ToolId | 'hand';
 
 /** The part of the editor that is loaded on first use. */
@@ -31,10 +31,10 @@ export type Happened =
   | { readonly type: 'problem'; readonly problem: SceneProblem }
   | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
   | { readonly type: 'tool'; readonly tool: ArenaTool }
-  /** What is selected was copied: nothing looks different. */
+  /** The selection was copied: nothing looks different. */
   | { readonly type: 'copied' };
 
-/** Where the menu for things in the arena opens. */
+/** Place of the menu for things in the arena. */
 export interface MenuPlace {
   /** In the window, px. */
   readonly xPx: number;
@@ -57,7 +57,7 @@ export interface WordsPlace {
   readonly host: HTMLElement | null;
 }
 
-/** What of the arena is seen, for those who bring something from beside it. */
+/** The visible part of the arena, for features that bring something from beside it. */
 export interface EditorView {
   /** The place of the arena (world mm) at a place of the window (px); `null`: it is beside the picture. */
   readonly at: (xPx: number, yPx: number) => Vec | null;
@@ -67,7 +67,7 @@ export interface EditorView {
   readonly reachMm: () => number;
 }
 
-/** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
+/** The state of the course editor: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
   /** While somebody looks back it is the hand; what was chosen comes back with the present. */
   readonly tool: ComputedRef<ArenaTool>;
@@ -79,13 +79,13 @@ export interface CourseEditorModel {
   readonly free: ShallowRef<boolean>;
   /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
-  /** What is held over the arena from beside it, as it would lie there; `null`: nothing. */
+  /** A thing held over the arena from beside it, as it would be placed; `null`: none. */
   readonly brought: ShallowRef<SceneEdit | null>;
-  /** What is seen of the arena; `null` until the tools have come. */
+  /** The visible part of the arena; `null` until the tools are loaded. */
   readonly view: ShallowRef<EditorView | null>;
   /** The course as it would be if the gesture ended now; `null` if none is under way. Saved with the work. */
   readonly unfinished: WorkModel['unfinished'];
-  /** What the ruler measures, in world mm; `null` for nothing yet. */
+  /** The ruler's ends, in world mm; `null`: nothing measured yet. */
   readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
   /** The course with which the run on show began; `null` without a run. */
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
@@ -96,7 +96,7 @@ export interface CourseEditorModel {
   /** Why the last edit was refused, or `null`. */
   readonly problem: ShallowRef<SceneProblem | null>;
   readonly clipboard: Clipboard;
-  /** Where the pointer is over the arena, world mm; `null`: elsewhere, or a finger. */
+  /** Place of the pointer over the arena, world mm; `null`: elsewhere, or a finger. */
   readonly pointer: ShallowRef<Vec | null>;
   /** The menu for things in the arena; `null`: closed. */
   readonly menu: ShallowRef<MenuPlace | null>;
@@ -117,7 +117,7 @@ export interface CourseEditorModel {
   readonly join: (parts: EditorParts) => void;
 }
 
-/** What the editor depends on. */
+/** The models that the editor depends on. */
 export interface EditorSurroundings {
   readonly work: WorkModel;
   readonly settings: SettingsModel;

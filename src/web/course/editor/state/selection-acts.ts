@@ -81,7 +81,7 @@ export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse
   };
 }
 
-/** What changes how the selected things lie to each other, and what holds them. */
+/** Acts that change the selected things' arrangement, and their locks and groups. */
 const arranging = (selection: () => Selection, course: () => ActsCourse, commit: (edit: SceneEdit | null) => void) => ({
   reorder: (order: Order): void => commit(reordered(course().scene, selection(), order)),
   align: (to: Alignment): void => commit(aligned(course().scene, selection(), to, course().footprint)),

@@ -11,7 +11,7 @@ import kindNames from './kinds';
 
 const texts = editingWords.happened;
 
-/** What happened in the editor as a sentence for screen readers. */
+/** An event of the editor as a sentence for screen readers. */
 export function wordsFor(happened: Happened): string {
   switch (happened.type) {
     case 'edit':

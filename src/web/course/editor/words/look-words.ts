@@ -7,7 +7,7 @@ import editingWords from './editing';
 
 const words = editingWords.options;
 
-/** What an object looks like and wants, in words, beside its place; empty where its name says all. */
+/** An object's look and purpose in words, beside its place; empty if its name says all. */
 export function lookText(object: SceneObject): string {
   const angle = 'angle' in object ? object.angle : 0;
   const turned = angle === 0 ? [] : [`${t(editingWords.fields.turn)} ${numberText(angle, shownLanguage())}°`];

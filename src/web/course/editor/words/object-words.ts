@@ -24,7 +24,7 @@ export function placeText([x, y]: Point): string {
 export const countText = (kind: Kind, count: number): string =>
   count === 1 ? t(kindNames[kind].one) : `${String(count)} ${t(kindNames[kind].many)}`;
 
-/** What each object is called: `Wand 3`. A checkpoint goes by its own number, a label by its text. */
+/** The name of each object: `Wand 3`. A checkpoint goes by its own number, a label by its text. */
 export function namesOf(scene: Scene): ReadonlyMap<string, string> {
   const counts = new Map<string, number>();
   return new Map(
@@ -45,7 +45,7 @@ function nameOf(object: SceneObject, count: number): string {
 interface KindWords<O extends AnyObject = SceneObject> {
   /** An object's name, unless it is numbered among its kind. `kind`: the name of the kind. */
   name?(object: O, kind: string): string | null;
-  /** Where an object is. */
+  /** Place of an object in words. */
   where(object: O): string;
 }
 
@@ -92,5 +92,5 @@ function whereMoves(mover: Mover): string {
 
 const fromTo = (from: Point, to: Point): string => t(texts.fromTo, { from: placeText(from), to: placeText(to) });
 
-/** Where an object is, in words. */
+/** Place of an object in words. */
 export const whereText = (object: SceneObject): string => kindWords[object.type].where(object);

@@ -1,6 +1,9 @@
 import type { BoardKey } from './presses';
 
-/** What a board drawing says to screen readers, in the user's language. The drawing itself writes only device names. */
+/**
+ * The labels of a board drawing for screen readers, in the user's language. The drawing itself writes only device
+ * names.
+ */
 export interface BoardLabels extends Readonly<Record<BoardKey, string>> {
   /** The whole board, e.g. "micro:bit V2". */
   readonly board: string;

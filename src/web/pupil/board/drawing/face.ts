@@ -6,7 +6,7 @@ import type { PressHandlers } from './use-presses';
 /** Whether the board is awake, sleeps until something wakes it, or has switched itself off. */
 export type Power = 'on' | 'asleep' | 'off';
 
-/** What the drawing of one board shows, and how it is pressed. */
+/** The state that the drawing of one board shows, and its presses. */
 export interface FaceProps {
   /** 25 levels 0 … 9, row by row. */
   readonly display: readonly number[];

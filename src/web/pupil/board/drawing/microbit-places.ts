@@ -1,4 +1,4 @@
-/** Where the parts of the micro:bit are in our drawing of 260 × 214 units. */
+/** The places of the micro:bit's parts in our drawing of 260 × 214 units. */
 
 /** Side of the square around each key that takes the finger: 44 px on a board 180 px wide. */
 export const HIT = 64;

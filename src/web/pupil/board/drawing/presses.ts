@@ -1,4 +1,4 @@
-/** What can be pressed on a board, in the order in which the keyboard visits it: buttons, the logo, the touch pins. */
+/** The keys of a board in the order in which the keyboard visits them: buttons, the logo, the touch pins. */
 export const BOARD_KEYS = ['a', 'b', 'pinLogo', 'pin0', 'pin1', 'pin2', 'pin3'] as const;
 
 /** One thing that can be pressed. Touch pads have the names of the simulation's touch actions. */

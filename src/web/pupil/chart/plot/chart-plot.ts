@@ -13,7 +13,7 @@ export interface Curve {
   readonly look: Look;
 }
 
-/** What the numbers beside the axes look like. */
+/** The format of the numbers beside the axes. */
 export interface AxisTexts {
   readonly across: (value: number, step: number) => string;
   readonly up: (value: number, step: number) => string;
@@ -30,7 +30,7 @@ const BESIDE = 52;
 export class ChartPlot {
   private plot: uPlot | null = null;
   private curves: readonly Curve[] = [];
-  /** What of the plot cannot change: with another one it is made anew. */
+  /** The fixed properties of the plot: changing one makes it again. */
   private made = '';
   private span: Span = [0, 1];
   private at: number | null = null;
@@ -202,7 +202,7 @@ function dataOf(curves: readonly Curve[]): uPlot.AlignedData {
   return uPlot.join(curves.map(({ points }) => [points.timesS as number[], points.values as (number | null)[]]));
 }
 
-/** What is on or off fills the height, everything else what it comes to. */
+/** The range of an axis: values that are on or off fill the height, all others are scaled. */
 const rangeFor =
   (unit: string): uPlot.Range.Function =>
   (_, min, max) => {

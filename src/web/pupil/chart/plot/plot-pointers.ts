@@ -1,6 +1,6 @@
 import { zoomed, within, type Span } from './span';
 
-/** What pointers do to a chart. */
+/** The acts of pointers on a chart. */
 export interface PlotActs {
   /** The stretch that is shown, and the whole. */
   span(): Span;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Recording } from '../../../session/run/recording';
 import { PrintedSource } from './printed-source';
 
-/** What a device has printed as curves: name, then times in ms with values. */
+/** The printed curves of a device: name, then times in ms with values. */
 function curves(device: number, ...outputs: readonly (readonly [timeMs: number, text: string, device?: number])[]) {
   const recording = new Recording(null);
   const source = new PrintedSource(() => '', () => recording, device, (place) => `Ausgabe ${place}`); // prettier-ignore

@@ -8,7 +8,7 @@ import type { Series } from './series';
 
 /** A curve of something that a snapshot shows. */
 export interface Reading extends Series {
-  /** Where it stands in a device's snapshot. */
+  /** Its paths in a device's snapshot. */
   readonly paths: readonly (readonly Key[])[];
   /** Its value, of what stands there. */
   value(leaves: readonly (Leaf | undefined)[]): number | null;
@@ -140,7 +140,7 @@ function boardReadings(board: BoardSnapshot): readonly Reading[] {
   ];
 }
 
-/** What is drawn before anybody has chosen: ids in their order, those that are there. */
+/** The curves drawn by default: ids in their order, as far as they exist. */
 const USUAL: readonly (readonly string[])[] = [
   ['robot/state/ultrasonic/distanceMm', 'rate robot/pathMm'],
   ['sensors/accelerometerX', 'sensors/accelerometerY'],

@@ -17,7 +17,7 @@ export interface Points {
 
 export const noPoints: Points = { timesS: [], values: [] };
 
-/** Where curves come from: what the run measures, what a program prints. A further kind of curve is a further source. */
+/** A source of curves: the run's measurements, or a program's output. A further kind of curve is a further source. */
 export interface SeriesSource {
   /** Heading of its curves in the list. */
   readonly title: () => string;
@@ -25,7 +25,7 @@ export interface SeriesSource {
   list(): readonly Series[];
   /** Takes in what has come since; only the chosen curves need points. @returns whether there is more to take in */
   update(chosen: ReadonlySet<string>): boolean;
-  /** Of one of the chosen curves. */
+  /** The points of one of the chosen curves. */
   pointsOf(id: string): Points;
 }
 

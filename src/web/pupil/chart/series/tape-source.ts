@@ -23,7 +23,7 @@ const SLICE_MS = 8;
 /** A speed is measured over this stretch. Chosen: five moments of the tape; what is in whole 0.1 mm then has no steps. */
 const RATE_OVER_S = 0.1;
 
-/** What the run measures, from its tape, and what the tape does not have yet from the picture that is shown. */
+/** The run's measurements, from its tape, and the missing ones from the shown moment. */
 export class TapeSource implements SeriesSource {
   private told: Told = NOTHING_TOLD;
   private from: TapedRun['pieces'] | null = null;

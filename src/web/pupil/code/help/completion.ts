@@ -126,7 +126,7 @@ function placeCard(_view: EditorView, list: Rect, option: Rect, info: Rect, spac
   };
 }
 
-/** What stands behind the label in the list: the names of the parameters, or the type. */
+/** The text after the label in the list: the names of the parameters, or the type. */
 function detailOf(item: Item): string {
   if (item.calls.length === 0) return item.type ?? '';
   const names = parametersOf(item.calls[0] ?? '').map(({ name, rest }) => (rest ? `*${name}` : name));

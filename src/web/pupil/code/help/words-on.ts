@@ -17,18 +17,18 @@ export async function loadWords(
   return Object.assign({}, words, ...libraries.map((library) => textsOfRobot(library, language))) as Words;
 }
 
-/** What is said about an item; empty when nothing is known about it. */
+/** The text on an item; empty if nothing is known about it. */
 export function wordsOn(item: Item, words: Words): string {
   return item.own ?? words[item.text ?? ''] ?? '';
 }
 
-/** Where an item belongs and what kind of thing it is: “microbit.display · function”. */
+/** An item's home and kind: “microbit.display · function”. */
 export function captionOf(item: Item): string {
   const kind = t(helpWords[item.kind]);
   return item.home === null ? kind : `${item.home} · ${kind}`;
 }
 
-/** What the firmware has to say against an item; empty when it has it. */
+/** The firmware's note on an item; empty if it has the item. */
 export function missingText(item: Item): string {
   if (item.missing === null) return '';
   return t(item.missing === 'absent' ? helpWords.absent : helpWords.newer);

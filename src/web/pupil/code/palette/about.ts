@@ -4,7 +4,7 @@ import { describe } from '#reference/describe';
 import { wordsOn, type Words } from '../help/words-on';
 import { codeShown, type PaletteCommand } from './commands';
 
-/** Where the name that explains a command stands in a program of nothing but the command, below its imports. */
+/** Offset of the name that explains a command, in a program of nothing but the command, below its imports. */
 function offsetOf({ code, said }: PaletteCommand, imports: string): number {
   const last = said?.lastIndexOf('.') ?? 0;
   return imports.length + codeShown(code).indexOf(said ?? '') + last + 1;

@@ -1,4 +1,6 @@
-/** What a beginner's program is made of, by robot. Chosen by hand: few, and each good for a line that does something. */
+/**
+ * The commands for beginners' programs, by robot. Chosen by hand: few, and each good for a line that does something.
+ */
 
 /** A command that the palette writes. */
 export interface PaletteCommand {
@@ -110,7 +112,7 @@ export type GroupId = (typeof GROUPS)[number];
 
 type Choice = Partial<Record<GroupId, readonly CommandId[]>>;
 
-/** What every program may use: the microcomputer and Python. */
+/** The commands for every program: the microcomputer and Python. */
 const board = {
   show: ['show', 'scroll', 'image', 'pixel', 'clear', 'print'],
   buttons: ['pressedA', 'pressedB', 'wasPressedA', 'logo'],
@@ -127,7 +129,7 @@ const wait = ['delay', 'waitUntilNear', 'waitForA'] as const;
 const line = ['distance', 'near', 'leftDark', 'rightDark'] as const;
 const lamps = ['setLED', 'setLEDLeft', 'setLEDRight'] as const;
 
-/** What the robots add or have instead, by their ids. */
+/** The commands that the robots add or replace, by their ids. */
 const robots: Readonly<Record<string, Choice>> = {
   'maqueen-lite': {
     drive,

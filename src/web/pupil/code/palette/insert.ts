@@ -7,7 +7,7 @@ import { childrenOf, readPython } from '#python/tree';
 import { withImport } from '../../console/advice/import-line';
 import type { Brought } from './bring-names';
 
-/** Where a command was dropped: at a place in the text, on the upper or the lower half of its line. */
+/** Place where a command was dropped: in the text, on the upper or the lower half of its line. */
 export interface Drop {
   readonly at: number;
   readonly isUpper: boolean;
@@ -53,7 +53,7 @@ function importing(state: EditorState, line: string): TransactionSpec {
 
 interface Room {
   readonly change: { readonly from: number; readonly to?: number; readonly insert: string };
-  /** Where the command begins, after the change. */
+  /** Start of the command, after the change. */
   readonly place: number;
 }
 
@@ -86,7 +86,7 @@ const indentOf = ({ text }: Line): string => /^[ \t]*/.exec(text)?.[0] ?? '';
 
 const opensBlock = ({ text }: Line): boolean => /:\s*(#.*)?$/.test(text);
 
-/** Where the imports end with which a program begins; 0 without any. */
+/** End of the imports at the start of a program; 0 without any. */
 function endOfImports(text: string): number {
   const statements = childrenOf(readPython(text).tree.topNode).filter(({ name }) => name !== 'Comment');
   let end = 0;
@@ -97,7 +97,7 @@ function endOfImports(text: string): number {
   return end;
 }
 
-/** What the library makes of a template at a place. */
+/** The library's expansion of a template at a place. */
 function instantiate(state: EditorState, code: string, at: number): Transaction {
   let made: Transaction | null = null;
   snippet(code)({ state, dispatch: (transaction: Transaction) => void (made = transaction) }, null, at, at);

@@ -31,7 +31,7 @@ export function meantName({ type, message }: Failure, source: Source, written: W
 /** `can't import name x` has its name without marks. */
 const wordAfter = (message: string): string | undefined => /\bname (\w+)$/.exec(message)?.[1];
 
-/** Where the word ends in the line that the exception names. */
+/** The ends of the word in the line that the exception names. */
 function endsOf(word: string, { text, line }: Source): number[] {
   const lines = text.split('\n');
   const start = lines.slice(0, line - 1).reduce((sum, { length }) => sum + length + 1, 0);

@@ -12,7 +12,7 @@ import { importLine, withImport } from './import-line';
 import { robotModules } from './robot-modules';
 import { withMend, type Source, type SyntaxAdvice } from '#advice/syntax-advice';
 
-/** What is found out about an error with the reference at hand: a better sentence, or the name that was meant. */
+/** Advice on an error with the help of the reference: a better sentence, or the name that was meant. */
 export interface LateAdvice {
   readonly advice: SyntaxAdvice | null;
   readonly meant: string | null;

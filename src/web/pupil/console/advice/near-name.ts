@@ -23,7 +23,7 @@ const isOtherWord = (one: string, other: string): boolean =>
   one.length === other.length &&
   Array.from(one).sort().join('') !== Array.from(other).sort().join('');
 
-/** So many slips make the same word; capital letters alone are half a slip each. Chosen: short names differ in little. */
+/** Maximum number of slips in a word; wrong capitals are half a slip each. Chosen: short names differ in little. */
 const mostSlips = (length: number): number => (length < 3 ? 0.5 : length < 6 ? 1 : 2);
 
 /** Optimal string alignment: each step is one letter, or two neighbours that changed places. */

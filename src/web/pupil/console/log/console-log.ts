@@ -19,13 +19,13 @@ export type ConsoleEntry =
   | { readonly id: number; readonly kind: 'note'; readonly key: TextKey }
   | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly report: ErrorReport };
 
-/** Where an error happened: a file of the pupil and its line, counted from 1. */
+/** Place of an error: a file of the pupil and its line, counted from 1. */
 export interface ErrorPlace {
   readonly file: string;
   readonly line: number;
 }
 
-/** What the console keeps at most: enough to scroll back, little enough for a school tablet. */
+/** Limits of the console: enough to scroll back, little enough for a school tablet. */
 export const CONSOLE_LIMITS = {
   lines: 5000,
   lineCharacters: 2000,
@@ -60,7 +60,7 @@ export class ConsoleLog {
   private traceback = '';
   private lineStart = true;
   private lineLength = 0;
-  /** Where the next character goes in the line being written; line editing moves it back. */
+  /** Column of the next character in the line being written; line editing moves it back. */
   private column = 0;
   private open: OpenEntry | null = null;
   private cut = false;

@@ -1,4 +1,4 @@
-/** What a piece of the serial line's text does to the line being written; columns are counted from 0. */
+/** The effect of a piece of the serial line's text on the line being written; columns are counted from 0. */
 export type TerminalPiece =
   /** Printable text, with `\n` where lines end. */
   | { readonly kind: 'text'; readonly text: string }
@@ -6,7 +6,7 @@ export type TerminalPiece =
   | { readonly kind: 'move'; readonly by: number }
   /** The cursor goes to the beginning of the line. */
   | { readonly kind: 'return' }
-  /** What stands right of the cursor goes; with `whole` everything in the line. */
+  /** Deletes the text right of the cursor; with `whole` the entire line. */
   | { readonly kind: 'erase'; readonly whole: boolean }
   /** The screen is cleared. */
   | { readonly kind: 'clear' };

@@ -164,7 +164,7 @@ const CALM_MS = 200;
 
 /** Shows marks of an editor, five times a second at most; the last ones always. */
 class CalmStops {
-  /** What is to be shown when the time since the last change is over. */
+  /** The marks to show once the time since the last change is over. */
   private next: Marks | null = null;
   private resting: ReturnType<typeof setTimeout> | undefined;
 

@@ -6,7 +6,7 @@ import { maqueenLite } from '#robots/maqueen-lite/type';
 import { pictureOf } from '../../../app/testing/run';
 import { createNarrator } from '../narrator';
 
-/** What is different from a Maqueen Lite that stands at x 20, y 45 cm and looks along +x, with nothing around it. */
+/** Differences from a Maqueen Lite at rest at x 20, y 45 cm that faces +x, with nothing around it. */
 export interface Changes {
   readonly xMm?: number;
   readonly yMm?: number;

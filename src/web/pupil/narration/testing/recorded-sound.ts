@@ -3,7 +3,7 @@ import type { SoundOutput } from '../../../session/run/sound/sound-player';
 /** A sound system that plays nothing and writes down what it is asked for. */
 export interface RecordedSound {
   readonly output: SoundOutput;
-  /** What was started and stopped: `beep 700`, `line 327 at 0`, `line ends`. */
+  /** The sounds started and stopped: `beep 700`, `line 327 at 0`, `line ends`. */
   readonly heard: string[];
   /** The time of the sound system goes on. */
   readonly pass: (s: number) => void;

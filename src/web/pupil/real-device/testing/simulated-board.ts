@@ -19,7 +19,7 @@ export interface SimulatedBoard {
   unplug(): void;
 }
 
-/** What a board starts with. */
+/** The initial state of a board. */
 export interface BoardStart {
   readonly files: Readonly<Record<string, string>>;
   readonly board: string;

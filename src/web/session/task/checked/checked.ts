@@ -16,14 +16,14 @@ import type { WorkParts } from '../../work/model/parts';
  */
 export type CheckedState = 'live' | 'checking' | 'passed' | 'lacking';
 
-/** What a pupil's program comes to in the task of a teacher, checked beside the run as the teacher will. */
+/** The result of a pupil's program in a teacher's task, checked beside the run as the teacher will. */
 export interface Checked {
   /** The task as pupils know it; `null`: it asks for nothing but the goals of its course. */
   readonly task: ComputedRef<ClassTask | null>;
   readonly state: ComputedRef<CheckedState>;
-  /** What has been found; `null`: it is not to be told yet. */
+  /** The result; `null`: it is not shown yet. */
   readonly result: ComputedRef<CheckResult | null>;
-  /** What is missing first. */
+  /** The first unmet check. */
   readonly reason: ComputedRef<Reason | null>;
 }
 

@@ -18,7 +18,7 @@ import { placeOf } from './series-place';
 const series = seriesForPupils(aSeries());
 const [, goal] = series.tasks;
 
-/** What shows once a task was passed. */
+/** The card after a task was passed. */
 async function passed(change: (page: TestPage) => void = () => undefined): Promise<TestPage> {
   const page = createPage();
   await keepSeries(page, series);

@@ -5,7 +5,7 @@ import { isRecord } from '#core/record';
 import { lateModel } from '../../../kit/state/late-models';
 import type { SeriesPlace } from './series-place';
 
-/** What has been done in this browser, of all series: `series/task` → stars, 0 where the task gives none. */
+/** The tasks done in this browser, of all series: `series/task` → stars, 0 if the task gives none. */
 export type Done = Readonly<Record<string, number>>;
 
 /** Which tasks are done. The signs stay when the program is changed or the page is closed. */
@@ -53,7 +53,7 @@ export function createDoneMarks(store: Storage | null): DoneMarks {
   };
 }
 
-/** What cannot be read counts as nothing done. */
+/** The stored marks; unreadable ones count as none. */
 function read(store: Storage | null): Done {
   try {
     const stored: unknown = JSON.parse(store?.getItem(KEY) ?? '{}');

@@ -14,10 +14,10 @@ import { useOpenings } from '../../work/use-openings';
 import { taskText } from '../../work/catalogue/task-text';
 import { carriedPlace, isAsGiven, taskOfWork } from './series-place';
 
-/** Where tasks of a series are opened. */
+/** The models that open tasks of a series. */
 export type SeriesApp = Workplace & Pick<LayoutParts, 'router'>;
 
-/** What a task is called: as the series says, else as its course. */
+/** A task's name: the series', else its course's. */
 export function taskName({ title, from }: SeriesTask): string {
   if (title !== '') return title;
   if (from.kind === 'course') return readyCourse(from.course)?.texts[shownLanguage()].name ?? from.course;

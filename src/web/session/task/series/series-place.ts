@@ -21,7 +21,7 @@ export function placeOf({ handIn }: Pick<Project, 'handIn'>): SeriesPlace | null
   return typeof series === 'string' && typeof task === 'string' ? { series, task } : null;
 }
 
-/** What the work carries from now on. */
+/** The place that the work carries from now on. */
 export const carriedPlace = (place: SeriesPlace, handIn?: Carried): Carried => ({
   version: HAND_IN_VERSION,
   ...handIn,

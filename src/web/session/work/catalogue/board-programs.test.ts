@@ -22,7 +22,7 @@ const press = (ms: number, button: 'a' | 'b'): InputEvent[] => [
 ];
 const sense = (ms: number, id: string, value: number | string): InputEvent => at(ms, { type: 'sensor', id, value });
 
-/** What a pupil does with them in the first ten seconds. */
+/** A pupil's first ten seconds with them. */
 const HANDS: readonly InputEvent[] = [
   sense(500, 'lightLevel', 200),
   sense(500, 'temperature', 31),

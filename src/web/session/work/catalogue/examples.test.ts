@@ -18,7 +18,7 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** What a first visit finds. */
+/** The project of a first visit. */
 const found: Project = projectOf(
   courses.find(({ id }) => id === 'closed-line')!,
   'de',
@@ -59,7 +59,7 @@ function straightHeadings(run: Simulation): number[] {
   return headings;
 }
 
-/** What has to be true of a run after so many simulated ms. */
+/** A fact about a run after a number of simulated ms. */
 interface Moment {
   readonly afterMs: number;
   readonly says: string;
@@ -107,7 +107,7 @@ const opensInTheEnd = (withinDeg: number): Moment[] => [
   clawAt(35, 12_000, withinDeg),
 ];
 
-/** What the examples show beyond driving without an exception. */
+/** The events that the examples show beyond driving without an exception. */
 const STORIES: Readonly<Record<string, readonly Moment[]>> = {
   'maqueen-lite first_drive.py': [fourQuarters, endsDark(30_000)],
   'maqueen-lite lights.py': [endsDark(30_000)],

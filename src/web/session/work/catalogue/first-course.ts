@@ -30,7 +30,7 @@ const files: MissionFiles = {
   }),
 };
 
-/** What a first visit shows: the first mission, for the first robot. */
+/** The course of a first visit: the first mission, for the first robot. */
 export const firstCourse: Course | undefined = missionsOf(files)[0];
 
 /** Fetches the names of all courses where one is open that did not come with the page. */
@@ -38,7 +38,7 @@ export async function fetchNameOf(id: string | null): Promise<void> {
   if (id !== null && id !== firstCourse?.id && knownCourses.value === null) await import('./ready-courses');
 }
 
-/** What a course is called: in the chosen language where we know it, else as its file says. */
+/** A course's name: in the chosen language if we know it, else that in its file. */
 export function courseName(scene: Scene, id: string | null): string {
   const course = (knownCourses.value ?? [firstCourse]).find((one) => one?.id === id);
   return course?.texts[shownLanguage()].name ?? (scene.name || t('course.unnamed'));

@@ -16,7 +16,7 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** What comes of a program of a mission, after so many simulated seconds. */
+/** The outcome of a mission's program after a number of simulated seconds. */
 async function drive({ scene, mission }: MissionCourse, program: string, seconds: number): Promise<Simulation> {
   const files = { 'main.py': program };
   const setup = { scene, files, robot: mission.robot, board: 'auto', seed: 1, reality: 0, keepTrace: false };

@@ -3,7 +3,7 @@ import type { Scene } from '#scene/scene';
 
 import type { Course } from '#catalogue/course';
 
-/** What the card of a task says, in one language. */
+/** The text on the card of a task, in one language. */
 export interface ShownText {
   readonly title: string;
   readonly text: string;

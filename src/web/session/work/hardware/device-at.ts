@@ -34,7 +34,7 @@ export function deviceAt({ work, settings }: Devices, place = work.place.value):
   };
 }
 
-/** Where the course has the robot of a device after the first start; `null`: it says nothing. */
+/** The start of a device's robot in the course after the first start; `null`: there is none. */
 function startOf(parts: Devices, place: number): RobotStart | null {
   const { scene } = parts.work.work.value.project;
   if (startsIn(scene.objects).length === 0) return null;

@@ -23,7 +23,7 @@ export interface Surroundings {
   readonly files: readonly SourceFile[];
 }
 
-/** What the settings say about the hardware. */
+/** The settings of the hardware. */
 export type HardwareSettings = Pick<Settings, 'device' | 'firmware' | 'robot' | 'robotOptions'>;
 
 /** The robot with its options, the board and its firmware that a run would have; `null` where the course names unknown ones. */

@@ -9,7 +9,7 @@ import { hardwareOf, settingsFor } from './hardware';
 import type { Settings } from '../settings/settings';
 import type { Notice } from '../../../kit/notices';
 
-/** What is plugged in, as far as it can cause an error. */
+/** The connected hardware, as far as it can cause an error. */
 export interface OnTable {
   /** Name of the robot; `null`: none. */
   readonly robot: string | null;
@@ -39,7 +39,7 @@ export function mispluggedNotice(
   };
 }
 
-/** What the explanation of an error must know about the robot, if the error comes from a robot that does not answer. */
+/** The robot's part in the explanation of an error that comes from a robot that does not answer. */
 export function tableOf(project: Project, now: Settings): OnTable {
   const fault = faultOf(project, now);
   const robot = hardwareOf(project, now)?.robot ?? null;
@@ -49,7 +49,7 @@ export function tableOf(project: Project, now: Settings): OnTable {
   return { robot: robot?.name ?? null, fault: needsOne ? { key: 'error.noRobot', values: {} } : null };
 }
 
-/** What does not fit, its words, and the robot with which it does. */
+/** The mismatch, its words, and the robot that fits. */
 function faultOf(project: Project, now: Settings) {
   const hardware = hardwareOf(project, now);
   const robot = hardware?.robot ?? null;

@@ -18,9 +18,9 @@ import type { Notice } from '../../../kit/notices';
 /** Choosing what the program runs on. */
 export interface DeviceModel {
   readonly hardware: ComputedRef<Hardware | null>;
-  /** What is chosen for the device that is shown. */
+  /** The choice for the device that is shown. */
   readonly chosen: ComputedRef<HardwareWish>;
-  /** What the microcomputer is called, as it was chosen. */
+  /** Name of the microcomputer, as it was chosen. */
   readonly name: ComputedRef<string>;
   readonly chooseDevice: (id: string) => void;
   readonly chooseFirmware: (id: string) => void;
@@ -41,7 +41,7 @@ export interface DeviceModel {
   readonly chooseSeed: (seed: number) => void;
   /** Takes the next one, after the last the first. */
   readonly nextSeed: () => void;
-  /** What is wrong when robot and board, or robot and program, do not fit, with a way out; otherwise `null`. */
+  /** The mismatch of robot and board, or of robot and program, with a remedy; otherwise `null`. */
   readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
 }
 
@@ -85,7 +85,7 @@ export function useDevice(app: Parts): DeviceModel {
   };
 }
 
-/** What opening a program or a course does to the choice. It is plain to see, so there is no notice. */
+/** Adapts the choice when a program or a course is opened. The change is plain to see, so there is no notice. */
 function useBringing(
   { settings, work }: Parts,
   hardware: ComputedRef<Hardware | null>,
@@ -116,7 +116,7 @@ function useBringing(
 const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
   (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
 
-/** What is chosen for a further device; nothing for the first, whose hardware the settings say. */
+/** The choice for a further device; `null` for the first, whose hardware is in the settings. */
 function wishOf(device: FurtherDevice | null): HardwareWish | null {
   if (device === null) return null;
   const { device: id, firmware, robot, robotOptions } = device;

@@ -23,7 +23,7 @@ export function hardwareNow(parts: WorkParts, place = parts.work.place.value): H
 export const hasRobot = (parts: WorkParts): boolean =>
   parts.work.devices.value.some((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
 
-/** What the explanation of an error must know about the robot that is plugged in now. */
+/** The present robot's part in the explanation of an error. */
 export function tableNow(parts: WorkParts, place = parts.work.place.value): OnTable {
   const { project, settings } = deviceAt(parts, place);
   return tableOf(project, settings);

@@ -13,7 +13,7 @@ export interface Written {
   readonly file: string;
 }
 
-/** What the names in a file mean: those of its board, firmware, robot, and of the other files. */
+/** The context of the names in a file: those of its board, firmware, robot, and of the other files. */
 export function contextOf({ hardware, files, file }: Written): ReferenceContext {
   const { board, firmware, robot } = hardware ?? { board: null, firmware: null, robot: null };
   return {

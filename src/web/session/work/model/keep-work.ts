@@ -20,7 +20,7 @@ const SAVE_AFTER_MS = 400; // chosen: a crash costs less than a second, also if 
 /** How long the page waits for the copy on the disk when it opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
 const PATIENCE_MS = 2000;
 
-/** What a page opens with. */
+/** The state that a page opens with. */
 export interface Opened {
   readonly storage: TabStorage;
   /** The stored work, if there is any and it can be read. */
@@ -30,7 +30,7 @@ export interface Opened {
 /** A storage for pages that keep nothing: where the browser forbids it, or a host brings the work. */
 const forgetful: TabStorage = { load: () => null, save: () => true };
 
-/** What a page opens with that keeps nothing. */
+/** The state of a page that stores nothing. */
 export const nothingKept: Opened = { storage: forgetful, work: null };
 
 /** This tab's storage, or one that forgets where the browser forbids storing. */
@@ -54,7 +54,7 @@ export async function openTabStorage(): Promise<TabStorage> {
 
 const fetchLate = () => import('../storage/disk-saver');
 
-/** What a page opens with that has this storage. Rejects where the part of the app that reads it cannot be loaded. */
+/** The state of a page with this storage. Rejects if the part of the app that reads it cannot be loaded. */
 export async function openedFrom(storage: TabStorage): Promise<Opened> {
   const text = storage.load();
   return { storage, work: text === null ? null : (await import('../storage/read-work')).workFromText(text) };

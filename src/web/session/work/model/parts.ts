@@ -12,5 +12,8 @@ export interface WorkParts {
 
 export const [provideWork, useWork] = part<WorkParts>('work');
 
-/** What changing the work needs: another robot ends a run, questions are asked, and what was done is told. */
+/**
+ * The models that changing the work needs: another robot ends a run, questions are asked, and the change is
+ * announced.
+ */
 export type Workplace = PageParts & Pick<RunParts, 'run'> & WorkParts;

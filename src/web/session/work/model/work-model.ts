@@ -55,7 +55,7 @@ export class WorkModel {
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** Of the task that is open, what it keeps as it is; `null`: nothing. */
   readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
-  /** Where the browser keeps the pupil's programs of ready courses (`own-programs.ts`); `null`: nowhere. */
+  /** The store of the pupil's programs for ready courses (`own-programs.ts`); `null`: none. */
   programs: Storage | null = null;
   /** True if course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
   staysAsItIs: () => boolean = () => false;
@@ -276,13 +276,13 @@ export class WorkModel {
     this.setProject(withFiles(this.work.value.project, this.place.value, files), open, isTyped);
   }
 
-  /** What makes the work a task for a class (`#check/task`); `null`: nothing. */
+  /** Sets the task for a class (`#check/task`); `null`: none. */
   setTask(task: Carried | null): void {
     const { task: _, ...project } = this.work.value.project;
     this.setProject(task === null ? project : { ...project, task });
   }
 
-  /** What is handed in besides the program (`#check/hand-in`). */
+  /** Sets the pupil's additions to the hand-in (`#check/hand-in`). */
   setHandIn(handIn: Carried): void {
     this.work.value = { ...this.work.value, project: { ...this.work.value.project, handIn } };
   }

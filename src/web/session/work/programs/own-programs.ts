@@ -15,13 +15,13 @@ export interface OwnProgram {
   readonly atMs: number;
   /** The files of each device, in their order. */
   readonly files: readonly (readonly SourceFile[])[];
-  /** What it has won: 1 to 3; left out: it is kept because it was the last one. */
+  /** Its stars: 1 to 3; left out: it is stored because it was the last one. */
   readonly stars?: number;
   /** In this simulated time, ms. */
   readonly timeMs?: number;
 }
 
-/** What is kept of a course. */
+/** The stored programs of a course. */
 export interface OwnPrograms {
   readonly last?: OwnProgram;
   readonly best?: OwnProgram;

@@ -22,7 +22,7 @@ export function otherPrograms(work: Pick<WorkModel, 'programs' | 'work'>): reado
   });
 }
 
-/** What a program has won, and in which time; empty: it has not. */
+/** A program's stars and its time; empty: none. */
 export const wonWith = ({ stars, timeMs }: OwnProgram, language: Language): string =>
   stars === undefined || timeMs === undefined
     ? ''

@@ -14,12 +14,12 @@ export const AUTO_ROBOT = AUTO;
 
 /** A microcomputer that can be chosen. */
 export interface Device {
-  /** What the settings keep. */
+  /** Its id in the settings. */
   readonly id: string;
   readonly name: string;
   /** Id of the board type it runs as. */
   readonly board: string;
-  /** What is worth knowing about it, where there is something. */
+  /** Further information, if there is any. */
   readonly about: TextKey | null;
   /** How it differs from the picture of its board, where it does. */
   readonly picture: TextKey | null;
@@ -58,7 +58,7 @@ export function firmwareOf(board: BoardType, id: string): FirmwareType {
   return board.firmwares.find((firmware) => firmware.id === id) ?? board.firmwares[0];
 }
 
-/** What a microcomputer is called: as it was chosen, else by its board. */
+/** Name of a microcomputer: as it was chosen, else that of its board. */
 export function deviceName(device: string, board: BoardType | undefined): string {
   const chosen = devices.find(({ id }) => id === device);
   return chosen?.name ?? board?.name ?? findBoard(boardTypes[0]?.id ?? '')?.name ?? '';

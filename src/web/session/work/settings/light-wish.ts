@@ -6,7 +6,7 @@ export type LightForm = (typeof LIGHT_FORMS)[number];
 export const LIGHT_PLACES = ['board', 'robot'] as const;
 export type LightPlace = (typeof LIGHT_PLACES)[number];
 
-/** What was chosen for the chain on a pin; whatever is left out has its default. */
+/** The choice for the chain on a pin; missing fields have their default. */
 export interface LightWish {
   readonly form?: LightForm;
   readonly place?: LightPlace;

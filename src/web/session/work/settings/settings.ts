@@ -13,7 +13,7 @@ import { AUTO_DEVICE, AUTO_ROBOT, isDevice, isRobotChoice } from './devices';
 export const THEMES = ['system', 'light', 'dark'] as const;
 export type Theme = (typeof THEMES)[number];
 
-/** What can be unfolded below the board. */
+/** The panels below the board. */
 export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
 export type BoardPanel = (typeof BOARD_PANELS)[number];
 
@@ -51,7 +51,7 @@ export interface Settings {
   readonly myRobot: MyRobot | null;
   /** True if the editor marks what would not run on the microcomputer. */
   readonly deviceCheck: boolean;
-  /** What is unfolded below the board, or `null`. */
+  /** The open panel below the board, or `null`. */
   readonly panel: BoardPanel | null;
   /** True if the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
@@ -69,7 +69,7 @@ export interface Settings {
   readonly celebrate: boolean;
   /** The greeting of a first visit was answered. */
   readonly welcomed: boolean;
-  /** Where the tour was left: the id of a step; `null`: it was never begun, or is over. */
+  /** The step at which the tour was left; `null`: it was never begun, or is over. */
   readonly tourStep: string | null;
   /** Width of the code pane, or `null` to follow the window's width. The others work in the same way. */
   readonly codePx: number | null;

@@ -15,6 +15,6 @@ export function withAll(previous: readonly Previous[], works: readonly Previous[
   return withRoom([...previous, ...others].sort((one, other) => other.atMs - one.atMs));
 }
 
-/** What somebody has written and built, whatever it was to run on. */
+/** The text of everything that was written and built, whatever hardware it is for. */
 const written = ({ files, scene, devices, task }: Project): string =>
   packedText({ files, scene, course: null, ...(devices && { devices }), ...(task && { task }) });

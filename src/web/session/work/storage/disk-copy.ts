@@ -10,7 +10,7 @@ export const DISK_COPY = 'work.';
 /** All copies. */
 export const allCopies = (): IDBKeyRange => IDBKeyRange.bound(DISK_COPY, `${DISK_COPY}~`);
 
-/** What this tab put there last, or the newest of all tabs for `null`; `null` when there is nothing. */
+/** The last copy of this tab, or the newest of all tabs for `null`; `null` if there is none. */
 export async function copyOnDisk(tab: string | null): Promise<string | null> {
   const found = await entriesIn(tab === null ? allCopies() : DISK_COPY + tab);
   return [...found].sort((one, other) => other.usedMs - one.usedMs)[0]?.text ?? null;

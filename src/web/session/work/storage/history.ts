@@ -4,7 +4,7 @@ import { packedText } from './stored-project';
 
 /** A piece of earlier work that was put aside for something else. */
 export interface Previous {
-  /** What the pupil sees: the course's name. */
+  /** The name that the pupil sees: the course's. */
   readonly name: string;
   /** When it was put aside, in ms since 1970. */
   readonly atMs: number;

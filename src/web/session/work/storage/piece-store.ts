@@ -1,4 +1,7 @@
-/** Where pieces of stored work lie (`pieces.ts`): IndexedDB, which holds far more than the browser's storage for text. */
+/**
+ * The store for pieces of stored work (`pieces.ts`): IndexedDB, which holds far more than the browser's storage for
+ * text.
+ */
 import { inStore, type Entry } from './database';
 import type { Piece } from './pieces';
 

@@ -3,9 +3,9 @@ export type TextStore = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'ke
 
 import { savedMsOf } from './history';
 
-/** What a tab keeps through reloads, and what a new tab finds of it. */
+/** The work that a tab stores through reloads, and that a new tab finds. */
 export interface TabStorage {
-  /** What this tab saved last; in a new tab, what any tab saved last; `null` when there is nothing. */
+  /** This tab's last work; in a new tab, that of any tab; `null` if there is none. */
   load(): string | null;
   /**
    * Saves for this tab, and as a copy that survives closing it. Of `SLOW` text the tab's own storage gets only what there is
@@ -105,7 +105,7 @@ function copyKeys(local: TextStore): readonly string[] {
   return keys.filter((key) => key.startsWith(COPY));
 }
 
-/** What each tab has left, by its name. */
+/** The copy of each tab, by its name. */
 export const copiesOf = (local: TextStore): readonly (readonly [tab: string, text: string])[] =>
   copyKeys(local).map((key) => [key.slice(COPY.length), get(local, key) ?? '']);
 

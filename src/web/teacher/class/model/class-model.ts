@@ -14,7 +14,7 @@ import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmwar
 /** The task that hand-ins are checked for. */
 export interface OpenTask {
   readonly name: string;
-  /** Where it is from: the work that is open in the app, a file, or a ready course by its id. */
+  /** Its source: the work that is open in the app, a file, or a ready course by its id. */
   readonly from: string;
   readonly task: ClassTask;
 }
@@ -34,7 +34,7 @@ export interface Row {
   readonly handIn: HandIn | null;
   /** `null`: it waits, or is being checked. */
   readonly result: CheckResult | null;
-  /** What the teacher has written to it; empty: nothing. */
+  /** The teacher's note; empty: none. */
   readonly note: string;
 }
 
@@ -43,7 +43,7 @@ export interface KeptRow extends Omit<Row, 'handIn'> {
   readonly content: Content;
 }
 
-/** What a class needs of the page. */
+/** The services that a class needs. */
 export interface ClassPorts {
   /** How threads for a task are started. Rejects without the VM. */
   starter(task: ClassTask): Promise<StartThread>;
@@ -146,7 +146,7 @@ export class ClassModel {
     };
   }
 
-  /** What there is now was put into a file or onto paper. */
+  /** Marks the present state as saved to a file or printed. */
   noteSaved(): void {
     this.saved.value = this.rows.value;
   }

@@ -11,7 +11,7 @@ export const stateOf = ({ result }: Row): RowState => {
   return result.passed ? 'passed' : 'failed';
 };
 
-/** What a teacher should look at; that nobody has worked on a program is no such thing. */
+/** Remarks that a teacher should look at; an untouched program is none of them. */
 const TELLING: readonly RemarkCode[] = ['hand', 'outside', 'course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'twins', 'other-task', 'unreadable']; // prettier-ignore
 
 /** True if something about a hand-in should be looked at. */
@@ -43,7 +43,7 @@ export const worldsPassed = ({ result }: Row): number => result?.worlds.filter((
 
 const STATES: readonly RowState[] = ['passed', 'failed', 'unread', 'waiting'];
 
-/** What a column is ordered by; the smallest comes first. */
+/** The sort key of a column; the smallest is first. */
 const keys: Readonly<Record<Exclude<Column, 'name'>, (row: Row) => number>> = {
   result: (row) => STATES.indexOf(stateOf(row)),
   worlds: (row) => -worldsPassed(row),

@@ -15,17 +15,17 @@ export interface LabelledWay {
 /** Dark enough for the floor, which is light in every theme. None is red: a way is no verdict. */
 const COLORS = ['#1e66d0', '#a3278f', '#0b7a75', '#8a5200', '#5b3fc4', '#2f6f1d', '#b0480a', '#46515e'] as const;
 
-/** Of a line, in mm: two ways side by side on a course can be told apart. */
+/** Width of a line, in mm: two paths side by side on a course can be told apart. */
 const WIDTH_MM = 7;
-/** Of the dot that drives, in mm. */
+/** Diameter of the dot that drives, in mm. */
 const ROBOT_MM = 22;
 
-/** What is drawn. */
+/** The content of the picture. */
 export interface WaysPicture {
   readonly ways: readonly LabelledWay[];
   /** Simulated ms until which they are driven. */
   readonly untilMs: number;
-  /** Of the course, in mm. */
+  /** Size of the course, in mm. */
   readonly course: Size;
   /** Pixels of the canvas for a mm, and for a px of the page. */
   readonly scale: number;

@@ -10,7 +10,7 @@ export interface Box extends Size {
 export interface Named {
   readonly x: number;
   readonly y: number;
-  /** Of the dot, with the gap to its name. */
+  /** Radius of the dot, with the gap to its name. */
   readonly radius: number;
   readonly label: Size;
 }

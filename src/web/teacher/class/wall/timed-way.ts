@@ -8,7 +8,7 @@ type Way = Pick<WorldResult, 'trail' | 'trailMs'>;
 export const lastMs = (ways: readonly { readonly way: Way; readonly passedMs: number | null }[]): number =>
   ways.reduce((last, { way, passedMs }) => Math.max(last, way.trailMs.at(-1)?.at(-1) ?? 0, passedMs ?? 0), 0);
 
-/** What of a way was driven until then: whole pieces, and of the last one a part that ends between two of its points. */
+/** The part of a path driven until then: whole pieces, and the last one up to a place between two of its points. */
 export function drivenUntil({ trail, trailMs }: Way, ms: number): readonly (readonly Point[])[] {
   return trail.flatMap((piece, index) => {
     const times = trailMs[index] ?? [];
@@ -19,7 +19,7 @@ export function drivenUntil({ trail, trailMs }: Way, ms: number): readonly (read
   });
 }
 
-/** Where it was between two points. */
+/** The place between two points. */
 function between(
   piece: readonly Point[],
   times: readonly number[],

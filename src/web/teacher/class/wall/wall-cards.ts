@@ -68,7 +68,7 @@ export function wallCards(rows: readonly Row[], lots: Lots, { naming, order, lan
     });
 }
 
-/** Who has not passed comes last; all of them are equal. */
+/** The sort key of a time: hand-ins that have not passed are last and equal. */
 const keyOf = (ms: number | null): number => ms ?? Number.MAX_SAFE_INTEGER;
 
 function cardOf(row: Row, number: number, naming: Naming): WallCard {
@@ -131,5 +131,5 @@ const shareOf = (px: number, count: number): number => (px - GAP_PX * (count - 1
 
 const namePx = (cardWidth: number): number => Math.round(Math.min(30, Math.max(15, cardWidth / 12)));
 
-/** What a card's two lines take. */
+/** Height of a card's two lines. */
 const wordsPx = (cardWidth: number): number => 12 + 2.4 * namePx(cardWidth);

@@ -3,7 +3,7 @@ import { shallowRef } from 'vue';
 import { lateModel } from '../../../kit/state/late-models';
 import { Lots, type Naming, type WallOrder } from './wall-cards';
 
-/** What the wall shows of the hand-ins: a card for each, or the ways of all in one picture. */
+/** The views of the wall: a card for each hand-in, or all paths in one picture. */
 export const wallViews = ['cards', 'ways'] as const;
 
 /** How somebody wants the wall. It stays so when the wall is put up again. */

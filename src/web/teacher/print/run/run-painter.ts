@@ -18,7 +18,7 @@ import { TurnedBody } from '../../../pupil/arena/robot/turned-body';
 import { toPx, type View } from '../../../pupil/arena/view/view-transform';
 import type { Trails } from '../../../session/run/trails';
 
-/** What of a run is painted, besides its moments. */
+/** The parts of a run that are painted, besides its moments. */
 export interface PaintedRun {
   /** The course as the run had it. */
   readonly scene: Scene;
@@ -99,7 +99,7 @@ function createPainter(
   const movers = scene.objects.filter((object): object is Mover => object.type === 'mover');
   let still: { readonly look: string; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** What stands still is painted once for each step of the task. */
+  /** The still layer, painted once for each step of the task. */
   function stillAt({ verdict }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();

@@ -40,7 +40,7 @@ export function filmTimes({ fromUs, toUs }: Stretch): readonly number[] {
 /** How much of a run is chosen at first. Chosen: a drive along a mission; a film of it is short enough. */
 const USUAL_US = 10_000_000;
 
-/** What is chosen at first: ten seconds around the moment that is looked at, or the whole of a short run. */
+/** The initial choice: ten seconds around the moment that is looked at, or the whole of a short run. */
 export function firstStretch(atUs: number, endUs: number): Stretch {
   const fromUs = Math.max(0, Math.min(atUs - USUAL_US / 2, endUs - USUAL_US));
   return { fromUs, toUs: Math.min(endUs, fromUs + USUAL_US) };

@@ -3,7 +3,7 @@ import { emptyCanvas } from '../../../pupil/arena/robot/robot-sprite';
 import type { RunPainter } from './run-painter';
 import { stripForm } from './stretch';
 
-/** What stands below a picture of a strip. */
+/** The text below a picture of a strip. */
 export interface Caption {
   readonly time: string;
   /** The number of the line that the program is at, and the line; `null`: no program runs. */

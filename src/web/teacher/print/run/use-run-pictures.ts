@@ -28,7 +28,7 @@ export interface RunPictures {
   readonly hasTrace: ShallowRef<boolean>;
   /** Makes what paints its moments, with this longer side in px. */
   painter(longestPx: number): Promise<RunPainter>;
-  /** What is told of a moment. */
+  /** The caption of a moment. */
   caption(moment: Snapshot, timeUs: number): Caption;
 }
 

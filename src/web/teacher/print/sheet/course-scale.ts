@@ -4,7 +4,7 @@ import { RIM_SHARE } from '../kinds/svg-parts';
 
 /** A course as it is drawn on the sheet. */
 export interface DrawnCourse {
-  /** So many mm of the course are one on the sheet. */
+  /** Number of mm of the course per mm on the sheet. */
   readonly scale: number;
   /** Width and height of the drawing with its rim, in mm. */
   readonly size: Point;

@@ -4,12 +4,12 @@ import { printRow, withPrintable } from '../task/pdf-rows';
 import { layOutSheet, SHEET_MM, type Box, type Mark, type SheetContent } from './sheet-layout';
 import { LINE_COLORS, LINE_MM, squareLines } from './svg-sheet';
 
-/** What a PDF needs besides the content. */
+/** The properties of a PDF besides its content. */
 export interface SheetFile {
   readonly title: string;
   /** The drawing of the course as a PNG; its scale on the sheet is known only now. */
   readonly drawing: (scale: number, longestMm: number) => Promise<Uint8Array>;
-  /** What the code opens: also for whoever reads the sheet on a screen. */
+  /** The link behind the code: also for reading the sheet on a screen. */
   readonly link: string | null;
   readonly isCompressed?: boolean;
 }

@@ -10,11 +10,11 @@ import type { PaperQr } from './paper-qr';
 /** A sheet of A4, in mm. */
 export const SHEET_MM = [210, 297] as const;
 
-/** What is left for pupils to write on: nothing, three lines for each question, or lines or squares to the foot of the sheet. */
+/** Space for pupils to write: none, three lines for each question, or lines or squares to the foot of the sheet. */
 export const spaces = ['none', 'some', 'lines', 'squares'] as const;
 export type Space = (typeof spaces)[number];
 
-/** What stands on a worksheet, every word in the language of the reader. */
+/** The content of a worksheet, every word in the language of the reader. */
 export interface SheetContent {
   /** The task; without one it has the title alone. */
   readonly task: PaperTask;
@@ -36,7 +36,7 @@ export interface SheetWords {
   readonly open: string;
   /** Over the room to write: before the run, and after it. */
   readonly questions: readonly string[];
-  /** What stands below the drawing. */
+  /** The text below the drawing. */
   readonly scale: (scale: number) => string;
 }
 
@@ -58,7 +58,7 @@ export interface SheetLayout {
   readonly course: DrawnCourse;
 }
 
-/** What stays white around a sheet, in mm: at the foot is the number of the page. */
+/** White margin of a sheet, in mm: the page number is at the foot. */
 const MARGIN = { side: 16, top: 14, foot: 15 } as const;
 const WIDTH = SHEET_MM[0] - 2 * MARGIN.side;
 const HEIGHT = SHEET_MM[1] - MARGIN.top - MARGIN.foot;
@@ -169,7 +169,7 @@ function placeFields(draft: Draft, labels: readonly string[], topMm: number, wid
   });
 }
 
-/** What the card of the task says, on as many pages as it needs. */
+/** Places the card of the task, on as many pages as it needs. */
 function placeTask(draft: Draft, task: PaperTask, set: SetRows): void {
   const rows = set(taskBlocks({ ...task, title: '' }, WIDTH, TEXT_MM), WIDTH);
   breakPages(rows, HEIGHT, draft.endMm).forEach((placed, page) => {

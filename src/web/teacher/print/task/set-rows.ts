@@ -3,7 +3,7 @@ import type { Point } from '#scene/scene';
 import type { Line, Span } from '../../../session/task/markup';
 import { emsOf } from './letter-widths';
 
-/** What stands before the first row of a paragraph: a mark of a list, a ring to tick off, or so many stars. */
+/** Sign before the first row of a paragraph: a list mark, a ring to tick off, or a number of stars. */
 export type Sign = { readonly kind: 'mark'; readonly text: string } | { readonly kind: 'ring' } | Stars;
 interface Stars {
   readonly kind: 'stars';
@@ -61,7 +61,7 @@ export interface PlacedRow {
 /** From row to row, in parts of the type size. */
 export const LEADING = 1.4;
 
-/** Where the base line of a row is, in type sizes from its top. */
+/** Base line of a row, in type sizes from its top. */
 export const BASE = (LEADING - 1) / 2 + 0.8;
 
 /** Sets blocks in rows of this width. */

@@ -6,7 +6,7 @@ import { breakPages, setRows } from './set-rows';
 import { rowSvg } from './svg-rows';
 import { textBlocks, titleBlock } from './task-blocks';
 
-/** What a picture says of the task. */
+/** The task's part of a picture. */
 export interface PictureTask {
   readonly title: string;
   /** In the small markup of tasks. */

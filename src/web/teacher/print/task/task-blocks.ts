@@ -11,10 +11,10 @@ export interface PaperTask {
   /** Its picture in a form for PDF, and its size in pixels. */
   readonly picture: { readonly data: string; readonly format: 'PNG' | 'JPEG'; readonly size: Point } | null;
   readonly goalsTitle: string;
-  /** What is to be reached, and what is to be kept to. */
+  /** Goals and rules. */
   readonly goals: readonly string[];
   readonly rules: readonly string[];
-  /** What else is checked; empty: nothing. */
+  /** Title of further checks; empty: none. */
   readonly checksTitle: string;
   readonly checks: readonly string[];
   /** For what there is one star, two, three. Empty: there are none. */

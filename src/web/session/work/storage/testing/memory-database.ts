@@ -1,11 +1,11 @@
 import { vi } from 'vitest';
 
-/** What is in the database, by name. */
+/** The content of the database, by name. */
 type Entries = Map<string, { name: string; usedMs: number; text?: string }>;
 
 /** A browser's database in memory, as far as the storage of work uses one. */
 export interface MemoryDatabase {
-  /** What is on the disk. */
+  /** The content of the disk. */
   readonly entries: Entries;
   /** How durable each transaction that wrote was asked to be. */
   readonly durabilities: (string | undefined)[];
