@@ -3,6 +3,7 @@ import vue from 'eslint-plugin-vue';
 import tseslint from 'typescript-eslint';
 import { layers } from './layers.mjs';
 import { classLines } from './scripts/class-lines.mjs';
+import { docstringWords } from './scripts/docstring-words.mjs';
 
 /** The rooms where the same run must come out everywhere: all but those that meet the outside. */
 const outside = ['cli', 'web', 'embed'];
@@ -127,9 +128,10 @@ export default tseslint.config(
   },
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
-    plugins: { parcours: { rules: { 'class-lines': classLines } } },
+    plugins: { parcours: { rules: { 'class-lines': classLines, 'docstring-words': docstringWords } } },
     rules: {
       ...sizes,
+      'parcours/docstring-words': 'error',
       eqeqeq: 'error',
       'no-console': 'error',
       'no-warning-comments': ['error', { terms: ['todo', 'fixme', 'xxx'] }],

@@ -164,7 +164,7 @@ async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: S
 }
 
 /**
- * What its tape adds to a run as fast as it can, of the run's time, and what all moments add, of real time. Processor time,
+ * Share of the tape in the time of a run as fast as possible, and share of all moments in real time. Processor time,
  * in turns: other work on the machine meets all of them.
  */
 async function recordingPercents(): Promise<readonly number[]> {

@@ -1,5 +1,5 @@
 /**
- * What the oldest browsers (`scripts/oldest.mjs`) lack and no tool lowers: units get an older one in front, and a build with
+ * Features that the oldest browsers (`scripts/oldest.mjs`) lack and no tool lowers: units get an older one in front, and a build with
  * anything else of it fails, wherever it comes from.
  */
 import type { CSSOptions, Plugin } from 'vite';

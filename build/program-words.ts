@@ -10,7 +10,7 @@ const CODE = new Set(['shake', 'light', 'temperature', 'little']);
 const WORD = /\p{L}{3}/u;
 
 /**
- * What is wrong with the translations of the programs in a folder, a line each.
+ * The faults of the translations of the programs in a folder, a line each.
  *
  * @param folder one with Python files and `words/<language>.json`
  */

@@ -49,7 +49,7 @@ const miniBrowser = () => {
 const hasScreen = () => process.platform !== 'linux' || Boolean(process.env.DISPLAY) || Boolean(onPath('Xvfb'));
 
 /**
- * What can be tested on this machine.
+ * The engines that can be tested on this machine.
  *
  * @returns {{ engine: 'chromium' | 'firefox' | 'webkit', env: Record<string, string>, missing: string | null }[]}
  *   env tells playwright.config.ts where the programs are; missing says why an engine cannot run

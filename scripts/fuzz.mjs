@@ -10,7 +10,7 @@ const STANDARD_RUNS = 1_000_000;
 const ANY_TIME_MS = 24 * 60 * 60 * 1000;
 
 /**
- * What the command line asks for.
+ * The wishes of the command line.
  *
  * @param {readonly string[]} args a number of cases and parts of file names, in any order, each may be missing
  */

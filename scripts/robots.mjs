@@ -75,21 +75,21 @@ const LATE_LISTS = [
     part: 'robot.ts',
     type: 'RobotBuild',
     from: './robot',
-    says: 'What a run needs of every robot. Apart from `index.ts`, as only a run needs it.',
+    says: 'The parts of every robot that a run needs. Apart from `index.ts`, as only a run loads them.',
   },
   {
     file: 'references.ts',
     part: 'reference.ts',
     type: 'RobotReference',
     from: '#reference/types',
-    says: 'What the editor knows about the libraries of robots. Apart from `index.ts`, as only the editor needs it, and later.',
+    says: 'The libraries of robots, for the editor. Apart from `index.ts`, as only the editor loads them, and later.',
   },
   {
     file: 'sheets.ts',
     part: 'sheet.ts',
     type: 'RobotSheet',
     from: './robot',
-    says: 'What the gallery tells about every robot. Apart from `index.ts`, as only the gallery needs it, and later.',
+    says: 'The texts of the gallery on every robot. Apart from `index.ts`, as only the gallery loads them, and later.',
   },
 ];
 

@@ -7,7 +7,7 @@ export interface Entry {
 /** Every text of the app and of the courses. */
 export function allTexts(): Promise<Entry[]>;
 
-/** What is wrong with the texts in these files (path in the repository → its text), a line each. */
+/** The faults of the texts in these files (path in the repository → its text), a line each. */
 export function problemsOf(
   files: ReadonlyMap<string, string>,
   same?: Readonly<Record<'fr' | 'it', ReadonlySet<string>>>,

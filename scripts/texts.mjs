@@ -20,7 +20,7 @@ const KEYED = { 'src/web/kit/words/': '', 'src/advice/words/': 'error.' };
  */
 
 /**
- * What is wrong with the texts in these files, a line each.
+ * The faults of the texts in these files, a line each.
  *
  * @param {ReadonlyMap<string, string>} files path in the repository → its text: the list of languages, sources, words
  * @param {Readonly<Record<'fr' | 'it', ReadonlySet<string>>>} [same] words that may be the same in English

@@ -11,7 +11,7 @@ const LOOKS = [10, 100, 1_000];
 const FLAT = { dataMb: 0.1, nodes: 100 };
 
 /**
- * What a heap snapshot lists beside the page's own data. For hundreds of runs the engine still compiles functions that
+ * Entries of a heap snapshot that are not the page's own data. For hundreds of runs the engine still compiles functions that
  * have become hot (0.9 MB from run 100 to 550), and the browser fills its lists of timings up to their limits.
  */
 const NOT_DATA: readonly string[] = ['code', 'native'];

@@ -13,7 +13,7 @@ const library = module('new_robot', {
   isLight: fn('() -> int'),
 });
 
-/** What the editor knows about the New Robot's library. */
+/** The New Robot's library, for the editor. */
 export const newRobotReference: RobotReference = {
   robot: 'new-robot',
   modules: [library],

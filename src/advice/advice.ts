@@ -32,7 +32,7 @@ const PLAIN = [
 const SHOWN_CHARACTERS = 40;
 
 /**
- * What a pupil should read about an exception: first in their words, then in the device's.
+ * The explanation of an exception for pupils: first in their words, then in the device's.
  *
  * @param source the pupil's file and the line the exception names. With it, "invalid syntax" can be explained.
  */

@@ -1,5 +1,5 @@
 /**
- * What an attachment is: something that a servo moves, fixed to the middle of a robot's front edge (its mount).
+ * An attachment: something that a servo moves, fixed to the middle of a robot's front edge (its mount).
  *
  * Frame of an attachment: origin at the mount, x forward, y left, mm, at the size of the real robot.
  */

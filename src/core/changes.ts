@@ -1,5 +1,5 @@
 /**
- * What has changed in plain data (objects, arrays, numbers, texts …): a list of one holds a new value, anything else the
+ * The changes of plain data (objects, arrays, numbers, texts …): a list of one holds a new value, anything else the
  * changes below, by key or place.
  */
 export type Changes = readonly [unknown] | { readonly [key: string]: Changes };

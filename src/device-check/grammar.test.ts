@@ -5,7 +5,7 @@ import { play } from '#vm/library/testing/play';
 import { checkForDevice } from './check-for-device';
 
 /**
- * What MicroPython's grammar and the built-in functions take, as short programs. Source: py/grammar.h, py/lexer.c,
+ * Short programs that MicroPython's grammar and the built-in functions accept. Source: py/grammar.h, py/lexer.c,
  * py/compile.c, py/obj*.c with the switches of the level CORE_FEATURES (py/mpconfig.h) and of the board's
  * mpconfigport.h, v1.18 and v1.23.
  */

@@ -13,7 +13,7 @@ const recording = on('recording', /^microphone$/);
 const audio = on('recording', /^audio$/);
 
 /**
- * What firmware v2.1.2 lacks and newer ones have.
+ * Names that firmware v2.1.2 lacks and newer ones have.
  * Source: micropython-microbit-v2, the C module tables of v2.1.2 against those of master and branch audio-recording.
  */
 export const newerNames: ReadonlyMap<string, NewerName> = new Map([

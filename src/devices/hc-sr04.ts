@@ -39,7 +39,7 @@ export const NO_TARGET_US = 38_000;
 /** How the sensor's behaviour is chosen. */
 export interface HcSr04Options {
   /**
-   * What happens when nothing is in range. `none`: echo stays low, as DFRobot describes for the sensor it ships
+   * The answer when nothing is in range. `none`: echo stays low, as DFRobot describes for the sensor it ships
    * (comment in pxt-DFRobot_MaqueenPlus_v20). `long-pulse`: echo is high for 38 ms, as the classic HC-SR04 does.
    *
    * @default 'none'

@@ -50,7 +50,7 @@ export const freeObjects = (scene: Scene, selection: Selection): readonly SceneO
 const isFree = ({ lock }: SceneObject): boolean => lock === undefined;
 
 /**
- * What a tap on a thing takes: it with those of its group that are locked or free as it is; where some of these are selected
+ * The selection that a tap on a thing makes: it with those of its group that are locked or free as it is; where some of these are selected
  * already but not all, somebody works within the group, and it takes the thing alone.
  */
 export function takenBy(scene: Scene, thing: Thing, { ids }: Selection): Selection {

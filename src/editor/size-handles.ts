@@ -3,7 +3,7 @@ import type { Point } from '#scene/scene';
 import type { Handle } from './tools/tool';
 
 /**
- * Where a rectangle of this size can be taken hold of to size it: −1, 0 or 1 along its x and y. Eight where there is
+ * The size handles of a rectangle: −1, 0 or 1 along its x and y. Eight where there is
  * room; on what is small under the pointer fewer, so that they neither cover it nor each other.
  *
  * @param reachMm how near counts as on a handle

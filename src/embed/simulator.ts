@@ -1,5 +1,5 @@
 /**
- * What an embedding page can do with the app, and the events it gets: the one port behind every dialect. The app
+ * The commands and events of an embedding page: the one port behind every dialect. The app
  * implements it (`src/web/exchange/host`); protocol adapters (`adapter.ts`) translate it to a dialect.
  */
 import type { Language } from '#core/languages';

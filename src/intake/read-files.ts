@@ -5,7 +5,7 @@ import type { FileProblem } from './document';
 import { documentOfText, SERIES, taskIn } from './text';
 
 /**
- * What brings a file beside a series; `null`: it did not come along.
+ * Reads a file beside a series; `null`: it did not come along.
  *
  * @param file its address, seen from the series
  */

@@ -84,7 +84,7 @@ export const isLitter = (name: string): boolean =>
   name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
 
 /**
- * What a zip or a folder holds below the folders that all of it lies in: who packs a folder means what is in it.
+ * The content of a zip or a folder below common leading folders: packing a folder means its content.
  *
  * @param isWhole says of what lies below one more folder that the folder belongs to it
  */

@@ -5,7 +5,7 @@ import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
 import { maqueenPlusV2Build } from './maqueen-plus-v2/robot';
 import type { RobotBuild } from './robot';
 
-/** What a run needs of every robot. Apart from `index.ts`, as only a run needs it. */
+/** The parts of every robot that a run needs. Apart from `index.ts`, as only a run loads them. */
 export const robotBuilds: readonly RobotBuild[] = [
   callibotBuild,
   maqueenLiteBuild,

@@ -5,7 +5,7 @@ import { maqueenLiteReference } from './maqueen-lite/reference';
 import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
 import { maqueenPlusV2Reference } from './maqueen-plus-v2/reference';
 
-/** What the editor knows about the libraries of robots. Apart from `index.ts`, as only the editor needs it, and later. */
+/** The libraries of robots, for the editor. Apart from `index.ts`, as only the editor loads them, and later. */
 export const robotReferences: readonly RobotReference[] = [
   callibotReference,
   maqueenLiteReference,

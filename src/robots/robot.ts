@@ -133,7 +133,7 @@ export interface RobotContext {
 }
 
 /**
- * What of a robot a program sets: the motor of a wheel, a red light, a colour light by its place in `rgb`, a servo by its
+ * The outputs of a robot that a program sets: the motor of a wheel, a red light, a colour light by its place in `rgb`, a servo by its
  * port.
  */
 export type RobotOutput =

@@ -5,7 +5,7 @@ import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
 import { maqueenPlusV2Sheet } from './maqueen-plus-v2/sheet';
 import type { RobotSheet } from './robot';
 
-/** What the gallery tells about every robot. Apart from `index.ts`, as only the gallery needs it, and later. */
+/** The texts of the gallery on every robot. Apart from `index.ts`, as only the gallery loads them, and later. */
 export const robotSheets: readonly RobotSheet[] = [
   callibotSheet,
   maqueenLiteSheet,

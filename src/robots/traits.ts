@@ -2,7 +2,7 @@ import type { ChassisType } from '#world/chassis';
 import type { DriveLaw } from '#world/drive-law';
 
 /**
- * What makes one robot differ from others of its type: found by measuring it (`#my-robot`). Without them it is as its
+ * The differences of one robot from others of its type: found by measuring it (`#my-robot`). Without them it is as its
  * type says.
  */
 export interface Traits {

@@ -10,7 +10,7 @@ import type { RobotStart, Scene, SceneObject } from './scene';
 const TOLERANCE_MM = 1;
 
 /**
- * What is wrong with the robot's start: outside the arena, or inside something solid.
+ * The fault of the robot's start: outside the arena, or inside something solid.
  *
  * @param footprint convex parts of the robot at scale 1, in its own frame (x forward, y left, origin mid-axle); empty:
  *   none

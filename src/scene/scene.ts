@@ -134,7 +134,7 @@ export interface Label extends Common {
 }
 
 /**
- * Where the robot of a further device starts: the first start belongs to the second device with a robot, and so on. The
+ * The start of a further device's robot: the first start belongs to the second device with a robot, and so on. The
  * first one's is the course's `robot`. It lies flat on the floor, and nothing feels it.
  */
 export interface Start extends Common {

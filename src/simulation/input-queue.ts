@@ -20,7 +20,7 @@ interface Press {
 }
 
 /**
- * What is done to a run and waits for its time. Fingers, keys, hosts and scripts may press and let go in one breath; the
+ * The inputs to a run that wait for their time. Fingers, keys, hosts and scripts may press and let go in one breath; the
  * board would never notice. So what comes live is spread here, in simulated time: each button and pad stays as it is for
  * at least `LEAST_DOWN_US` or `LEAST_UP_US`. What is replayed has its times already and keeps them.
  */

@@ -28,7 +28,7 @@ export interface Body {
 /** A kind of object as a run has it. */
 export interface RunKind<O extends AnyObject = SceneObject> {
   /**
-   * What becomes of a change while a run goes on. `lasting`: it waits for the next start, since the robot may just be
+   * The effect of a change during a run. `lasting`: it waits for the next start, since the robot may just be
    * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
    */
   readonly change: 'lasting' | 'movable' | 'shown';

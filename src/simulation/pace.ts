@@ -1,5 +1,5 @@
 /**
- * Where a run stands. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: likewise, ended by
+ * The phase of a run. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: likewise, ended by
  * force. `failed`: broken inside or never started.
  */
 export type RunPhase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';

@@ -3,7 +3,7 @@
 // gathers what is printed, sent and logged. With several frames it carries radio packets between them, as swarm pages do.
 'use strict';
 
-/** What every simulator puts before the text of `radio.send`. */
+/** Prefix that every simulator puts before the text of `radio.send`. */
 const TEXT_PACKET = [1, 0, 1];
 
 class Simulator {

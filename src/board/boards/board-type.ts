@@ -90,7 +90,7 @@ export interface Uname {
 }
 
 /**
- * What calls of a firmware do since v2.1.2, and did not do there:
+ * Behaviour of calls that firmwares after v2.1.2 have:
  *
  * - `clear-ends`: `display.clear()` ends what moves, and waits for the display's tick (commit a5dd649)
  * - `stop-ends-effects`: `audio.stop()` also ends built-in sounds and effects, not samples alone (c143b24)

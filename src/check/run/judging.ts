@@ -105,7 +105,7 @@ export class Judging {
   }
 
   /**
-   * What became of the checks, once the run is over.
+   * The results of the checks, once the run is over.
    *
    * @param besides what there is to say of all that was not reached
    */

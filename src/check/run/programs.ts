@@ -3,7 +3,7 @@ import type { Project } from '#project/project';
 import type { Files } from '../program/facts';
 
 /**
- * What runs on each device of a task when it is handed in: the pupil's program, and the task's where the pupil has not got
+ * The programs on each device of a task that is handed in: the pupil's program, and the task's where the pupil has not got
  * that device.
  */
 export function programsOf(task: Project, handedIn: Project): readonly [Files, ...Files[]] {

@@ -51,7 +51,7 @@ export const seriesLimits = {
   /** Size of the whole file. */
   characters: 12_000_000,
   /**
-   * Of all links together, as they are unpacked, which takes up to 5 µs a byte on a laptop (`#project/link`). Chosen: seconds at
+   * Maximum size of all links together, unpacked, which takes up to 5 µs a byte on a laptop (`#project/link`). Chosen: seconds at
    * the most; sixty tasks may have four times a drawing of 5,000 pen points each.
    */
   linkedBytes: 1024 * 1024,

@@ -20,7 +20,7 @@ export interface Comparison {
 }
 
 /**
- * What counts as alike: within this share or this amount, whichever is more. Chosen: a board's clock, its radio and what
+ * Tolerances of a comparison: within this share or this amount, whichever is more. Chosen: a board's clock, its radio and what
  * it does beside the program move times by some per cent; bytes depend on what was imported before.
  */
 const ALIKE: Readonly<Record<Exclude<Unit, 'text'>, { readonly share: number; readonly amount: number }>> = {

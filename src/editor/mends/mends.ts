@@ -44,7 +44,7 @@ const TIME_LIMIT_S = 60;
 const ROOM_IN_TARGET_MM = 20;
 
 /**
- * What can be done about a problem by one tap; `null`: nothing that would not be a guess, or it would change what is locked.
+ * The quick fix of a problem; `null`: any would be a guess, or would change something locked.
  *
  * @param footprint convex parts of the robot at scale 1, in its own frame; empty: no robot
  */

@@ -23,7 +23,7 @@ export type Reading =
   | { readonly type: 'place'; readonly at: Vec };
 
 /**
- * What an edit amounts to in figures; of things that change together the first tells. `null`: nothing can be told.
+ * The measurement of an edit; of things that change together the first counts. `null`: none.
  *
  * @param start where something new is drawn from
  */

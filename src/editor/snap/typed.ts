@@ -9,7 +9,7 @@ import type { Reading } from './reading';
 const TIMES = ' × ';
 
 /**
- * What has been typed after a key; `null`: the key does not belong to numbers. Begins with a digit or a minus; Tab, x or *
+ * The typed text after a key; `null`: the key does not belong to numbers. Begins with a digit or a minus; Tab, x or *
  * leads to the second number.
  */
 export function typedText(text: string, key: string): string | null {

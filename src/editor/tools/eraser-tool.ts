@@ -110,7 +110,7 @@ function leaving(scene: Scene, cuts: Cuts, things: readonly SceneObject[]): Scen
 }
 
 /**
- * What goes besides lines. A tap takes the topmost thing within half the reach (mistakes hurt), if no line lies above it;
+ * The things besides lines that are erased. A tap takes the topmost thing within half the reach (mistakes hurt), if no line lies above it;
  * a drag also takes all in its path.
  */
 function thingsUnder(drag: Drag, context: ToolContext): readonly SceneObject[] {

@@ -134,7 +134,7 @@ export interface Handle {
   readonly side?: Point;
   /** The object, or `null` for the robot. */
   readonly id: string | null;
-  /** Of a `point` its index among the points of its object; of an `add` the index that the new point will have. */
+  /** Index: of a `point` among the points of its object; of an `add` the index that the new point will have. */
   readonly index?: number;
 }
 

@@ -48,7 +48,7 @@ const checks: Readonly<Record<string, Check>> = {
 export const CHECKED: readonly string[] = Object.keys(checks);
 
 /**
- * What is wrong with an attribute.
+ * The fault of an attribute.
  *
  * @param value as it stands in the element; `null` and `''`: left out
  * @param page what the page knows

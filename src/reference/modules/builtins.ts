@@ -152,7 +152,7 @@ const exceptions = {
 };
 
 /**
- * What needs no import. Source: micropython v1.18, py/modbuiltins.c, with the settings of micropython-microbit-v2's
+ * Names that need no import. Source: micropython v1.18, py/modbuiltins.c, with the settings of micropython-microbit-v2's
  * mpconfigport.h.
  */
 export const builtins = module('builtins', { ...functions, ...types, ...exceptions });

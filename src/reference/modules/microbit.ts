@@ -162,7 +162,7 @@ const oldPin = (number: 0 | 1 | 2 | 3): Entry => samePin(number === 3 ? 'calliop
 const number = fn('(value: int) -> None');
 
 /**
- * What programs for the Calliope mini 1 and 2 import: all of `calliopemini`, and names that only those boards had.
+ * The module of programs for the Calliope mini 1 and 2: all of `calliopemini`, and names that only those boards had.
  * Source: calliope-mini/calliope-mini-micropython, source/microbit/modmicrobit.cpp and calliopeled.cpp.
  */
 export const calliopeMini: ReferenceModule = {

@@ -46,7 +46,7 @@ const callibotmot = module('callibotmot', {
 
 const cbalarm = module('cbalarm', { setAlarm: fn('(on: int) -> None'), beep: fn('() -> None') });
 
-/** What the editor knows about the Calli:bot's libraries. */
+/** The Calli:bot's libraries, for the editor. */
 export const callibotReference: RobotReference = {
   robot: 'callibot',
   modules: [callibotModule, callibotmot, cbalarm],

@@ -73,7 +73,7 @@ const mbled = module('mbled', {
   lerp_RGB: fn('(r1: int, g1: int, b1: int, r2: int, g2: int, b2: int, percent: float) -> tuple[int, int, int]'),
 });
 
-/** What the editor knows about the Maqueen Lite's libraries. */
+/** The Maqueen Lite's libraries, for the editor. */
 export const maqueenLiteReference: RobotReference = {
   robot: 'maqueen-lite',
   modules: [mbrobot, mbrobotmot, mbalarm, mbled],

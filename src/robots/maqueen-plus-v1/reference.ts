@@ -47,7 +47,7 @@ const mbrobotPlus = module('mbrobot_plus', {
   LEDState: type([], values('int', ['OFF', 'RED', 'GREEN', 'YELLOW', 'BLUE', 'PINK', 'CYAN', 'WHITE'])),
 });
 
-/** What the editor knows about the Maqueen Plus V1's library. */
+/** The Maqueen Plus V1's library, for the editor. */
 export const maqueenPlusV1Reference: RobotReference = {
   robot: 'maqueen-plus-v1',
   modules: [mbrobotPlus],

@@ -71,7 +71,7 @@ const mbrobotPlusV2 = module(NAME, {
   eraseBeamArea: told,
 });
 
-/** What the editor knows about the Maqueen Plus V2's library. */
+/** The Maqueen Plus V2's library, for the editor. */
 export const maqueenPlusV2Reference: RobotReference = {
   robot: 'maqueen-plus-v2',
   modules: [mbrobotPlusV2],

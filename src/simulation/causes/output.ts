@@ -1,7 +1,7 @@
 import type { RobotOutput } from '#robots/robot';
 
 /**
- * What of a device a program sets: of its robot, of its board (`motor-0` is the first of the board's own motor
+ * The outputs of a device that a program sets: of its robot, of its board (`motor-0` is the first of the board's own motor
  * connectors), a pin by the name of its wire, or a chain of lights that is plugged in there.
  */
 export type Output =

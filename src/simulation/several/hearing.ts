@@ -10,7 +10,7 @@ export interface Speaker {
 }
 
 /**
- * So near a speaker at full volume brings the microphone to the top of its scale. Chosen: two boards on one table; the
+ * Distance at which a speaker at full volume brings the microphone to the top of its scale. Chosen: two boards on one table; the
  * sound's pitch, the walls and what stands in between are left out.
  */
 const FULL_MM = 300;

@@ -8,7 +8,7 @@ export interface TaskBrief {
   readonly checkpoints: readonly Zone[];
   /** Targets that the robot must reach. */
   readonly robotTargets: readonly Zone[];
-  /** Where the task is to stay in the ring, its targets. */
+  /** The targets, if the task is to stay in the ring. */
   readonly ring: readonly Zone[];
   /** Targets that want blocks. */
   readonly blockTargets: readonly Zone[];

@@ -3,7 +3,7 @@
 import { addressOfText, bodyStart, flat, onlyFunction, onlyMatch } from './wat.mjs';
 
 /**
- * What a function of the library is like, seen from outside, by how its Python is written:
+ * The kind of a library function, seen from outside, by how its Python is written:
  *
  * - 0: Python on the device, too (NeoPixel): the first parameter's name begins with `_`.
  * - 1: MP_DEFINE_CONST_FUN_OBJ_0 … 3 and _VAR: no parameter can be left out, and none be named.

@@ -35,7 +35,7 @@ export function collectProgramAlone(module) {
 }
 
 /**
- * What the library gives back itself (the table of a dictionary that has grown) is not freed: a program's object must
+ * Blocks that the library gives back itself (the table of a dictionary that has grown) are not freed: a program's object must
  * not come to lie there. It is emptied, so that it holds nothing.
  */
 function keepLibraryWhole(module, area) {
@@ -155,7 +155,7 @@ const usedBlocks = (area) => `(func $used_blocks (result i32)
       (local.get $end))))
   (local.get $used))`;
 
-/** What words of the library point to in the program's part stays. */
+/** Marks the blocks of the program's part that words of the library point to. */
 const markFromLibrary = (area, mark) => `(func $mark_from_library (param $blocks i32)
   (local $at i32) (local $place i32) (local $kinds i32) (local $block i32)
   (local.set $at (i32.sub (global.get $program_start) (i32.shl (local.get $blocks) (i32.const 4))))

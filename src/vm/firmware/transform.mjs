@@ -101,7 +101,7 @@ function suspendable(build, module) {
   return build(module, ['asyncify']);
 }
 
-/** What the language of the board's MicroPython takes, and what it says. */
+/** Makes the language and its messages those of the board's MicroPython. */
 function beTheBoardsVersion(module) {
   speakAsTheDevice(module);
   operateAsTheBoard(module);
@@ -364,7 +364,7 @@ function replaceEndlessLoops(module) {
   if (count !== 2) throw new Error(`Endless loops: expected 2 places, found ${count}.`);
 }
 
-/** What the firmware imports from its host besides the published imports, and the counters it shares with it. */
+/** Declares the imports from the host beyond the published ones, and the counters shared with it. */
 function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);

@@ -144,7 +144,7 @@ function loopsOverDigits(module) {
   return [...found, read, format];
 }
 
-/** What a collection costs that has just ended, in sixteenths. */
+/** The cost of the collection that has just ended, in sixteenths. */
 const collection = `(i32.add
   (i32.mul (i32.const ${SIXTEENTHS.sweptBlock})
     (i32.shr_u (i32.sub (global.get $heap_end) (global.get $program_start)) (i32.const 4)))
@@ -213,7 +213,7 @@ export function chargeWork(module, found) {
 }
 
 /**
- * So many of something in sixteenths, of which whole groups of 2 ** `bits` count: a few are part of what their bytecode
+ * A number of things in sixteenths, of which whole groups of 2 ** `bits` count: a few are part of what their bytecode
  * costs. Without suspending, as not all of it is Python's.
  */
 const inWhole = (sixteenths, count, bits = 4) => `(if (global.get $in_program) (then

@@ -19,7 +19,7 @@ const families = [
 type Exceptions = Readonly<Record<string, string>>;
 
 /**
- * Where a board does not print the seven digits that are nearest to its number. Made with the C of MicroPython's
+ * Numbers for which a board does not print the nearest seven digits. Made with the C of MicroPython's
  * formatfloat.c, before and after version 1.20, compiled for single floats; this project's VM had no part in it.
  */
 const before120: Exceptions = {

@@ -109,7 +109,7 @@ export function toldSize({ name, bytes, isClosed }: StoredFile): number {
 }
 
 /**
- * What a real board would say about files that a run starts with, in words for the user; `null` if they fit. It is only
+ * The message of a real board about files that a run starts with, in words for the user; `null` if they fit. It is only
  * a hint: the simulated board accepts them anyway, since drivers of others may be larger than the free space.
  */
 export function fileHint(files: Readonly<Record<string, string>>): string | null {

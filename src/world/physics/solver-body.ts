@@ -7,7 +7,7 @@ export interface Point {
 }
 
 /**
- * What planck 1.5.0 keeps on a body while it solves a step, and what is behind its transform. Joints and quiet steps work
+ * Properties of a body that planck 1.5.0 uses to solve a step, and those behind its transform. Joints and quiet steps work
  * on it directly; it is not in planck's own types, which is one more reason why the version is pinned.
  */
 export interface SolverBody {

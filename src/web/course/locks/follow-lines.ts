@@ -9,7 +9,7 @@ export interface Followed {
 }
 
 /**
- * Where locked lines have got to while whoever has locked them goes on writing: a lock moves with its line, and stays on one
+ * The new places of locked lines while the author goes on writing: a lock moves with its line, and stays on one
  * that is written anew. One that went comes back with its text: a cut may be taken back, or pasted elsewhere.
  *
  * @param lines their numbers before, from 1

@@ -2,7 +2,7 @@ import { keepOffline } from './keep-offline';
 import { lateBar } from './late-bar';
 
 /**
- * What the page does about networks and storage once it has nothing more urgent to do.
+ * Sets up networks and storage once the page has nothing more urgent to do.
  *
  * @param keepsWork whether the work is to be kept here, and not by a page around this one
  */

@@ -12,7 +12,7 @@ export interface Acceleration {
 export const LEVEL: Acceleration = { x: 0, y: 0, z: -GRAVITY_MG };
 
 /**
- * What a board feels that is tilted as far as the hand dragged it: `right` and `down` are shares of a quarter turn's
+ * The acceleration of a board tilted by a drag: `right` and `down` are shares of a quarter turn's
  * sine, −1 … 1; beyond the rim of the circle the board stands upright.
  */
 export function accelerationOf(right: number, down: number): Acceleration {

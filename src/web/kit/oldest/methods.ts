@@ -1,5 +1,5 @@
 /**
- * What the oldest browsers lack of the language and the page uses: Chrome has all of it from 110 on, Safari from 16.
+ * Methods that the page uses and the oldest browsers lack: Chrome has all of it from 110 on, Safari from 16.
  * `filled.d.ts` declares the same names, so that nothing newer is used. As everywhere in the language, `this` is the list.
  */
 

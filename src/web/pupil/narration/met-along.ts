@@ -20,7 +20,7 @@ export interface Look {
 const FINGER_MM = 10;
 
 /**
- * What the robot would bump into, did it move straight in that direction: the object's id, or `null` for the edge of
+ * The object that the robot would hit, moving straight in that direction: the object's id, or `null` for the edge of
  * the arena, and how far it is from the body, in mm.
  */
 export function metAlong({ pose, scene, moved, body, quarter }: Look): {

@@ -23,7 +23,7 @@ export interface Pacer {
   /** Something is to be told. It takes the place of what still waited on its topic. */
   offer(news: News, nowMs: number): void;
   /**
-   * What is to be told now, if anything.
+   * The text to announce now, if any.
    *
    * @param words what would be said of it now; `null`: it is not so any more
    */

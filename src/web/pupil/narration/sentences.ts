@@ -18,7 +18,7 @@ export interface Surroundings {
 }
 
 /**
- * What is said of something, in one sentence or two.
+ * The announcement of a piece of news, in one sentence or two.
  *
  * @param now the newest moment: what has changed since it was seen is said as it is now
  * @returns `null`: it is not so any more

@@ -19,7 +19,7 @@ export interface Said {
 }
 
 /**
- * What is told of the runs, one sentence after the other.
+ * Announces the runs, one sentence after the other.
  *
  * @param begin what is said first
  */

@@ -13,7 +13,7 @@ type Told = Extract<FromWorker, { type: 'variables' }>;
 
 /** The debugger's side of a run: its breakpoints and steps, and the variables at a stop. */
 export class DebugPort {
-  /** Where a breakpoint or a step last paused the run; `null`: not yet. */
+  /** The place where a breakpoint or a step last paused the run; `null`: not yet. */
   readonly held: ShallowRef<Held | null> = shallowRef(null);
   /** The answer to `inspect`; `null`: there was none yet. */
   readonly told: ShallowRef<Told | null> = shallowRef(null);

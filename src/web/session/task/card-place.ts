@@ -7,7 +7,7 @@ export interface Area {
 }
 
 /**
- * Where the card is. `over`: over the panes beside or above the arena; `beside` and `sheet`: the arena makes room, left
+ * Place of the card. `over`: over the panes beside or above the arena; `beside` and `sheet`: the arena makes room, left
  * of it or below it, because nothing else is on the screen.
  */
 export type CardPlace =

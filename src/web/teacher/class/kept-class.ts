@@ -69,7 +69,7 @@ export async function deleteClass(): Promise<void> {
 }
 
 /**
- * What was kept; `null`: nothing.
+ * The stored class; `null`: none.
  *
  * @throws TypeError or SyntaxError (as a rejection) where it is not as it must be
  */

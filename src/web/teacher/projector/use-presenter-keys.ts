@@ -9,7 +9,7 @@ const OWN_SPACE =
 const TEXT = 'input, textarea, select, [contenteditable="true"], [role="menu"]';
 
 /**
- * What a presenter presses, also with the small remote of a slide show: Space or page down starts the run, Space pauses it
+ * The keys of a presenter, also with the small remote of a slide show: Space or page down starts the run, Space pauses it
  * and lets it go on, page up leads back to the start, T starts and pauses the timer.
  */
 export function usePresenterKeys({ run, hand }: Pick<RunParts, 'run' | 'hand'>, countDown: CountDown): void {

@@ -13,7 +13,7 @@ export const sheetsMm = { A4: [297, 210], A3: [420, 297], A2: [594, 420], A1: [8
 export type FloorSize = 'fit' | 'arena' | keyof typeof sheetsMm;
 
 /**
- * Where a newly opened picture goes: in the middle of the arena. And how many cells its grid has: one every 2 mm, or
+ * Place of a newly opened picture: in the middle of the arena. And the number of its grid's cells: one every 2 mm, or
  * larger ones if that would exceed the limit of a background.
  *
  * @param width in the same unit as `height`; both above 0

@@ -5,7 +5,7 @@ import { firstCourse } from '../../../session/work/catalogue/first-course';
 import { knownCourses } from '../../../session/work/catalogue/known-courses';
 
 /**
- * What a course asks for: in the pupil's language if it is ready-made, otherwise as its author wrote it. `id`: of a
+ * The task of a course: in the pupil's language if it is ready-made, otherwise as its author wrote it. `id`: of a
  * ready-made course.
  */
 export function courseTask(scene: Scene, id: string | null): string {

@@ -15,7 +15,7 @@ const GAP = 8;
 const SHEET_SHARE = 0.42;
 
 /**
- * Where the shelf lies: at the left of the arena, or above it, over what is written and read; on a phone, and where the
+ * Place of the shelf: at the left of the arena, or above it, over what is written and read; on a phone, and where the
  * arena is alone, over its lower part.
  *
  * @param arena the pane of the arena

@@ -1,5 +1,5 @@
 /**
- * Where the parts of the Calliope mini 3 are in our drawing, in units of a star whose tips are 100 from its middle at
+ * The places of the Calliope mini 3's parts in our drawing, in units of a star whose tips are 100 from its middle at
  * 130, 122. What is where follows the device (calliope-edu/micropython-simulator, src/CM_V3_Platine_plain.svg); places
  * and sizes are ours, so that fingers find them.
  */

@@ -40,7 +40,7 @@ function of(name: string, path: readonly Key[], { unit = '', times = 1, isRate =
 const onOff = (name: string, path: readonly Key[]): Reading => of(name, path, { unit: SWITCH });
 
 /**
- * What a device's snapshot has to draw.
+ * The readings in a device's snapshot that can be drawn.
  *
  * @param type of its robot, if it has one
  */

@@ -46,7 +46,7 @@ const all = [
 export type KeyId = (typeof all)[number]['id'];
 
 /**
- * What Python needs and the soft keyboards of phones hide behind two layers. The first eight fit on a phone of 360 px;
+ * Characters that Python needs and soft keyboards hide behind two layers. The first eight fit on a phone of 360 px;
  * the others follow by how seldom a beginner's program has them.
  */
 export const KEYS: readonly Key[] = all;

@@ -21,7 +21,7 @@ export interface ErrorReport {
 }
 
 /**
- * What a pupil should read about an exception.
+ * The explanation of an exception for pupils.
  *
  * @param table what is plugged in. With it, a robot that does not answer can be explained.
  */

@@ -16,7 +16,7 @@ const fetchOnce = fetchedOnce(async () => {
 });
 
 /**
- * What a pupil should read about an exception (see `adviceFor`). Until that is fetched, only that there was one, in the
+ * The explanation of an exception for pupils (see `adviceFor`). Until that is fetched, only that there was one, in the
  * device's words. Read in templates, it is followed when more is known.
  */
 export function explain({ failure, source, table }: ErrorReport): Advice {

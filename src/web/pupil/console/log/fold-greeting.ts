@@ -4,7 +4,7 @@ import type { ConsoleEntry } from './console-log';
 const GREETING = /^MicroPython v[^\n]*\nType "help\(\)" for more information\.\n(?:>>> )?/;
 
 /**
- * What the console shows: without the greeting with which the REPL follows each program, until somebody goes to the
+ * The entries that the console shows: without the greeting with which the REPL follows each program, until somebody goes to the
  * REPL of that run. Only the picture is shorter: the log keeps all that the device sent.
  *
  * @param visited numbers of the runs at whose REPL somebody was

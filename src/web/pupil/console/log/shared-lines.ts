@@ -16,7 +16,7 @@ export const SHARED_LINES = 300;
 const LINE_CHARACTERS = 500;
 
 /**
- * What the programs of a run print, line by line in the order in which the lines end: for the console of all devices, and
+ * The output of a run's programs, line by line in the order in which the lines end: for the console of all devices, and
  * for looking back.
  */
 export class SharedLines {

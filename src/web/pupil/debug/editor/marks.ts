@@ -131,7 +131,7 @@ const look = EditorView.theme({
 });
 
 /**
- * What an editor shows of the debugger.
+ * The debugger's marks in an editor.
  *
  * @param onMove hears the break points' lines whenever an edit has moved some
  * @param valueOf the value of a name while the program stands

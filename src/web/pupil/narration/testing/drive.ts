@@ -75,7 +75,7 @@ export const seen = (changes: Changes) =>
 export const courseWith = (...objects: readonly SceneObject[]): Scene => ({ ...defaultScene(), objects });
 
 /**
- * What is told of a drive: `[ms, what is different from the start]` one after the other, each holding until the next.
+ * The announcements of a drive: `[ms, differences from the start]` one after the other, each holding until the next.
  * The sentences have their time: `2000 Wand 12 cm voraus.`
  */
 export function told(

@@ -18,7 +18,7 @@ export interface OnTable {
 }
 
 /**
- * What is wrong when the program is written for another robot, or when the robot stands on a microcomputer that it does
+ * The fault if the program is written for another robot, or when the robot stands on a microcomputer that it does
  * not fit, and the way out; otherwise `null`. Nothing of the robot answers then, as in reality. The program's error
  * says only that, if there is an error at all, so the page says what does not fit.
  */

@@ -2,7 +2,7 @@
 export const LIGHT_FORMS = ['ring', 'strip', 'matrix', 'zigzag'] as const;
 export type LightForm = (typeof LIGHT_FORMS)[number];
 
-/** Where it is shown: beside the microcomputer, or on the robot in the arena. */
+/** The places that show it: beside the microcomputer, or on the robot in the arena. */
 export const LIGHT_PLACES = ['board', 'robot'] as const;
 export type LightPlace = (typeof LIGHT_PLACES)[number];
 

@@ -23,7 +23,7 @@ export interface Settings {
   readonly theme: Theme;
   readonly speed: Speed;
   readonly muted: boolean;
-  /** What the arena shows of the robot's senses: the beam of its distance sensor, what its line sensors see, … */
+  /** Shows the robot's senses in the arena: the beam of its distance sensor, what its line sensors see, … */
   readonly cone: boolean;
   readonly spots: boolean;
   /** … the point around which it turns, and its trail. */
@@ -41,7 +41,7 @@ export interface Settings {
   readonly firmware: string;
   /** Id of a robot type, `none` for the bare board, or `auto`. */
   readonly robot: string;
-  /** What was changed about robots: id of the robot → id of the option → id of the choice. It wins over the course. */
+  /** The changed options of robots: id of the robot → id of the option → id of the choice. It wins over the course. */
   readonly robotOptions: RobotOptions;
   /** How much the robot is like a used one, 0 (ideal) … 1. */
   readonly reality: number;
@@ -61,7 +61,7 @@ export interface Settings {
   readonly showCommands: boolean;
   /** The picture follows the robot. */
   readonly follow: boolean;
-  /** What the robot meets is told in words, to be heard by who does not see the arena; … */
+  /** Announces events of the robot to screen readers; … */
   readonly tell: boolean;
   /** … and by tones, while it is told. */
   readonly tones: boolean;
@@ -93,7 +93,7 @@ export const LAST_SEED = 9999;
 export const isSeed = (value: unknown): value is number =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
 
-/** What a work begins with that is new: a ready course, an example, the first one. What was made before keeps its own. */
+/** The settings of new work: a ready course, an example, the first one. Earlier work keeps its own. */
 export const newWork = { arenaSenses: true } as const;
 
 /** Settings of a first visit. */

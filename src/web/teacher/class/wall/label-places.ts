@@ -16,7 +16,7 @@ export interface Named {
 }
 
 /**
- * Where names stand: at the right of their dot, at its left, above, below, wherever no other name is yet. `null`: nowhere,
+ * The places of names: at the right of their dot, at its left, above, below, wherever no other name is yet. `null`: nowhere,
  * and the dot goes without. Names over one another can be read by nobody; who comes first has the first choice.
  *
  * @param picture names stay inside of it
