@@ -109,10 +109,11 @@ export default {
     onlyIn('micropython-in-vm', ['@micropython'], '^src/vm/', 'MicroPython only in vm.'),
     onlyIn(
       'drawing-in-web',
-      ['vue', '@vue', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
+      ['vue', '@vue', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr'],
       '^src/web/',
       'Vue and the code editor only in web.',
     ),
+    onlyIn('icons-in-pictures', ['@mdi'], '^src/(web|picture)/', 'Icons (plain texts) only in web and in the picture.'),
     onlyIn(
       'parser-in-python',
       ['@lezer/python', '@lezer/common'],

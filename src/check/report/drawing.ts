@@ -1,19 +1,12 @@
-import { solidParts } from '#scene/kinds/index';
-import { isZone } from '#scene/kinds/zone';
-import type { Outline } from '#scene/outline';
-import type { Point, Scene, SceneObject } from '#scene/scene';
-import { shapeOutline } from '#scene/shape/shape';
+import { lightColors } from '#picture/colors';
+import { courseShapes } from '#picture/course';
+import { svgOf } from '#picture/svg';
+import type { Point, Scene } from '#scene/scene';
 import type { WorldResult } from '../result';
 import type { ClassTask } from '../task/task';
 import { courseOfWorld } from '../task/world-course';
 import { escaped } from './escaped';
 
-/** Styles of the parts of a course: colours that differ in grey, too. */
-const LINE = 'fill="none" stroke-linecap="round" stroke-linejoin="round"';
-const ZONE = 'fill="#2563b8" fill-opacity="0.11" stroke="#2563b8" stroke-width="6"';
-const FORBIDDEN = 'fill="#c3262b" fill-opacity="0.13" stroke="#c3262b" stroke-width="6"';
-const SOLID = { wall: '#4b5563', block: '#a9dec5' } as const;
-const OTHER_SOLID = '#b3282d';
 const WAY = '#1e66d0';
 
 /** The courses of the task's worlds, each drawn once. */
@@ -46,26 +39,14 @@ export class Drawings {
   }
 }
 
+/** Drawings are about so many pixels wide: what is smaller than they show is left out. Chosen: a column of the report. */
+const WIDE_PX = 400;
+
 /** A course as the inside of an SVG whose unit is a mm and whose y axis points down, for many drawings of it. */
 function courseDrawing({ size: [width, height], objects }: Scene): string {
-  const floor = `<rect fill="#fbfaf7" width="${width}" height="${height}"/>`;
-  const isBelow = (object: SceneObject): boolean => isZone(object) || object.type === 'stroke';
-  const painted = [...objects.filter(isBelow), ...objects.filter((object) => !isBelow(object))];
-  return floor + painted.map((object) => drawn(object, height)).join('');
-}
-
-function drawn(object: SceneObject, height: number): string {
-  if (object.type === 'stroke') {
-    const { width, color, points } = object;
-    return `<polyline ${LINE} stroke="${color}" stroke-width="${width}" points="${pointsOf(points, height)}"/>`;
-  }
-  const parts = isZone(object) ? [shapeOutline(object)] : solidParts(object);
-  return parts.map((part) => `<polygon ${lookOf(object)} points="${cornersOf(part, height)}"/>`).join('');
-}
-
-function lookOf(object: SceneObject): string {
-  if (isZone(object)) return object.type === 'forbidden' ? FORBIDDEN : ZONE;
-  return `fill="${object.type === 'wall' || object.type === 'block' ? SOLID[object.type] : OTHER_SOLID}"`;
+  const look = { colors: lightColors, px: Math.max(width, height) / WIDE_PX, seconds: String };
+  const floor = `<rect fill="${lightColors.floor}" width="${width}" height="${height}"/>`;
+  return floor + svgOf(courseShapes(objects, look), ([x, y]) => [x, height - y]);
 }
 
 /** The trail of a robot over the course, with a dot at its end. */
@@ -81,11 +62,5 @@ function wayDrawing({ trail }: Pick<WorldResult, 'trail'>, height: number): stri
 
 const pointsOf = (points: readonly Point[], height: number): string =>
   points.map(([x, y]) => `${rounded(x)},${rounded(height - y)}`).join(' ');
-
-const cornersOf = (outline: Outline, height: number): string =>
-  pointsOf(
-    outline.map(({ x, y }): Point => [x, y]),
-    height,
-  );
 
 const rounded = (mm: number): number => Math.round(mm * 10) / 10;

@@ -20,17 +20,19 @@ import { pendingChanges } from '#simulation/at-once';
 import { CourseWorld } from '#simulation/course-world';
 import { linkKinds, linkOrder, type SharedByKinds } from '#project/link/scene-codec';
 import { constant, record } from '#project/link/codec';
+import { courseShapes } from '#picture/course';
+import { pictureKinds } from '#picture/kinds/index';
+import type { PictureKind } from '#picture/kinds/kind';
+import { circle } from '#picture/shapes';
+import { svgOf } from '#picture/svg';
 import { isLasting, runKinds, type RunKind } from '#simulation/kinds';
 
-import { drawObject, pictureKinds } from '../pupil/arena/picture/kinds/index';
-import type { PictureKind } from '../pupil/arena/picture/kinds/kind';
+import { drawObject } from '../pupil/arena/picture/draw-object';
 import { lightPalette } from '../pupil/arena/model/palette';
 import { fitView } from '../pupil/arena/view/view-transform';
 import kindNames from '../course/editor/words/kinds';
 import { kindWords, namesOf, whereText } from '../course/editor/words/object-words';
 import { setLanguage } from '../kit/i18n';
-import { printKinds } from '../teacher/print/kinds/index';
-import type { PrintKind } from '../teacher/print/kinds/kind';
 import { coursePdf } from '../teacher/print/pdf-course';
 import { planPrint } from '../teacher/print/print-plan';
 
@@ -82,16 +84,12 @@ const inEditor: EditorKind<Puddle> = {
 };
 const inRun: RunKind<Puddle> = { change: 'shown' };
 const inPicture: PictureKind<Puddle> = {
-  ground: (context, _view, { radius }) => context.arc(0, 0, radius, 0, 2 * Math.PI),
+  ground: ({ at, radius }, { colors }) => [circle(radius, { fill: colors.target }, at)],
+  paper: ({ at, radius }) => [circle(radius, { stroke: '#000000', width: 1 }, at)],
   frame: () => null,
 };
 const inLink = ({ columns, id, place }: SharedByKinds) =>
   record<Puddle>({ type: constant('puddle'), id, at: place, radius: columns.uint() });
-const inPrint: PrintKind<Puddle> = {
-  layer: 0,
-  svg: ({ radius }) => `<circle r="${String(radius)}"/>`,
-  pdf: (pdf, { at, radius }, to) => void pdf.circle(...(to(at) as [number, number]), radius),
-};
 const called = { de: 'Pfütze', fr: 'Flaque', it: 'Pozzanghera', en: 'Puddle' };
 const inWords = { where: ({ at }: Puddle) => at.join(' | ') };
 
@@ -103,7 +101,6 @@ const tables: readonly (readonly [table: object, madeUp: object])[] = [
   [runKinds, inRun],
   [linkKinds, inLink],
   [pictureKinds, inPicture],
-  [printKinds, inPrint],
   [kindWords, inWords],
   [kindNames, { one: called, many: called }],
 ];
@@ -240,7 +237,8 @@ describe.each(types)('the kind %s', (type) => {
     const drawn = counting();
     drawObject(drawn.context, fitView(empty.size, { widthPx: 800, heightPx: 600 }), made(), lightPalette);
     expect(drawn.count()).toBeGreaterThan(0);
-    expect(printKinds[type].svg(made(), (at) => at, 0)).toMatch(/^<.*>$/s);
+    const shapes = courseShapes([made()], { colors: lightPalette, px: 1, seconds: String });
+    expect(svgOf(shapes, (at) => at)).toMatch(/^<.*>$/s);
   });
 
   it('has words in every language', async () => {
@@ -263,7 +261,6 @@ describe('the tables of kinds', () => {
     expectTypeOf<keyof typeof editorKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof runKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof pictureKinds>().toEqualTypeOf<Type>();
-    expectTypeOf<keyof typeof printKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof kindWords>().toEqualTypeOf<Type>();
   });
 

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { coursePdf, type PrintWords } from './pdf-course';
-import { printable } from './kinds/pdf-parts';
-import { runsWithin } from './kinds/stroke';
+import { printable, runsWithin } from './shapes/pdf-shapes';
 import { planPrint, type Paper } from './print-plan';
 import type { PaperTask } from './task/task-blocks';
 
@@ -77,6 +76,15 @@ describe('a course printed true to scale', () => {
     const [, , second, third] = pagesOf(course([longer]), 'a4-tiles');
     expect(second && linesOf(second).filter(nearTo([110 - 267, 60, 710 - 267, 60, 20]))).toHaveLength(1);
     expect(third && linesOf(third).filter(nearTo([110 - 534, 60, 710 - 534, 60, 20]))).toHaveLength(1);
+  });
+
+  it('shows the edges of a turned zone where it lies, to 0.1 mm', () => {
+    const zone = { at: [200, 700], size: [100, 60], angle: 90, round: false, number: 0, blocks: 0 } as const;
+    const [page] = pagesOf(course([{ type: 'target', id: 'z', ...zone }]), 'exact');
+    const edges = page ? linesOf(page) : [];
+    // 200 mm below the upper edge of the arena, and 10 mm of margin; 60 mm wide and 100 mm high as it is turned.
+    for (const x of [180, 240]) expect(edges.some(([x1 = 0, y1 = 0, x2 = 0, y2 = 0]) =>
+      Math.abs(x1 - x) < 0.1 && Math.abs(x2 - x) < 0.1 && Math.abs(y1 + y2 - 420) < 0.1 && Math.abs(Math.abs(y1 - y2) - 100) < 0.1)).toBe(true); // prettier-ignore
   });
 
   it('has a ruler of 100 mm on each sheet', () => {

@@ -1,7 +1,7 @@
 import { jsPDF } from 'jspdf';
 import type { Scene } from '#scene/scene';
 
-import { printable } from './kinds/pdf-parts';
+import { printable } from './shapes/pdf-shapes';
 import { printFloor, type FloorOptions } from './pdf-floor';
 import { MARGIN_MM, OVERLAP_MM, tileName, type PrintPlan, type Tile } from './print-plan';
 import { printTask } from './task/pdf-task';

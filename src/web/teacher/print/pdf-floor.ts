@@ -1,14 +1,15 @@
 import type { jsPDF } from 'jspdf';
 import { radOf } from '#core/angle';
+import { lightColors } from '#picture/colors';
+import { paperShapes } from '#picture/course';
+import { pairs } from '#picture/form';
 import { boundsOf, solidParts } from '#scene/kinds/index';
 import { boundsMeet, type Bounds } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
 
-import { kindOf } from './kinds/index';
-import type { ToSheet } from './kinds/kind';
-import { polygon } from './kinds/pdf-parts';
 import { MARGIN_MM, type Tile } from './print-plan';
+import { polyline, printShapes, type ToSheet } from './shapes/pdf-shapes';
 
 /** What is printed of a course. */
 export interface FloorOptions {
@@ -29,11 +30,9 @@ export function printFloor(pdf: jsPDF, scene: Scene, tile: Tile, options: FloorO
   pdf.clip();
   pdf.discardPath();
   printBackground(pdf, scene, to, options);
-  for (const layer of [0, 1, 2, 3])
-    for (const object of scene.objects) {
-      const kind = kindOf(object);
-      if (kind.layer === layer) kind.pdf?.(pdf, object, to, shown);
-    }
+  const near = scene.objects.filter((object) => !('size' in object) || boundsMeet(boundsOf(object), shown));
+  printShapes(pdf, paperShapes(near, lightColors), to, shown);
+  pdf.setLineDashPattern([], 0);
   if (options.outlines) printOutlines(pdf, scene, to, shown);
   pdf.restoreGraphicsState();
 }
@@ -54,7 +53,7 @@ function printOutlines(pdf: jsPDF, { objects, robot }: Scene, to: ToSheet, shown
   for (const object of objects) {
     const parts = solidParts(object);
     if (parts.length === 0 || !boundsMeet(boundsOf(object), shown)) continue;
-    for (const outline of 'size' in object ? [shapeOutline(object)] : parts) polygon(pdf, outline, to);
+    for (const outline of 'size' in object ? [shapeOutline(object)] : parts) polyline(pdf, pairs(outline), to, true);
   }
   const heading = radOf(robot.heading);
   const ahead = (mm: number, aside: number): Point =>

@@ -2,8 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { lightPalette } from '../../pupil/arena/model/palette';
 import { courseSvg, type PictureOptions } from './svg-course';
-import { diagonals } from './kinds/svg-parts';
-import { element, escapeXml } from './kinds/svg-write';
+import { element, escapeXml } from '#picture/svg-write';
 
 const plain: PictureOptions = {
   grid: false,
@@ -99,16 +98,5 @@ describe('a picture of a course for worksheets', () => {
     });
     expect(svg).toContain('d="M0 900L10.5 900"');
     expect(svg).toContain('<image x="100" y="300" width="300" height="400"');
-  });
-});
-
-describe('diagonal stripes', () => {
-  it('end at the edges of their box', () => {
-    const places = [...diagonals({ size: [100, 40] }, 10).matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)];
-    expect(places.length).toBeGreaterThan(10);
-    for (const [, x, y] of places) {
-      expect(Math.abs(Number(x))).toBeLessThanOrEqual(50);
-      expect(Math.abs(Number(y))).toBeLessThanOrEqual(20);
-    }
   });
 });

@@ -1,16 +1,18 @@
 import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
+import { courseShapes } from '#picture/course';
+import { PRINT_PX, type Look } from '#picture/look';
+import { SVG_FONT, svgOf, type ToPicture } from '#picture/svg';
+import { element, escapeXml, figure, pathThrough } from '#picture/svg-write';
 import type { Point, Scene } from '#scene/scene';
 
 import { gridSteps } from '../../pupil/arena/picture/draw-floor';
 import { rulerLabels, rulerTicks } from '../../pupil/arena/picture/draw-rulers';
 import { lightPalette as colors } from '../../pupil/arena/model/palette';
 import { readRobotDrawing } from '../../pupil/arena/robot/robot-drawing';
-import { kindOf } from './kinds/index';
-import type { ToPicture } from './kinds/kind';
-import { RIM_SHARE, SVG_FONT } from './kinds/svg-parts';
-import { jointsSvg } from './kinds/wall';
-import { element, escapeXml, figure, pathThrough } from './kinds/svg-write';
+import { shownLanguage } from '../../kit/i18n';
+import { numberText } from '../../kit/i18n/number-text';
+import { RIM_SHARE } from './shapes/rim-share';
 import { taskSvg, type PictureTask } from './task/svg-task';
 
 /** Additions to the course in its picture. */
@@ -44,22 +46,6 @@ export interface CoursePicture {
 /** Room for the rulers, in parts of the arena's longer side: they grow with the arena, as on a screen. */
 const RULER_SHARE = 0.055;
 
-/** The objects in the order of painting: what lies on the floor first, numbers of zones over the lines, then what stands. */
-function objectsSvg({ objects }: Scene, to: ToPicture, leastMm: number): string[] {
-  const layer = (wanted: number): string[] =>
-    objects
-      .filter((object) => kindOf(object).layer === wanted)
-      .map((object) => kindOf(object).svg(object, to, leastMm));
-  return [
-    ...layer(0),
-    ...layer(1),
-    ...objects.flatMap((object) => kindOf(object).signSvg?.(object, to, leastMm) ?? []),
-    ...layer(2),
-    jointsSvg(objects, to),
-    ...layer(3),
-  ];
-}
-
 /**
  * Writes a course as an SVG document in true size: its own units are mm. Plain shapes, no scripts, styles or links, so
  * that drawing and office programs open it as it is.
@@ -77,10 +63,14 @@ export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture 
   const task = options.task === null ? null : taskSvg(options.task, scene.size, corner, alone);
   const size = task?.size ?? alone;
   const to: ToPicture = ([x, y]) => [x, height - y];
+  const look: Look = {
+    ...{ colors, px: PRINT_PX, leastTypeMm: options.leastTypeMm },
+    seconds: (seconds) => numberText(seconds, shownLanguage()),
+  };
   const inside = [
     options.background === null || scene.background === null ? '' : backgroundSvg(scene, options.background, to),
     options.grid ? gridSvg(scene.size) : '',
-    ...objectsSvg(scene, to, options.leastTypeMm ?? 0),
+    svgOf(courseShapes(scene.objects, look), to),
     pathSvg(options.path, to, unit),
     options.robot === null ? '' : robotSvg(options.robot, to),
   ].join('\n');

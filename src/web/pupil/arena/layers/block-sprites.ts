@@ -1,6 +1,6 @@
 import type { PlacedBlock } from '../model/arena-model';
 import { liesStill } from '../picture/arranged';
-import { drawMovableBlock } from '../picture/kinds/block';
+import { drawMovableBlock } from '../picture/draw-bodies';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo } from './draw-moving';
 import { moverSprite } from './mover-sprite';

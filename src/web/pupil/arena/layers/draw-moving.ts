@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { UltrasonicState } from '#robots/robot';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import type { Arranged } from '../picture/arranged';
-import { drawMovableBlock } from '../picture/kinds/block';
+import { drawMovableBlock } from '../picture/draw-bodies';
 import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
 import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
 import { floorPx, sightPx } from '../picture/draw-floor';

@@ -1,7 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Mover } from '#scene/scene';
-import { placedBox } from '../picture/kinds/spikes';
+import { placedBlock } from '../picture/draw-bodies';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 
@@ -32,7 +32,7 @@ export interface SpritePlace extends Vec {
 
 /** Place of the picture of an obstacle at a pose; without one, at its start. */
 export function spritePlace(view: View, mover: Mover, pose: Pose | null): SpritePlace {
-  const start = placedBox(mover).pose;
+  const start = placedBlock(mover).pose;
   const { xMm, yMm, headingRad } = pose ?? start;
   return { ...toPx(view, { x: xMm, y: yMm }), turnedRad: headingRad - start.headingRad };
 }

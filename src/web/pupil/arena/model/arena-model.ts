@@ -1,5 +1,5 @@
-import type { Pose, Vec } from '#core/geometry';
-import type { Point } from '#scene/scene';
+import type { Pose } from '#core/geometry';
+import type { Form } from '#picture/form';
 import type { RobotType } from '#robots/robot';
 import type { RobotSnapshot } from '#simulation/snapshot';
 import type { LightForm } from '../../../session/work/settings/light-wish';
@@ -10,13 +10,6 @@ export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' 
 /** The robot type as the arena sees it: the name of its drawing and its outline. A `RobotType` fits. */
 export type RobotLook = Pick<RobotType, 'id'> &
   Partial<Pick<RobotType, 'mountMm'>> & { readonly body: Pick<RobotType['body'], 'outlineMm'> };
-
-/** The drawn form of a shape: a rectangle, an ellipse or a polygon about its middle. mm. */
-export interface Form {
-  readonly sizeMm: Vec;
-  readonly round?: boolean | undefined;
-  readonly corners?: readonly Point[] | undefined;
-}
 
 /** A block at its current pose. */
 export interface PlacedBlock extends Form {

@@ -5,7 +5,7 @@ import { canvasFont } from '../model/palette';
 import { emptyCanvas } from '../robot/robot-sprite';
 import type { PxBox } from '../view/moving-window';
 import { putPicture } from '../view/whole-pixels';
-import { deviceColor } from '../model/device-colors';
+import { deviceColor } from '#picture/device-colors';
 
 /** A ring around a robot with the number of its device and its name. */
 export interface DeviceRing {

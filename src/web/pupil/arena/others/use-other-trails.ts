@@ -1,7 +1,7 @@
 import { computed, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
 import { createTrailLayer, type ShownTrail } from '../robot/draw-trail';
-import { deviceColor } from '../model/device-colors';
+import { deviceColor } from '#picture/device-colors';
 import type { Palette } from '../model/palette';
 import type { ArenaView } from '../view/use-arena-view';
 import type { ArenaSize } from '../view/view-transform';

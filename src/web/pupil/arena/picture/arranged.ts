@@ -5,7 +5,7 @@ import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import { memoOf } from '../../../kit/state/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
-import { placedBlock } from './kinds/block';
+import { placedBlock } from './draw-bodies';
 
 /** The content of the arena at one moment. */
 export interface Arranged {

@@ -1,9 +1,10 @@
 import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
+import { formOf, inset, pairs, polygonPath } from '#picture/form';
+import { kindOf } from '#picture/kinds/index';
 import type { Outline } from '#scene/outline';
 import type { RobotStart, SceneObject, Shaped } from '#scene/scene';
-import { kindOf } from './kinds/index';
-import { formOf, inset, linesPath, polygonPath } from './kinds/shape-path';
+import { linePath } from './draw-shapes';
 import { toPx, type View } from '../view/view-transform';
 
 /**
@@ -31,7 +32,7 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
   context.save();
   context.translate(centre.x, centre.y);
   context.rotate(-angleRad);
-  if ('corners' in object) linesPath(context, grown(object, view.pxPerMm, growPx));
+  if ('corners' in object) linePath(context, pairs(grown(object, view.pxPerMm, growPx)));
   else if ('round' in object && object.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
   else context.roundRect(-width / 2, -height / 2, width, height, Math.min(3 + growPx, width / 3, height / 3));
   context.restore(); // the path keeps its place

@@ -1,10 +1,10 @@
+import { fixedBlock } from '#picture/kinds/block';
 import type { Scene, SceneObject, Wall } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
-import { drawFixedBlock, placedBlock } from './kinds/block';
+import { drawStanding, drawWalls } from './draw-bodies';
 import { drawFloor, drawFloorGrid, drawRim, floorPx } from './draw-floor';
 import { drawRulers } from './draw-rulers';
-import { drawStroke } from './kinds/stroke';
-import { drawWalls } from './kinds/wall';
+import { drawStroke } from './draw-stroke';
 import type { Palette } from '../model/palette';
 import type { SceneKinds } from './scene-kinds';
 import type { PaintList } from './still-cache';
@@ -57,7 +57,7 @@ export function drawScene(
   kinds?.zones(context, view, scene, palette);
   paint(context, (on, objects) => drawLines(on, view, objects, palette), 'lines');
   kinds?.zoneSigns(context, view, scene, still.verdict, palette);
-  paint(context, (on, ...objects) => drawStanding(on, view, objects, palette, kinds), 'standing');
+  paint(context, (on, ...objects) => drawWhatStands(on, view, objects, palette, kinds), 'standing');
   context.restore();
   drawRim(context, view, scene.size, palette);
   drawRulers(context, view, scene.size, canvas, palette);
@@ -73,7 +73,7 @@ function drawLines(
 }
 
 /** Draws words and ways on the floor, then what stands and stays: walls, fixed blocks, spikes. */
-function drawStanding(
+function drawWhatStands(
   context: CanvasRenderingContext2D,
   view: View,
   [objects, all]: readonly [readonly SceneObject[], readonly SceneObject[]],
@@ -83,7 +83,7 @@ function drawStanding(
   kinds?.signs(context, view, objects, palette);
   drawWalls(context, view, objects.filter(isWall), palette, all.filter(isWall));
   for (const object of objects)
-    if (object.type === 'fixed-block') drawFixedBlock(context, view, placedBlock(object), palette);
+    if (object.type === 'fixed-block') drawStanding(context, view, fixedBlock, object, palette);
   kinds?.spikes(context, view, objects, palette);
 }
 

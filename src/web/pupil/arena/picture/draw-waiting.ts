@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { RobotStart } from '#scene/scene';
 import { floorPx } from './draw-floor';
-import { drawObject } from './kinds/index';
+import { drawObject } from './draw-object';
 import { drawRobotOutline, outlinePath, robotOutlinePx } from './draw-outline';
 import type { LiveScene } from './live-scene';
 import type { Palette } from '../model/palette';

@@ -3,14 +3,19 @@
  * Loaded when any of it is first to be seen.
  */
 import type { Pose } from '#core/geometry';
+import { kindOf } from '#picture/kinds/index';
+import { spikes } from '#picture/kinds/block';
 import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
+import { isZone } from '#scene/kinds/zone';
 import type { Verdict } from '#simulation/task/verdict';
 import { createBackgroundShelf, drawBackground } from './draw-background';
-import { kindOf } from './kinds/index';
-import { drawMover } from './kinds/mover';
+import { drawStanding } from './draw-bodies';
+import { drawMover } from './draw-object';
+import { drawShapes, lookOf } from './draw-shapes';
 import { drawWaiting, type Waiting } from './draw-waiting';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
+import { zoneState } from './zone-state';
 
 /** Draws the kinds that come late, in CSS px. */
 export interface SceneKinds {
@@ -44,16 +49,22 @@ export function createSceneKinds(ready: () => void): SceneKinds {
   return {
     background: (context, view, background) => drawBackground(context, view, background, shelf),
     zones(context, view, { objects }, palette) {
-      for (const object of objects) kindOf(object).ground?.(context, view, object, palette);
+      const look = lookOf(view, palette);
+      for (const object of objects) drawShapes(context, view, kindOf(object).ground?.(object, look) ?? []);
     },
     zoneSigns(context, view, { objects }, verdict, palette) {
-      for (const object of objects) kindOf(object).sign?.(context, view, object, palette, { objects, verdict });
+      const look = lookOf(view, palette);
+      for (const object of objects) {
+        const isReached = isZone(object) && zoneState(object, objects, verdict) === 'reached';
+        drawShapes(context, view, kindOf(object).sign?.(object, look, isReached) ?? []);
+      }
     },
     signs(context, view, objects, palette) {
-      for (const object of objects) kindOf(object).mark?.(context, view, object, palette, objects);
+      const look = lookOf(view, palette);
+      for (const object of objects) drawShapes(context, view, kindOf(object).mark?.(object, look, objects) ?? []);
     },
     spikes(context, view, objects, palette) {
-      for (const object of objects) kindOf(object).standing?.(context, view, object, palette);
+      for (const object of objects) if (object.type === 'spikes') drawStanding(context, view, spikes, object, palette);
     },
     mover: drawMover,
     waiting: drawWaiting,

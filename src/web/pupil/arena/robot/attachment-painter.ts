@@ -10,9 +10,10 @@ import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
 import { memoOf } from '../../../kit/state/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
-import { formPath } from '../picture/kinds/shape-path';
+import { shapeOf } from '#picture/form';
+import { pathOf } from '../picture/draw-shapes';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
-import { drawMovableBlock } from '../picture/kinds/block';
+import { drawMovableBlock } from '../picture/draw-bodies';
 import type { Palette } from '../model/palette';
 import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import { createSpriteShelf, type SpriteShelf } from './robot-sprite';
@@ -218,7 +219,7 @@ function drawBlockShadow(
   context.rotate(-pose.headingRad);
   context.scale(view.pxPerMm, view.pxPerMm);
   context.fillStyle = 'rgba(0, 0, 0, 0.22)';
-  formPath(context, block, 0, Math.min(sizeMm.x, sizeMm.y) / 6);
+  pathOf(context, shapeOf(block, 0, Math.min(sizeMm.x, sizeMm.y) / 6));
   context.fill();
   context.restore();
 }

@@ -4,7 +4,7 @@ import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import { memo } from '../../../kit/state/memo';
 import { drawCrosshair, drawHandle, drawMark, drawSelected } from './draw-marks';
 import type { MarkFrame } from './mark-frame';
-import { drawObject } from '../picture/kinds/index';
+import { drawObject } from '../picture/draw-object';
 import { thingBox, type CarriedThings } from './carried-things';
 import { areMany } from '../picture/still-cache';
 import { guideBox, readingBox } from './draw-guides';

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { needsRim } from '../picture/kinds/stroke';
+import { needsRim } from '#picture/kinds/stroke';
 import type { PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import type { Ink } from './gesture';

@@ -2,6 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { lightColors } from '#picture/colors';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
 import { byId, fieldById, idsShown, isThere, pressKey, tap, write } from '../../../app/testing/find';
@@ -68,7 +69,7 @@ describe('the cards of all courses', () => {
     expect(picture.getAttribute('viewBox')).toBe(`0 0 ${String(scene.size[0])} ${String(scene.size[1])}`);
     const walls = scene.objects.filter(({ type }) => type === 'wall');
     expect(walls.length).toBeGreaterThan(3);
-    expect(picture.querySelectorAll('line.wall')).toHaveLength(walls.length);
+    expect(picture.querySelectorAll(`rect[fill="${lightColors.wall}"]`)).toHaveLength(walls.length);
   });
 
   it.each(LANGUAGES)('are in the language of the page: %s', async (language) => {

@@ -1,6 +1,6 @@
 import { jsPDF } from 'jspdf';
 
-import { printable } from '../kinds/pdf-parts';
+import { printable } from '../shapes/pdf-shapes';
 
 /** Sides of a sheet of A4 across, and its margin, in mm. */
 const [WIDTH_MM, HEIGHT_MM, MARGIN_MM] = [297, 210, 12];

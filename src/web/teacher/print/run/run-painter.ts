@@ -3,7 +3,7 @@ import type { Mover, Scene } from '#scene/scene';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { drawBlocks, drawMoving, type MovingScene } from '../../../pupil/arena/layers/draw-moving';
 import type { RobotLook } from '../../../pupil/arena/model/arena-model';
-import { deviceColor } from '../../../pupil/arena/model/device-colors';
+import { deviceColor } from '#picture/device-colors';
 import { lightPalette as palette } from '../../../pupil/arena/model/palette';
 import { arranged } from '../../../pupil/arena/picture/arranged';
 import { drawPill } from '../../../pupil/arena/picture/draw-pill';

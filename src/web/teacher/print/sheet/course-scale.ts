@@ -1,6 +1,6 @@
 import type { Point } from '#scene/scene';
 
-import { RIM_SHARE } from '../kinds/svg-parts';
+import { RIM_SHARE } from '../shapes/rim-share';
 
 /** A course as it is drawn on the sheet. */
 export interface DrawnCourse {

@@ -1,5 +1,5 @@
 import { pathOf } from '../../../kit/links/qr-code';
-import { element, figure, pathThrough } from '../kinds/svg-write';
+import { element, figure, pathThrough } from '#picture/svg-write';
 import { rowSvg } from '../task/svg-rows';
 import { SHEET_MM, SQUARE_MM, type Box, type Mark, type SheetContent, type SheetLayout } from './sheet-layout';
 

@@ -2,7 +2,7 @@ import type { jsPDF } from 'jspdf';
 
 import type { Point } from '#scene/scene';
 
-import { polygon, printable, PT_PER_MM } from '../kinds/pdf-parts';
+import { polyline, printable, PT_PER_MM } from '../shapes/pdf-shapes';
 import { CODE_RIM, CODE_SCALE } from './letter-widths';
 import { BASE, type PaperBlock, type Piece, type PlacedRow, type Sign } from './set-rows';
 import { RING, starsAt } from './signs';
@@ -60,11 +60,5 @@ function printSign(pdf: jsPDF, sign: Sign, [left, base]: Point, sizeMm: number):
   pdf.setLineDashPattern([], 0);
   if (sign.kind === 'ring')
     pdf.circle(left + RING.left * sizeMm, base - RING.aboveBase * sizeMm, RING.radius * sizeMm, 'S');
-  else
-    for (const star of starsAt(sign.count, [left, base], sizeMm))
-      polygon(
-        pdf,
-        star.map(([x, y]) => ({ x, y })),
-        (corner) => corner,
-      );
+  else for (const star of starsAt(sign.count, [left, base], sizeMm)) polyline(pdf, star, (corner) => corner, true);
 }

@@ -1,6 +1,6 @@
 import type { jsPDF } from 'jspdf';
 
-import { printable, PT_PER_MM } from '../kinds/pdf-parts';
+import { printable, PT_PER_MM } from '../shapes/pdf-shapes';
 import { printRow, withPrintable } from './pdf-rows';
 import { breakPages, setRows } from './set-rows';
 import { taskBlocks, TEXT_MM, type PaperTask } from './task-blocks';

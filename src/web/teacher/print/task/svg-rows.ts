@@ -1,6 +1,6 @@
 import type { Point } from '#scene/scene';
 
-import { element, escapeXml, pathThrough, type Attributes } from '../kinds/svg-write';
+import { element, escapeXml, pathThrough, type Attributes } from '#picture/svg-write';
 import { CODE_SCALE } from './letter-widths';
 import { BASE, type Piece, type PlacedRow, type Sign } from './set-rows';
 import { RING, starsAt } from './signs';

@@ -1,7 +1,7 @@
 import type { Point } from '#scene/scene';
 
 import { lightPalette as colors } from '../../../pupil/arena/model/palette';
-import { SVG_FONT } from '../kinds/svg-parts';
+import { SVG_FONT } from '#picture/svg';
 import { breakPages, setRows } from './set-rows';
 import { rowSvg } from './svg-rows';
 import { textBlocks, titleBlock } from './task-blocks';

@@ -1,0 +1,87 @@
+import { mdiAlert, mdiArrowAll, mdiLock } from '@mdi/js';
+import type { Block, Spikes } from '#scene/scene';
+
+import { formOf, roomIn, shapeOf, stripes, type Form } from '../form';
+import type { Look } from '../look';
+import { circle, group, type Geometry, type Shape } from '../shapes';
+import { boxFrame, type PictureKind } from './kind';
+import { toothed, toothedOutline } from './teeth';
+
+/** Blocks that can be pushed. */
+export const block: PictureKind<Block> = {
+  body: (block, look) => [group(block.at, movableShapes(formOf(block), look), block.angle)],
+  shade: (block, fill) => group(block.at, [{ ...movableOutline(formOf(block)), fill }], block.angle),
+  frame: boxFrame,
+};
+
+/** Blocks that stand fast. */
+export const fixedBlock: PictureKind<Block> = {
+  body: (block, look) => [group(block.at, fixedShapes(formOf(block), look), block.angle)],
+  shade: (block, fill) => group(block.at, [{ ...fixedOutline(formOf(block)), fill }], block.angle),
+  frame: boxFrame,
+};
+
+/** Spikes: teeth around a dark body. */
+export const spikes: PictureKind<Spikes> = {
+  body: (spikes, look) => [group(spikes.at, spikesShapes(formOf(spikes), look), spikes.angle)],
+  shade: (spikes, fill) => group(spikes.at, [{ ...toothedOutline(formOf(spikes)), fill }], spikes.angle),
+  frame: boxFrame,
+};
+
+/** An icon, unless it would be a mere dot. */
+export const icon = (path: string, across: number, fill: string, { px }: Look): readonly Shape[] =>
+  across < 7 * px ? [] : [{ form: 'icon', path, across, fill }];
+
+/** The outline of a block that can be pushed. */
+export const movableOutline = (form: Form): Geometry => shapeOf(form, 0, Math.min(5, roomIn(form).acrossMm / 6));
+
+/** A block that can be pushed, about its middle: light, a thick frame, four arrows. */
+export function movableShapes(form: Form, look: Look): readonly Shape[] {
+  const { movable, movableLight, movableInk } = look.colors;
+  const { at, acrossMm: short } = roomIn(form);
+  const radius = Math.min(5, short / 6);
+  return [
+    ...framed(form, radius, Math.min(3, short * 0.09), [movable, movableLight, movableInk]),
+    group([at.x, at.y], icon(mdiArrowAll, short * 0.66, movableInk, look)),
+  ];
+}
+
+/** A ground that is lighter in its middle, in a frame. */
+export function framed(
+  form: Form,
+  radius: number,
+  width: number,
+  [ground, light, ink]: readonly [string, string, string],
+  insetMm = 0,
+): readonly Shape[] {
+  const outline = shapeOf(form, insetMm + width / 2, radius);
+  return [
+    { ...outline, fill: ground },
+    { ...shapeOf(form, insetMm + width * 1.6, radius * 0.7), fill: light },
+    { ...outline, stroke: ink, width },
+  ];
+}
+
+const fixedOutline = (form: Form): Geometry => shapeOf(form, 0, Math.min(3, roomIn(form).acrossMm / 8));
+
+/** Dark, diagonal stripes, a lock. */
+function fixedShapes(form: Form, look: Look): readonly Shape[] {
+  const { fixed, fixedEdge, fixedInk } = look.colors;
+  const { at, acrossMm: short } = roomIn(form);
+  const frame = Math.min(3, short * 0.08);
+  const wide = Math.max(9, 5 * look.px);
+  const pitch = wide * Math.SQRT2;
+  const first = -(form.sizeMm.x + form.sizeMm.y + pitch) / 2;
+  const sign = [circle(short * 0.28, { fill: fixed }), ...icon(mdiLock, short * 0.4, fixedInk, look)];
+  return [
+    { ...fixedOutline(form), fill: fixed },
+    { ...stripes(form, { first, pitch, width: wide * 0.36 }), fill: 'rgba(255, 255, 255, 0.4)' },
+    { ...shapeOf(form, frame / 2, Math.min(3, short / 8) * 0.7), stroke: fixedEdge, width: frame },
+    ...(short < 11 * look.px ? [] : [group([at.x, at.y], sign)]),
+  ];
+}
+
+function spikesShapes(form: Form, look: Look): readonly Shape[] {
+  const { at, acrossMm } = roomIn(form);
+  return [toothed(form, look), group([at.x, at.y], icon(mdiAlert, acrossMm * 0.46, look.colors.spikesInk, look))];
+}

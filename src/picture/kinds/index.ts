@@ -1,0 +1,28 @@
+import type { SceneObject } from '#scene/scene';
+
+import { block, fixedBlock, spikes } from './block';
+import type { PictureKind } from './kind';
+import { label } from './label';
+import { mover } from './mover';
+import { start } from './start';
+import { stroke } from './stroke';
+import { wall } from './wall';
+import { zone } from './zone';
+
+/** Every kind of object by its type. */
+export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = {
+  wall,
+  block,
+  'fixed-block': fixedBlock,
+  stroke,
+  target: zone,
+  checkpoint: zone,
+  forbidden: zone,
+  spikes,
+  mover,
+  label,
+  start,
+};
+
+/** The kind of an object. */
+export const kindOf = ({ type }: SceneObject): PictureKind => pictureKinds[type];
