@@ -88,7 +88,7 @@ const forgetful = {
       .map((selector) => ({
         selector,
         message:
-          'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/kit/state/memo.',
+          'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/core/memo.',
       })),
   ],
 };

@@ -1,6 +1,6 @@
 import type { Language } from '#core/languages';
 
-import { memo } from '../state/memo';
+import { memo } from '#core/memo';
 import { localeOf } from './locale';
 
 /** Made once each: making one takes far longer than using it. */

@@ -3,7 +3,7 @@ import { ViewPlugin, type EditorView } from '@codemirror/view';
 
 import { arrival } from '../../kit/state/arrival';
 import { LANGUAGES, type Language } from '../../kit/i18n';
-import { memo } from '../../kit/state/memo';
+import { memo } from '#core/memo';
 import type { HelpMaker, HelpOptions } from './help/help-options';
 
 /** The loaded help, by language. */

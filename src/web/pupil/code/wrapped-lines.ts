@@ -1,7 +1,7 @@
 import { countColumn, RangeSetBuilder, type Extension } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin, type DecorationSet, type ViewUpdate } from '@codemirror/view';
 
-import { memo } from '../../kit/state/memo';
+import { memo } from '#core/memo';
 
 /** Indentation of the continuation of a wrapped line, in columns. Chosen: it cannot be mistaken for an indent. */
 const FURTHER = 2;

@@ -3,7 +3,7 @@ import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import { shownLanguage } from '../../../kit/i18n';
 import { numberText } from '../../../kit/i18n/number-text';
-import { once } from '../../../kit/state/memo';
+import { once } from '#core/memo';
 import { drawPill } from '../picture/draw-pill';
 import { normalAngle } from './hand-gesture';
 import type { Palette } from '../model/palette';

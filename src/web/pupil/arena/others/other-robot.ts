@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { RobotStart } from '#scene/scene';
 import { defaultScene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
-import { memoOf } from '../../../kit/state/memo';
+import { memoOf } from '#core/memo';
 import type { ArenaRobot, RobotLook } from '../model/arena-model';
 import { bumperAtStart, robotAtStart } from '../picture/arranged';
 import { attachmentsAtStart } from '../robot/draw-attachments';

@@ -3,7 +3,7 @@ import type { OptionValues } from '#core/option';
 import type { RobotState } from '#robots/robot';
 import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
-import { memoOf } from '../../../kit/state/memo';
+import { memoOf } from '#core/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import { placedBlock } from './draw-bodies';
 

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { createShelf } from '../../../kit/drawing/shelf';
-import { once } from '../../../kit/state/memo';
+import { once } from '#core/memo';
 import { canvasFont, type Palette } from '../model/palette';
 import type { CanvasSize } from '../view/view-transform';
 

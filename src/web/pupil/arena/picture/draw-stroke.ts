@@ -1,6 +1,6 @@
 import { needsRim, RIM_PX } from '#picture/kinds/stroke';
 import type { Stroke } from '#scene/scene';
-import { lastMadeOf } from '../../../kit/state/memo';
+import { lastMadeOf } from '#core/memo';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 

@@ -8,7 +8,7 @@
 import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
-import { memoOf } from '../../../kit/state/memo';
+import { memoOf } from '#core/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import { shapeOf } from '#picture/form';
 import { pathOf } from '../picture/draw-shapes';

@@ -4,7 +4,7 @@ import type { Vec } from '#core/geometry';
 import type { OptionValues } from '#core/option';
 import type { RobotState } from '#robots/robot';
 import { arrival } from '../../../kit/state/arrival';
-import { fetchedOnce } from '../../../kit/state/memo';
+import { fetchedOnce } from '#core/memo';
 import type * as attachmentPainterFile from './attachment-painter';
 import type { RobotPainting } from './robot-painting';
 

@@ -1,5 +1,5 @@
 import type { RobotState } from '#robots/robot';
-import { memoOf } from '../../../kit/state/memo';
+import { memoOf } from '#core/memo';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf, type RobotSprite, type SpriteShelf } from './robot-sprite';
 

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark, ToolId } from '#editor/tools/tool';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
-import { memo } from '../../../kit/state/memo';
+import { memo } from '#core/memo';
 import { drawCrosshair, drawHandle, drawMark, drawSelected } from './draw-marks';
 import type { MarkFrame } from './mark-frame';
 import { drawObject } from '../picture/draw-object';

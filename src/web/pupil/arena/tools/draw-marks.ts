@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { Handle, Mark } from '#editor/tools/tool';
 import type { SceneObject } from '#scene/scene';
 import { mdiRotateRight } from '@mdi/js';
-import { once } from '../../../kit/state/memo';
+import { once } from '#core/memo';
 import { drawDistance, drawGuide } from './draw-guides';
 import { outlinePath } from '../picture/draw-outline';
 import type { Palette } from '../model/palette';

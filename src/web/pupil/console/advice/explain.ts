@@ -1,6 +1,6 @@
 import { arrival } from '../../../kit/state/arrival';
 import { loadErrorTexts } from '../../../kit/i18n';
-import { fetchedOnce } from '../../../kit/state/memo';
+import { fetchedOnce } from '#core/memo';
 import type { Advice, adviceFor as AdviceFor, ErrorReport } from './error-advice';
 
 /** The knowledge about errors. It is fetched with the first run, not when the page opens. */

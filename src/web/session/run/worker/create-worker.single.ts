@@ -1,6 +1,6 @@
 import code from 'single:worker';
 
-import { once } from '../../../kit/state/memo';
+import { once } from '#core/memo';
 
 const address = once(() => URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
 

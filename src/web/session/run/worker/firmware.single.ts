@@ -2,7 +2,7 @@ import { gunzipSync } from 'fflate';
 
 import packed from 'single:firmware';
 
-import { fetchedOnce } from '../../../kit/state/memo';
+import { fetchedOnce } from '#core/memo';
 import { FirmwareError, mayCompile } from './firmware-trouble';
 
 /** The VM, which is part of the page (gzip, base64), compiled once and shared by all workers. */

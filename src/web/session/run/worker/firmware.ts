@@ -1,5 +1,5 @@
 import firmwareUrl from '../../../../../.cache/vm/vm.wasm?url';
-import { fetchedOnce } from '../../../kit/state/memo';
+import { fetchedOnce } from '#core/memo';
 import { FirmwareError, isCompiled, mayCompile } from './firmware-trouble';
 
 /**

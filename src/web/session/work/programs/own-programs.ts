@@ -6,7 +6,7 @@ import { MAIN, type Project, type SourceFile } from '#project/project';
 import { isRecord } from '#core/record';
 import type { RunSetup } from '#simulation/run-setup';
 
-import { notesOn } from '../../../kit/state/memo';
+import { notesOn } from '#core/memo';
 import type { WorkModel } from '../model/work-model';
 
 /** A program of a course, with those of its further devices. */

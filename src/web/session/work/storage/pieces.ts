@@ -6,7 +6,7 @@
 import type { Project } from '#project/project';
 import type { Background } from '#scene/scene';
 
-import { memoOf } from '../../../kit/state/memo';
+import { memoOf } from '#core/memo';
 import { textOfWork, type Work } from './history';
 import { packed, packedText, sceneText } from './stored-project';
 
