@@ -4,6 +4,7 @@ import tseslint from 'typescript-eslint';
 import { layers } from './layers.mjs';
 import { classLines } from './scripts/class-lines.mjs';
 import { docstringWords } from './scripts/docstring-words.mjs';
+import { moduleState } from './scripts/module-state.mjs';
 
 /** The rooms where the same run must come out everywhere: all but those that meet the outside. */
 const outside = ['cli', 'web', 'embed'];
@@ -72,30 +73,6 @@ const sameness = {
     })),
   ],
 };
-
-/** What changes belongs to the models of a page (decision 0024): a module of the page remembers nothing by itself. */
-const remembered = [
-  "VariableDeclaration[kind='let']",
-  'VariableDeclaration > VariableDeclarator:not([id.typeAnnotation.typeAnnotation.typeName.name=/^Readonly/]) > NewExpression[callee.name=/^(Weak)?(Map|Set)$/][arguments.length=0]',
-  'VariableDeclaration > VariableDeclarator > CallExpression[callee.name=/^(shallowRef|ref|reactive)$/]',
-  'VariableDeclaration > VariableDeclarator > ArrayExpression[elements.length=0]',
-];
-const forgetful = {
-  'no-restricted-syntax': [
-    'error',
-    ...remembered
-      .flatMap((what) => [`Program > ${what}`, `Program > ExportNamedDeclaration > ${what}`])
-      .map((selector) => ({
-        selector,
-        message:
-          'State belongs to a model in a slot (parts.ts, lateModel); what is only made once, to #web/core/memo.',
-      })),
-  ],
-};
-/** One of each browser document or worker: its language, its overlays, its next frame, its first messages, its run. */
-const ofTheDocument = ['i18n/index', 'bar/page-bar', 'overlays/overlays', 'drawing/frame-gate']
-  .map((name) => `src/web/kit/${name}.ts`)
-  .concat('src/web/session/run/worker/worker.ts', 'src/web/exchange/host/listen-to-host.ts');
 
 /** What only one place may import; dependency-cruiser says the same, this says it while typing. */
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
@@ -211,7 +188,22 @@ export default tseslint.config(
   // The same run everywhere.
   { files: pureRooms, ignores: [...tests, ...buildCode], rules: sameness },
 
-  { files: ['src/web/**/*.ts'], ignores: [...tests, ...ofTheDocument], rules: forgetful },
+  // A page that is closed leaves nothing behind.
+  {
+    files: ['src/web/**/*.ts'],
+    ignores: [
+      ...tests,
+      // Workers are one model each.
+      'src/web/session/run/worker/**',
+      // Of the window, whatever pages it has: its language, its frames, what lies over it, and messages before its page.
+      'src/web/kit/i18n/index.ts',
+      'src/web/kit/drawing/frame-gate.ts',
+      'src/web/kit/overlays/overlays.ts',
+      'src/web/kit/bar/page-bar.ts',
+      'src/web/exchange/host/listen-to-host.ts',
+    ],
+    rules: { 'no-restricted-syntax': ['error', ...moduleState] },
+  },
 
   // planck's types mark its classes' call signatures as deprecated, and with them every mention of a class.
   { files: ['src/world/physics/**/*.ts'], rules: { '@typescript-eslint/no-deprecated': 'off' } },

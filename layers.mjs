@@ -69,10 +69,7 @@ export const wings = {
     layout: ['session/run', 'session/work', 'session/visit'],
     task: ['session/run', 'session/work', 'session/layout'],
   },
-  course: {
-    editor: ['session'],
-    locks: ['session/run', 'session/work', 'course/editor'],
-  },
+  course: { editor: ['session'] },
   pupil: {
     debug: ['session/run', 'session/work'],
     why: ['session/run', 'session/work', 'pupil/debug'],
@@ -87,6 +84,7 @@ export const wings = {
       'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
     ], // prettier-ignore
     code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
+    locks: ['session/run', 'session/work', 'course/editor', 'pupil/code'],
     device: ['session', 'pupil/arena'],
     galleries: ['session', 'pupil/device'],
     'real-device': ['session/work'],
@@ -102,7 +100,7 @@ export const wings = {
     print: ['session', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
     class: ['session', 'pupil/galleries', 'exchange/share'],
     'task-maker': [
-      'session', 'course/editor', 'course/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
+      'session', 'course/editor', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
       'teacher/print',
     ], // prettier-ignore
     series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker'],

@@ -3,7 +3,7 @@
  * tell whether it was made just now. What changes belongs to the models of a room.
  */
 
-/** Makes a thing when it is first asked for. Icons need it: `Path2D` exists in browsers only. */
+/** Makes a thing when it is first asked for. */
 export function once<T>(make: () => T): () => T {
   let made: T | undefined;
   return () => (made ??= make());

@@ -41,7 +41,7 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
       around.runStart.value = setup.scene;
       return setup;
     },
-    refuses: (action) => around.work.keeper.value?.refusesInput(action) === true,
+    refuses: (action) => around.work.locks.refusesInput(action),
     device: () => around.work.place.value,
     ...outcome(around, () => run),
     onEvents: (events, device) => {

@@ -21,7 +21,7 @@ const BUILDING = [
   ...(['wall', 'maze', 'zone', 'label', 'start'] as const),
 ];
 
-beforeAll(() => import('../course/locks/keeper')); // its first coming takes a while on a busy machine
+beforeAll(() => import('../pupil/locks/lock-task')); // its first coming takes a while on a busy machine
 beforeEach(() => {
   sessionStorage.clear();
   localStorage.clear();
@@ -34,7 +34,7 @@ const CLOSED: Readonly<Record<string, () => Promise<EditingPage>>> = {
     const { project } = page.work.work.value;
     const task = { version: 1, checks: [{ type: 'loop', id: 'loop' }], locks: { course: true } };
     page.work.openProject(withoutSecrets({ ...project, task }), null);
-    await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+    await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
     return page;
   },
   'while somebody looks back': async () => {

@@ -1,10 +1,10 @@
 import { watch } from 'vue';
 
-import type { KeptPage } from '../course/locks/keeper';
-import { isHandedOut } from '../session/work/model/keeper';
+import type { LockedPage } from '../pupil/locks/lock-task';
+import { isHandedOut } from '../session/work/model/task-locks';
 
 /** Keeps what a task locks. What does so comes with the first task. */
-export function keepTask(app: KeptPage): void {
+export function keepTask(app: LockedPage): void {
   const project = () => app.work.work.value.project;
   watch(
     () => project().task && isHandedOut(project()),
@@ -14,9 +14,9 @@ export function keepTask(app: KeptPage): void {
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
-      void import('../course/locks/keeper').then(
-        ({ keep }) => {
-          if (isWanted) stop = keep(app, opened);
+      void import('../pupil/locks/lock-task').then(
+        ({ lockTask }) => {
+          if (isWanted) stop = lockTask(app, opened);
         },
         () => undefined, // without a connection nothing is locked: it is a help, no security
       );

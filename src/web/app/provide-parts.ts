@@ -59,12 +59,9 @@ const contributedHelp = async (): Promise<readonly HelpEntry[]> =>
 export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {
   const page = { notices: createNotices(), dialogs: createDialogs(), late: new LateModels() };
   const host = new HostView(wish);
-  const settings = createSettings(
-    heldSettings(wish.settings),
-    (names) => keeper.value?.refusesSettings(names) === true,
-  );
+  const settings = createSettings(heldSettings(wish.settings), (names) => locks.refusesSettings(names));
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
-  const { keeper } = work;
+  const { locks } = work;
   work.programs = starStore(wish);
   keepWork(
     work,

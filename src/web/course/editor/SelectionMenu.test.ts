@@ -9,7 +9,7 @@ import type { SceneObject } from '#scene/scene';
 import { editingPage, samples } from '../../app/testing/editing';
 import { mountOn } from '../../app/testing/mount-on';
 import SelectionMenu from './SelectionMenu.vue';
-import type { Keeper } from '../../session/work/model/keeper';
+import type { TaskLocks } from '../../session/work/model/task-locks';
 import type { MenuPlace } from './state/course-editor-model';
 import WordsField from './WordsField.vue';
 
@@ -39,7 +39,7 @@ async function opened(ids: readonly string[], on: MenuPlace['on'] = 'things') {
 
 it('where the open task keeps the course there is nothing to change, only to look', async () => {
   const { work, ...page } = await opened(['block']);
-  work.keeper.value = { locks: { ...noLocks, course: true }, hasTool: (tool: string) => tool === 'hand' } as unknown as Keeper; // prettier-ignore
+  work.locks.task.value = { locks: { ...noLocks, course: true }, hasTool: (tool: string) => tool === 'hand' } as unknown as TaskLocks; // prettier-ignore
   for (const on of ['things', 'floor'] as const) {
     page.editor.menu.value = { xPx: 1, yPx: 1, atMm: { x: 500, y: 600 }, on, host: page.host, fit: page.fit };
     await vi.waitFor(() => expect(entry('fit')).not.toBeNull());

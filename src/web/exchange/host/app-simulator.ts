@@ -18,7 +18,7 @@ import type { WorkParts } from '../../session/work/model/parts';
 import type { VisitParts } from '../../session/visit/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import { isOurs } from '../../session/work/use-courses';
-import { withoutGiven } from '../../session/work/model/keeper';
+import { withoutGiven } from '../../session/work/model/task-locks';
 import { workName } from '../../session/work/work-name';
 import { isSameWork } from '../../session/work/storage/history';
 import { travelling } from '../../session/work/settings/travelling';
@@ -91,8 +91,7 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
       const problem = filesProblem(files) ?? (typeof place === 'string' ? place : null);
       if (problem !== null) return problem;
       const wished = withFiles(project, Number(place), files);
-      const { keeper } = work;
-      const given = keeper.value === null ? wished : keeper.value.changed(project, wished, false);
+      const given = work.locks.changed(project, wished, false);
       if (given === null) return KEPT;
       open(given);
       return null;
@@ -105,7 +104,7 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
       const problem = editProblem(work.scene.value, edit);
       if (problem !== null) return problem.message;
       if (work.staysAsItIs()) return LOOKED_BACK;
-      if (work.keeper.value?.refusesStep('edit', { edit }) === true) return KEPT;
+      if (work.locks.refusesStep('edit', { edit })) return KEPT;
       app.editor.commit(edit);
       return null;
     },
@@ -123,7 +122,7 @@ function changeSettings(app: WorkParts & VisitParts, wish: HostSettings): Refusa
   if (problem !== null) return problem;
   const now: Readonly<Record<string, unknown>> = { ...app.settings.current.value };
   const others = Object.entries(heldSettings(wish)).filter(([name, value]) => !isSame(value, now[name]));
-  if (app.work.keeper.value?.refusesSettings(others.map(([name]) => name)) === true) return KEPT;
+  if (app.work.locks.refusesSettings(others.map(([name]) => name))) return KEPT;
   bringSettings(app, wish);
   return null;
 }

@@ -15,7 +15,7 @@ import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 import { courses } from '#catalogue/courses';
-import type { Keeper } from '../../session/work/model/keeper';
+import type { TaskLocks } from '../../session/work/model/task-locks';
 import { openAddress } from './open-address';
 import OpenLinkDialog from './OpenLinkDialog.vue';
 import { qrPath, QR_CHARACTERS } from '../../kit/links/qr-code';
@@ -49,7 +49,7 @@ describe('a hand-in', () => {
   async function handIn(run: WorldResult | null, noticed: readonly SaidRemark[] = []) {
     const page = pageWith('print(1)\n');
     page.work.setScene(sceneWith([targetAt(700, 450)]), null);
-    page.work.keeper.value = { noticed: () => noticed } as Keeper;
+    page.work.locks.task.value = { noticed: () => noticed } as TaskLocks;
     await nextTick();
     const prover = vi.fn(() => Promise.resolve(run));
     mountOn(page, ShareDialog, { prover });

@@ -17,7 +17,7 @@ import { t } from '../../kit/i18n';
 import { projectOf } from '#catalogue/course';
 import { courseName, firstCourse } from '../../session/work/catalogue/first-course';
 import { useCourses } from '../../session/work/use-courses';
-import type { Keeper } from '../../session/work/model/keeper';
+import type { TaskLocks } from '../../session/work/model/task-locks';
 import { replaceFile } from './load-files';
 import { useCommands } from './use-commands';
 
@@ -48,7 +48,7 @@ const course: Scene = { ...defaultScene(), name: 'Neuland', size: [700, 500] };
 it('a program does not take the place of lines that the open task keeps; nothing is put aside, and no other thing is said', () => {
   page.work.setText('main.py', 'kept()\n');
   const changed = vi.fn(() => null);
-  page.work.keeper.value = { changed } as unknown as Keeper;
+  page.work.locks.task.value = { changed } as unknown as TaskLocks;
   replaceFile(page, { name: 'main.py', text: 'forward()\n' });
   expect([changed.mock.calls.length, texts()['main.py'], kept(), page.notices.current.value]).toEqual([
     1,

@@ -117,11 +117,11 @@ async function readProgram({ notices }: Pick<PageParts, 'notices'>, loaded: File
 
 /** Replaces the file of the same name by a loaded one. All of the work is put aside first and can be brought back. */
 export function replaceFile(app: Workplace, file: SourceFile): void {
-  const { work, keeper, files, place } = app.work;
+  const { work, locks, files, place } = app.work;
   const wished = files.value.map((own) => (own.name === file.name ? file : own));
   const { project } = work.value;
   // The open task may keep lines of it, and says so.
-  if (keeper.value?.changed(project, withFiles(project, place.value, wished), false) === null) return;
+  if (locks.changed(project, withFiles(project, place.value, wished), false) === null) return;
   stampSettings(app);
   app.work.replace(file, workName(app));
   const kept = app.work.work.value.previous[0];

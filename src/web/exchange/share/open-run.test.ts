@@ -124,7 +124,7 @@ describe('a run that is taken along', () => {
   it('of a task that was handed out leaves that task open, with its locks; what it brings is told', async () => {
     const project = { ...page.work.work.value.project, task: { version: 1, id: 'A', locks: { hand: true } } };
     page.work.openProject(withoutSecrets(project), null);
-    await soon(() => expect(page.work.keeper.value).not.toBeNull());
+    await soon(() => expect(page.work.locks.task.value).not.toBeNull());
     page.work.setText('main.py', PROGRAM, true);
     const text = await saved();
     await page.run.reset();
@@ -132,7 +132,7 @@ describe('a run that is taken along', () => {
     open(text);
     await soon(() => expect(said()).toContain('the same'));
     const opened = page.work.work.value.project;
-    expect([opened.task, page.work.keeper.value?.locks.hand, opened.handIn]).toEqual([task, true, undefined]);
+    expect([opened.task, page.work.locks.task.value?.locks.hand, opened.handIn]).toEqual([task, true, undefined]);
     page.work.setText('main.py', 'print("mine")\n', true);
     open(text);
     await soon(() => expect(programNow()).toBe(PROGRAM));

@@ -82,11 +82,12 @@ function openProject(app: Workplace, setup: RunSetup, stem?: string): string | n
 /** A run does not know the task that it is of: the open one, if that was handed out and the program may be in it. */
 function inTask({ work }: Workplace, ofRun: Project): Project {
   const { project: before } = work.work.value;
-  const { keeper } = work;
-  if (keeper.value === null || !isSameCourse(before.scene, ofRun.scene) || ofRun.devices !== undefined) return ofRun;
-  const { files, task, handIn } = keeper.value.changed(before, withFiles(before, 0, ofRun.files), false) ?? {};
+  const { locks } = work;
+  if (locks.task.value === null || !isSameCourse(before.scene, ofRun.scene) || ofRun.devices !== undefined)
+    return ofRun;
+  const { files, task, handIn } = locks.changed(before, withFiles(before, 0, ofRun.files), false) ?? {};
   if (files === undefined || task === undefined) return ofRun;
-  const settings = keeper.value.locks.robot ? before.settings : ofRun.settings;
+  const settings = locks.isLocked('robot') ? before.settings : ofRun.settings;
   return { ...ofRun, files, task, ...(handIn && { handIn }), ...(settings && { settings }) };
 }
 

@@ -8,7 +8,7 @@ import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { newWork } from './settings/settings';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
-import { withoutGiven } from './model/keeper';
+import { withoutGiven } from './model/task-locks';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { dateText } from '../../kit/i18n/number-text';

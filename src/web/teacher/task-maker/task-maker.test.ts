@@ -4,7 +4,7 @@ import { checkTypes, worldName, type ClassTask } from '#check/task/task';
 import { draftOf, taskOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { createPage } from '../../app/testing/page';
-import { isHandedOut } from '../../session/work/model/keeper';
+import { isHandedOut } from '../../session/work/model/task-locks';
 import { freshCheck } from './check-fields';
 import { freshWorld, startOf, useTaskMaker } from './use-task-maker';
 

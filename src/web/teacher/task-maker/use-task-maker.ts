@@ -7,7 +7,7 @@ import { projectOfTask } from '#check/task/write-task';
 import { exactCos, exactSin } from '#core/exact-math';
 
 import { presentProject } from '../../exchange/share/save-work';
-import { isHandedOut, withoutGiven } from '../../session/work/model/keeper';
+import { isHandedOut, withoutGiven } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import { workName } from '../../session/work/work-name';
 

@@ -181,7 +181,7 @@ class CourseEditor implements CourseEditorModel {
 
   readonly choose = (tool: ArenaTool): void => {
     const { work, past } = this.around;
-    if (work.keeper.value?.refusesTool(tool) === true || (past.value !== null && tool !== 'hand')) return;
+    if (work.locks.refusesTool(tool) || (past.value !== null && tool !== 'hand')) return;
     this.drag.value = null;
     this.measure.value = null;
     if (tool === this.chosen.value) return;

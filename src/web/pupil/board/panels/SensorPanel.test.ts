@@ -7,7 +7,7 @@ import { noLocks } from '#check/task/task';
 import { mountOn, named, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
 import { inputsOf, show, startRun } from '../../../app/testing/run';
-import type { Keeper } from '../../../session/work/model/keeper';
+import type { TaskLocks } from '../../../session/work/model/task-locks';
 import { newBoard } from '../../several-devices/new-device';
 import SensorPanel from './SensorPanel.vue';
 
@@ -60,7 +60,10 @@ describe('what the board feels, set by hand', () => {
 
   it('is nothing where the open task does without the hand, and says so', async () => {
     const { page, mounted, slider } = panel();
-    page.work.keeper.value = { locks: { ...noLocks, hand: true }, refusesInput: () => true } as unknown as Keeper;
+    page.work.locks.task.value = {
+      locks: { ...noLocks, hand: true },
+      refusesInput: () => true,
+    } as unknown as TaskLocks;
     await nextTick();
     expect(textOf((mounted.element as HTMLElement).querySelector('[data-testid="sensors-kept"]'))).toContain('Hand');
     const sliders = [...(mounted.element as HTMLElement).querySelectorAll<HTMLElement>('label.slider')];

@@ -28,7 +28,7 @@ export function useCourseOpening() {
   return {
     open: (course: Course): void => open(course),
     openSolved(course: Course): void {
-      if (app.work.keeper.value?.refuses('solution') !== true) open(solved(course), true);
+      if (!app.work.locks.refuses('solution')) open(solved(course), true);
     },
     /** It is the one in the arena, changed or not. */
     isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,

@@ -49,7 +49,7 @@ describe('after a task of a series was passed', () => {
 
   it('in a course that was changed there is no mark', async () => {
     const page = await passed(({ work }) => {
-      work.keeper.value = null;
+      work.locks.task.value = null;
       work.edit({ type: 'remove', ids: ['t'] });
     });
     expect([isThere('series-next'), doneMarks(page).all.value]).toEqual([true, {}]);

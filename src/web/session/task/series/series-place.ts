@@ -5,7 +5,7 @@ import type { Carried, Project } from '#project/project';
 
 import { isSameArena } from '../../work/catalogue/same-arena';
 import { readyCourse } from '../../work/catalogue/ready-courses';
-import { isHandedOut } from '../../work/model/keeper';
+import { isHandedOut } from '../../work/model/task-locks';
 
 /** Which task of which series a work is. It goes with the work: over a reload, into what is put aside, into its file. */
 export interface SeriesPlace {

@@ -17,7 +17,7 @@ import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
-import { withoutGiven, type Keeper } from './keeper';
+import { withoutGiven, WorkLocks } from './task-locks';
 import { putAside, type Previous, type Work } from '../storage/history';
 
 /** A step of the course that was just done, taken back, or done again. */
@@ -53,8 +53,7 @@ export class WorkModel {
   isBrought = false;
   /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
-  /** Of the task that is open, what it keeps as it is; `null`: nothing. */
-  readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
+  readonly locks = new WorkLocks();
   /** The store of the pupil's programs for ready courses (`own-programs.ts`); `null`: none. */
   programs: Storage | null = null;
   /** True if course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
@@ -254,7 +253,7 @@ export class WorkModel {
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
     const before = this.history.value;
     if (history === before || !step || this.staysAsItIs()) return false;
-    if (this.keeper.value?.refusesStep(type, step) === true) return false;
+    if (this.locks.refusesStep(type, step)) return false;
     const { present } = history;
     this.history.value = history;
     const { course, scene } = this.origin;
@@ -288,8 +287,8 @@ export class WorkModel {
   }
 
   private setProject(wished: Project, open = this.work.value.open, isTyped = false): void {
-    const { keeper, work } = this;
-    const project = keeper.value === null ? wished : keeper.value.changed(work.value.project, wished, isTyped);
+    const { locks, work } = this;
+    const project = locks.changed(work.value.project, wished, isTyped);
     if (project !== null) work.value = { ...work.value, open, project };
   }
 }

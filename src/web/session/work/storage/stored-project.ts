@@ -3,8 +3,10 @@ import { tidied } from '#scene/groups';
 import type { Scene, SceneObject } from '#scene/scene';
 import { objectText, serializeScene } from '#scene/serialize';
 
+import { memoOf } from '#core/memo';
+
 /** A project as text for the browser's storage. It is saved while somebody types, so what has not changed is remembered. */
-export const packedText = remembered((project: Project): string => packed(project, sceneText(project.scene)));
+export const packedText = memoOf((project: Project): string => packed(project, sceneText(project.scene)));
 
 /** The same, with the course's text given by the caller. */
 export function packed({ files, scene: _, ...others }: Project, scene: string): string {
@@ -13,23 +15,11 @@ export function packed({ files, scene: _, ...others }: Project, scene: string): 
 }
 
 /** The course as text. Each object is written once: a course may have 20,000 points, and a stroke of the pen adds one object. */
-export const sceneText = remembered((scene: Scene): string => {
+export const sceneText = memoOf((scene: Scene): string => {
   const bare = compact(serializeScene({ ...scene, objects: [] }));
   return `${bare.slice(0, -'[]}'.length)}[${tidied(scene.objects).map(compactObject).join(',')}]}`;
 });
 
-const compactObject = remembered((object: SceneObject): string => compact(objectText(object)));
+const compactObject = memoOf((object: SceneObject): string => compact(objectText(object)));
 
 const compact = (text: string): string => JSON.stringify(JSON.parse(text));
-
-/** Texts of things that never change, as long as the things are there. */
-function remembered<T extends object>(write: (of: T) => string): (of: T) => string {
-  const texts = new WeakMap<T, string>();
-  return (of) => {
-    const known = texts.get(of);
-    if (known !== undefined) return known;
-    const text = write(of);
-    texts.set(of, text);
-    return text;
-  };
-}

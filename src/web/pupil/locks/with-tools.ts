@@ -1,7 +1,7 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Scene, SceneObject } from '#scene/scene';
 
-import type { ArenaTool } from '../editor/state/course-editor-model';
+import type { ArenaTool } from '../../course/editor/state/course-editor-model';
 
 /** The tools that put a thing down. */
 const MAKERS: Readonly<Record<SceneObject['type'], readonly ArenaTool[]>> = {

@@ -4,16 +4,16 @@ import { isSame } from '#core/same';
 
 import { withTravelling } from '../../session/work/settings/travelling';
 import type { WorkParts } from '../../session/work/model/parts';
-import type { Keeper } from '../../session/work/model/keeper';
+import type { TaskLocks } from '../../session/work/model/task-locks';
 
 /** The settings that are locked with the robot. */
 export const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'] as const;
 
 /** Settings that a task locks are as it says, whatever an address, another tab or somebody in a hurry has chosen. */
-export function holdSettings({ settings, work }: WorkParts, keeper: Pick<Keeper, 'locks'>): void {
-  holdSpeed({ settings }, keeper);
+export function holdSettings({ settings, work }: WorkParts, task: Pick<TaskLocks, 'locks'>): void {
+  holdSpeed({ settings }, task);
   watch(
-    [() => keeper.locks, () => work.work.value.project.settings, settings.current] as const,
+    [() => task.locks, () => work.work.value.project.settings, settings.current] as const,
     ([{ robot, hand }, brought, now]) => {
       if (brought === undefined) return;
       const kept = withTravelling(now, brought);
@@ -26,9 +26,9 @@ export function holdSettings({ settings, work }: WorkParts, keeper: Pick<Keeper,
   );
 }
 
-function holdSpeed({ settings }: Pick<WorkParts, 'settings'>, keeper: Pick<Keeper, 'locks'>): void {
+function holdSpeed({ settings }: Pick<WorkParts, 'settings'>, task: Pick<TaskLocks, 'locks'>): void {
   watch(
-    () => keeper.locks.speed,
+    () => task.locks.speed,
     (kept, _, onEnd) => {
       if (kept === null) return;
       const { speed } = settings.current.value;

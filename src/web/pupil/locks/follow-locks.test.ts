@@ -26,7 +26,7 @@ beforeEach(() => sessionStorage.clear());
 describe('the start program of a task that is being made', () => {
   it('takes the locks of its lines along, and nothing of it is locked', async () => {
     const { work, locked, write } = await maker([3, 4]);
-    expect(work.keeper.value).toBeNull();
+    expect(work.locks.task.value).toBeNull();
     write(`# a task\n${PROGRAM}`);
     expect(locked()).toEqual([4, 5]);
     write(`# a task\n${PROGRAM.replace('90', '45')}`);

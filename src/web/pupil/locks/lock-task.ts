@@ -12,11 +12,12 @@ import { MAIN, type Project } from '#project/project';
 import type { Step } from '#scene/history';
 import type { InputAction } from '#simulation/input';
 
-import type { CourseEditorParts } from '../editor/state/parts';
+import { lockedText } from '../code/locked-text';
+import type { CourseEditorParts } from '../../course/editor/state/parts';
 import type { PageParts } from '../../kit/parts';
 import { t } from '../../kit/i18n';
 import type { RunParts } from '../../session/run/parts';
-import { isHandedOut, type Keeper } from '../../session/work/model/keeper';
+import { isHandedOut, type TaskLocks } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import words from './words';
 import { mainText } from './main-text';
@@ -31,36 +32,38 @@ import { wholePastes } from './whole-pastes';
 import { isMadeWith } from './with-tools';
 
 /** The models that locks need. */
-export type KeptPage = Pick<PageParts, 'notices' | 'late'> &
+export type LockedPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   Pick<CourseEditorParts, 'editor' | 'panels'>;
 
 /** Keeps what the open task locks, as long as one that was handed out is open; in the teacher's own, what is to be locked. */
-export const keep = (app: KeptPage, opened: Project): Stop =>
-  isHandedOut(opened) ? keepGiven(app, opened) : followLocks(app);
+export const lockTask = (app: LockedPage, opened: Project): Stop =>
+  isHandedOut(opened) ? lockGiven(app, opened) : followLocks(app);
 
-function keepGiven(app: KeptPage, opened: Project): Stop {
+function lockGiven(app: LockedPage, opened: Project): Stop {
   takeBack(app, opened);
   const scope = effectScope(true);
   scope.run(() => {
-    const keeper = new TaskKeeper(app);
-    app.work.keeper.value = keeper;
-    beginWith(app, keeper);
+    const task = new OpenTaskLocks(app);
+    app.work.locks.task.value = task;
+    lockedText(app).value = (file) => task.inEditor(file);
+    beginWith(app, task);
   });
   return () => {
-    app.work.keeper.value = null;
+    app.work.locks.task.value = null;
+    lockedText(app).value = null;
     scope.stop();
   };
 }
 
 /** Puts back the choices that the task locks. */
-function beginWith(app: KeptPage, keeper: TaskKeeper): void {
+function beginWith(app: LockedPage, task: OpenTaskLocks): void {
   const { editor, sensors, hand } = app;
   watch(
-    [() => keeper.locks, app.work.openings],
+    [() => task.locks, app.work.openings],
     ([locks]) => {
-      if (!keeper.hasTool(editor.tool.value)) editor.choose('hand');
+      if (!task.hasTool(editor.tool.value)) editor.choose('hand');
       if (!locks.hand) return;
       sensors.reset(new Map());
       hand.reset();
@@ -71,15 +74,15 @@ function beginWith(app: KeptPage, keeper: TaskKeeper): void {
     app.panels.shown,
     (panel) => {
       // They build; a picture for the floor opens one, too.
-      if (panel !== null && panel !== 'print' && keeper.refusesTool('select')) app.panels.close();
+      if (panel !== null && panel !== 'print' && task.refusesTool('select')) app.panels.close();
     },
     { immediate: true, flush: 'sync' },
   );
-  holdSettings(app, keeper);
-  plainHints(app, keeper);
+  holdSettings(app, task);
+  plainHints(app, task);
 }
 
-class TaskKeeper implements Keeper {
+class OpenTaskLocks implements TaskLocks {
   private readonly current = computed((before?: Locks) => {
     const { task } = this.app.work.work.value.project;
     const locks = task === undefined || !isHandedOut({ task }) ? noLocks : locksOf(task);
@@ -90,7 +93,7 @@ class TaskKeeper implements Keeper {
   private readonly hand: UsedHand;
   private readonly copied = { text: '' };
 
-  constructor(private readonly app: KeptPage) {
+  constructor(private readonly app: LockedPage) {
     this.hand = new UsedHand(app);
   }
 

@@ -2,22 +2,22 @@ import { watch } from 'vue';
 
 import { t } from '../../kit/i18n';
 import type { PageParts } from '../../kit/parts';
-import type { Keeper } from '../../session/work/model/keeper';
+import type { TaskLocks } from '../../session/work/model/task-locks';
 import words from './words';
 
 const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
 
 /** Messages offer nothing that is locked: no other start in a locked course, no other robot, no tool that is not there. */
-export function plainHints({ notices }: Pick<PageParts, 'notices'>, keeper: Pick<Keeper, 'locks' | 'hasTool'>): void {
+export function plainHints({ notices }: Pick<PageParts, 'notices'>, task: Pick<TaskLocks, 'locks' | 'hasTool'>): void {
   watch(
     notices.current,
     (notice) => {
-      const { course, robot } = keeper.locks;
+      const { course, robot } = task.locks;
       const isOffer = notice?.action !== undefined;
       if (isOffer && ((notice.key === 'notice.handRobot' && course) || (OF_ROBOTS.includes(notice.key) && robot))) {
         const { action: _, ...plain } = notice;
         notices.show(plain);
-      } else if (notice?.key === 'notice.handBlock' && !keeper.hasTool('select'))
+      } else if (notice?.key === 'notice.handBlock' && !task.hasTool('select'))
         notices.show({ ...notice, key: 'notice.text', values: { text: t(words.backAtStart) } });
     },
     { flush: 'sync' },

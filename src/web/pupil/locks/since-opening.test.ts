@@ -29,12 +29,12 @@ const given = (locks: object): Project =>
 async function hasty(locks: object, act: (page: TestPage) => unknown) {
   const page = createPage();
   useOpenings(page).open(given(locks), 'Task', true);
-  expect(page.work.keeper.value).toBeNull();
+  expect(page.work.locks.task.value).toBeNull();
   await act(page);
-  await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+  await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
   return { ...page, said: () => page.notices.current.value?.values?.['text'] };
 }
-beforeAll(() => import('./keeper')); // its first coming takes a while on a busy machine
+beforeAll(() => import('./lock-task')); // its first coming takes a while on a busy machine
 beforeEach(() => {
   sessionStorage.clear();
   localStorage.clear();
@@ -55,7 +55,7 @@ describe('what is done between the opening of a task and the coming of what keep
 
   it('moves the locks of lines along, and a line that is gone comes back', async () => {
     const moved = await hasty({ lines: [3] }, ({ work }) => work.setText('main.py', `# Anna\n${PROGRAM}`, true));
-    expect(moved.work.keeper.value?.locks.lines).toEqual([4]);
+    expect(moved.work.locks.task.value?.locks.lines).toEqual([4]);
     const gone = await hasty({ lines: [3] }, ({ work }) => work.setText('main.py', 'forward()\n', true));
     expect(gone.work.files.value[0]?.text).toBe(PROGRAM);
     expect(gone.said()).toMatch(/lines|Zeilen/);
@@ -66,7 +66,7 @@ describe('what is done between the opening of a task and the coming of what keep
       early.sensors.set('lightLevel', 3);
       await startRun(early);
     });
-    expect(page.work.keeper.value?.noticed()).toEqual(['hand']);
+    expect(page.work.locks.noticed()).toEqual(['hand']);
   });
 });
 

@@ -11,8 +11,8 @@ import { inputsOf, show, startRun } from '../../app/testing/run';
 import { appSimulator } from '../../exchange/host/app-simulator';
 import { useTaskMaker } from '../../teacher/task-maker/use-task-maker';
 import { useDevice } from '../../session/work/hardware/use-device';
-import { clearAll } from '../editor/state/clear-all';
-import { useSelectionActs } from '../editor/state/use-selection-acts';
+import { clearAll } from '../../course/editor/state/clear-all';
+import { useSelectionActs } from '../../course/editor/state/use-selection-acts';
 import type { BoardProgram } from '../../session/work/catalogue/board-programs';
 import { useCourses } from '../../session/work/use-courses';
 import { knownCourses } from '../../session/work/catalogue/known-courses';
@@ -35,14 +35,14 @@ const given = (locks: object): Project =>
 async function pupil(locks: object): Promise<TestPage & { readonly said: () => string | undefined }> {
   const page = createPage();
   page.work.openProject(given(locks), null);
-  await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+  await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
   const said = (): string | undefined => page.notices.current.value?.values?.['text'] as string | undefined;
   return { ...page, said };
 }
 const program = ({ work }: TestPage): string | undefined => work.files.value[0]?.text;
 const linesOf = ({ work }: TestPage): unknown => (work.work.value.project.task?.['locks'] as { lines?: unknown }).lines;
 
-beforeAll(() => import('./keeper')); // its first coming takes a while on a busy machine
+beforeAll(() => import('./lock-task')); // its first coming takes a while on a busy machine
 beforeEach(() => {
   sessionStorage.clear();
   localStorage.clear();
@@ -117,7 +117,7 @@ it('a task that locks the hand keeps robot, blocks and sensors from it, by whate
   page.sensors.set('lightLevel', 3);
   page.hand.pose.value = { xMm: 1, yMm: 2, headingDeg: 0 };
   page.work.openProject(given({ hand: true }), null);
-  await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+  await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
   expect([page.sensors.wishes.value, page.hand.pose.value]).toEqual([{}, null]);
   await startRun(page);
   await show(page);
@@ -226,13 +226,13 @@ describe('what is not the task', () => {
     const course = knownCourses.value?.[0];
     if (course !== undefined) useCourses(page).openScene(course);
     else page.work.setScene({ ...defaultScene(), name: 'Other' }, null);
-    expect([page.work.keeper.value, page.work.work.value.project.task]).toEqual([null, undefined]);
+    expect([page.work.locks.task.value, page.work.work.value.project.task]).toEqual([null, undefined]);
     expect(page.editor.commit(BLOCK)).toBe(true);
   });
 });
 
 describe('what is told of a hand-in', () => {
-  const told = (page: TestPage): unknown => page.work.keeper.value?.noticed();
+  const told = (page: TestPage): unknown => page.work.locks.noticed();
 
   it('is nothing, if the program was typed here and the run left to itself', async () => {
     const page = await pupil({});
@@ -274,7 +274,7 @@ describe('what is told of a hand-in', () => {
     const page = createPage();
     const { task: { course: _, ...task } = { version: 1 }, ...project } = given({});
     page.work.openProject({ ...project, task }, null);
-    await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+    await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
     page.editor.commit(BLOCK);
     expect(told(page)).toEqual([]);
     expect(withoutSecrets(page.work.work.value.project).task).toEqual(task);
@@ -307,7 +307,7 @@ describe('what is told of a hand-in', () => {
     const project = given({});
     const worlds = [{ id: 'visible', hidden: false, inputs, sensors: { lightLevel: 9 } }];
     page.work.openProject({ ...project, task: { ...project.task, worlds } }, null);
-    await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+    await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
     await startRun(page);
     page.run.input({ type: 'button', button: 'a', down: true });
     page.sensors.set('lightLevel', 9);
