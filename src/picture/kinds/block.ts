@@ -1,11 +1,10 @@
-import { mdiAlert, mdiArrowAll, mdiLock } from '@mdi/js';
-import type { Block, Spikes } from '#scene/scene';
+import { mdiArrowAll, mdiLock } from '@mdi/js';
+import type { Block } from '#scene/scene';
 
 import { formOf, roomIn, shapeOf, stripes, type Form } from '../form';
 import type { Look } from '../look';
 import { circle, group, type Geometry, type Shape } from '../shapes';
 import { boxFrame, type PictureKind } from './kind';
-import { toothed, toothedOutline } from './teeth';
 
 /** Blocks that can be pushed. */
 export const block: PictureKind<Block> = {
@@ -18,13 +17,6 @@ export const block: PictureKind<Block> = {
 export const fixedBlock: PictureKind<Block> = {
   body: (block, look) => [group(block.at, fixedShapes(formOf(block), look), block.angle)],
   shade: (block, fill) => group(block.at, [{ ...fixedOutline(formOf(block)), fill }], block.angle),
-  frame: boxFrame,
-};
-
-/** Spikes: teeth around a dark body. */
-export const spikes: PictureKind<Spikes> = {
-  body: (spikes, look) => [group(spikes.at, spikesShapes(formOf(spikes), look), spikes.angle)],
-  shade: (spikes, fill) => group(spikes.at, [{ ...toothedOutline(formOf(spikes)), fill }], spikes.angle),
   frame: boxFrame,
 };
 
@@ -79,9 +71,4 @@ function fixedShapes(form: Form, look: Look): readonly Shape[] {
     { ...shapeOf(form, frame / 2, Math.min(3, short / 8) * 0.7), stroke: fixedEdge, width: frame },
     ...(short < 11 * look.px ? [] : [group([at.x, at.y], sign)]),
   ];
-}
-
-function spikesShapes(form: Form, look: Look): readonly Shape[] {
-  const { at, acrossMm } = roomIn(form);
-  return [toothed(form, look), group([at.x, at.y], icon(mdiAlert, acrossMm * 0.46, look.colors.spikesInk, look))];
 }

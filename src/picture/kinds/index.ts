@@ -1,9 +1,10 @@
 import type { SceneObject } from '#scene/scene';
 
-import { block, fixedBlock, spikes } from './block';
+import { block, fixedBlock } from './block';
 import type { PictureKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { spikes } from './spikes';
 import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';

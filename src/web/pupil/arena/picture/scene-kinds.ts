@@ -4,7 +4,7 @@
  */
 import type { Pose } from '#core/geometry';
 import { kindOf } from '#picture/kinds/index';
-import { spikes } from '#picture/kinds/block';
+import { spikes } from '#picture/kinds/spikes';
 import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
 import { isZone } from '#scene/kinds/zone';
 import type { Verdict } from '#simulation/task/verdict';
