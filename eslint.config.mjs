@@ -74,14 +74,14 @@ const sameness = {
   ],
 };
 
-/** What only one place may import; dependency-cruiser says the same, this says it while typing. */
+/** Imports allowed in only one place; dependency-cruiser checks the same, this does it while typing. */
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
 const planck = { group: ['planck', 'planck/*'], message: 'The physics engine only in src/world/physics.' };
 const drawing = {
   group: ['vue', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
   message: 'Vue and the code editor only in src/web.',
 };
-/** What the room that reads programs may use of the editor. */
+/** Parts of the editor that the room for reading programs may use. */
 const parser = ['!@lezer/python', '!@lezer/common'];
 const node = { group: ['node:*'], message: 'Node only in cli, tests and build code.' };
 

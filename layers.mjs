@@ -1,4 +1,4 @@
-/** Who may import whom: each room of `src/` and the rooms it may reach. Enforced by `npm run check`. */
+/** The permitted imports: each room of `src/` and the rooms it may reach. Enforced by `npm run check`. */
 export const layers = {
   core: [],
   board: ['core'],

@@ -1,9 +1,9 @@
 import { defineConfig } from '@playwright/test';
 
-/** What is the same in every engine and takes long, within a file that runs in all of them. */
+/** Tag of long tests that are the same in every engine, within a file that runs in all of them. */
 const TESTS_IN_CHROMIUM_ALONE = /@chromium/;
 
-/** What needs Playwright's own `page`: the network, the console. And what takes long and is the same in every engine. */
+/** Tests that need Playwright's own `page` (the network, the console), and long ones that are the same in every engine. */
 const IN_CHROMIUM_ALONE = '**/*.chromium.test.ts';
 
 /**

@@ -77,7 +77,7 @@ function frameCheck(): Plugin {
 
 const ICONS = { 'icon-192.png': '192x192', 'icon-512.png': '512x512', 'icon-maskable-512.png': '512x512' };
 
-/** What makes the app one that can be installed. Its names stay the same from version to version. */
+/** The files that make the app installable. Its names stay the same from version to version. */
 function installable(): Plugin {
   const manifest = {
     name: 'Parcours',
@@ -120,7 +120,7 @@ function installable(): Plugin {
   };
 }
 
-/** What both builds of the web app have in common: the folder of files, and the single file (`--mode single`). */
+/** The configuration that both builds of the web app share: the folder of files, and the single file (`--mode single`). */
 const common = {
   root: 'src/web',
   base: './',
@@ -228,7 +228,7 @@ function onePage(): Plugin {
 /** The late parts that everybody waits for. */
 const FIRST_PARTS = /\/(CodeEditor|MicrobitView|VerdictBar|WelcomeCard)-[^/]*\.js$/;
 
-/** What is on the page before anybody presses anything; its words come together. */
+/** The sources of the page before anything is pressed; their words come together. */
 const FIRST_SOURCES = [
   ...[
     'main.ts',
@@ -271,7 +271,7 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
   FIRST_PARTS.test(part) ? files : files.filter((file) => file.endsWith('.css'));
 
 /**
- * What comes as one file, as it is needed at one time. All that the page needs at once: parted among the many late lists
+ * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
  * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars, the drawings of the
  * kinds of objects, and the verdict's bar with the words that the projector view tells, too.
  */

@@ -42,7 +42,7 @@ function furtherOf(folder) {
   ];
 }
 
-/** What the course says to it; a solution that does not pass its own course is not worth a recording. */
+/** The verdict of its course; a solution that does not pass its own course is not worth a recording. */
 function verdictOf({ verdict }) {
   if (verdict === null) return 'no task';
   if (verdict.state !== 'passed') throw new Error(`its task is not passed: ${JSON.stringify(verdict)}`);

@@ -1,5 +1,5 @@
 const message =
-  'A module of the page remembers nothing: give what changes to the models of a room (page/part.ts, page/late-models.ts), ' +
+  'A module of the page remembers nothing: give what changes to the models of a room (kit/part.ts, kit/state/late-models.ts), ' +
   'and what is always made the same to core/memo.ts.';
 
 const declared = ['Program > VariableDeclaration', 'Program > ExportNamedDeclaration > VariableDeclaration'];

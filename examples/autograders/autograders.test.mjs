@@ -16,7 +16,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 /** Keeps one check of three, and is not passed. */
 const STANDING = 'while True:\n    pass\n';
-/** What the task asks for, and where. */
+/** The checks of the task and their worlds. */
 const TASK = {
   version: 1,
   checks: [

@@ -106,7 +106,7 @@ function hasNginx() {
   }
 }
 
-/** What surrounds the file in an installed nginx, in one folder that needs no rights. */
+/** The surroundings of the file in an installed nginx, in one folder that needs no rights. */
 function wholeConf(folder, own) {
   const parts = ['client_body', 'proxy', 'fastcgi', 'uwsgi', 'scgi'].map(
     (name) => `${name}_temp_path ${folder}/${name};`,

@@ -1,2 +1,2 @@
-/** What an example says, a line at a time. */
+/** The output of an example, a line at a time. */
 export type Print = (line: string) => void;

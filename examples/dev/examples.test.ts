@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 
 import type { Print } from './example';
 
-/** What each example says. */
+/** The output of each example. */
 const EXPECTED: Readonly<Record<string, readonly string[]>> = {
   'attachments-claw': ['held', 'the block comes along'],
   board: ['period 20000 µs', 'no signal'],

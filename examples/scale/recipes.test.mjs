@@ -38,7 +38,7 @@ function sh(line, cwd, environment = {}) {
 const seven = (work) => Promise.all(Array.from({ length: 7 }, (_, at) => work(at)));
 const table = (path) => readFileSync(path, 'utf8');
 
-/** What one machine says of the class, which has nothing of Parcours but a copy of the command line's folder. */
+/** The result of the class from one machine, which has nothing of Parcours but a copy of the command line's folder. */
 let expected = '';
 beforeAll(async () => {
   const alone = place((from, to) => cpSync(from, to, { recursive: true }));

@@ -16,7 +16,7 @@ export const courseShapes = (objects: readonly SceneObject[], look: Look): reado
   ...objects.flatMap((object) => kindOf(object).body?.(object, look) ?? []),
 ];
 
-/** What lies on the floor of a course, as it is printed true to scale for the real robot; in full, however small. */
+/** The floor of a course, as it is printed true to scale for the real robot; in full, however small. */
 export function paperShapes(objects: readonly SceneObject[], colors: CourseColors): readonly Shape[] {
   const look: Look = { colors, px: 0, seconds: String };
   const layer = (object: SceneObject): number => (kindOf(object).ground ? 0 : kindOf(object).line ? 1 : 2);

@@ -73,7 +73,7 @@ export function stripes(form: Form, { first, pitch, width }: Record<'first' | 'p
   return { form: 'lines', lines, isClosed: true };
 }
 
-/** What of an outline is on the side of a diagonal where `far`, of x + y, is not below 0. */
+/** The part of an outline on the side of a diagonal where `far`, of x + y, is not below 0. */
 function cut(outline: Outline, far: (sum: number) => number): Outline {
   const kept: Vec[] = [];
   let from = outline[outline.length - 1] ?? { x: 0, y: 0 };
@@ -90,7 +90,7 @@ function cut(outline: Outline, far: (sum: number) => number): Outline {
   return kept;
 }
 
-/** Where a sign has room in a form, y down, and how far it is across there. mm. */
+/** The room for a sign in a form, y down, and its width there. mm. */
 export interface Room {
   readonly at: Vec;
   readonly acrossMm: number;

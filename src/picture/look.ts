@@ -1,9 +1,9 @@
 import type { CourseColors } from './colors';
 
-/** Who looks at a picture: what can be told apart there, and in which colours. */
+/** The view of a picture: the detail that can be distinguished, and the colours. */
 export interface Look {
   readonly colors: CourseColors;
-  /** What a pixel covers, in mm: smaller things are left out, thin lines are that wide. On paper a quarter more than a mm. */
+  /** Size of a pixel, in mm: smaller things are left out, thin lines are that wide. On paper a quarter more than a mm. */
   readonly px: number;
   /** Lines and walls are no thinner, in mm; left out: they are as wide as they are. */
   readonly leastLineMm?: number;

@@ -5,10 +5,10 @@ export interface Paint {
   readonly fill?: string | undefined;
   readonly stroke?: string | undefined;
   readonly width?: number | undefined;
-  /** Of fill and line. */
+  /** Opacity of fill and line. */
   readonly opacity?: number | undefined;
   readonly dash?: readonly number[] | undefined;
-  /** Where in the dashes the line begins. */
+  /** Offset of the line's start in the dashes. */
   readonly dashFrom?: number | undefined;
   readonly cap?: 'round' | undefined;
   readonly join?: 'round' | undefined;

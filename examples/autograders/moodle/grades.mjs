@@ -16,7 +16,7 @@ const { values: options, positionals } = parseArgs({
 const [resultPath, worksheetPath] = positionals;
 const { maxPoints, handIns } = JSON.parse(readFileSync(resultPath, 'utf8'));
 
-/** What could not be read has no grade. */
+/** The grade of a hand-in; `null` if it could not be read. */
 const gradeOf = ({ points }) =>
   points === null
     ? ''
@@ -24,7 +24,7 @@ const gradeOf = ({ points }) =>
       ? points
       : Math.round((points / (maxPoints || 1)) * Number(options.max) * 100) / 100;
 
-/** What the pupil may read: the reasons. Remarks, such as who has the same program, are the teacher's. */
+/** The text for the pupil: the reasons. Remarks, such as who has the same program, are the teacher's. */
 function feedbackOf({ worlds, checks, remarks }) {
   if (worlds.length === 0) return remarks[0] ?? '';
   const reasons = [...worlds, ...checks].map(({ reason }) => reason).filter((reason) => reason !== null);

@@ -23,13 +23,13 @@ export interface PictureKind<O extends AnyObject = SceneObject> {
   sign?(object: O, look: Look, isReached?: boolean): readonly Shape[];
   /** On the floor, over lines and signs: words, the ways of what moves. `around`: the objects of its course, if known. */
   mark?(object: O, look: Look, around?: readonly SceneObject[]): readonly Shape[];
-  /** What stands on the floor. */
+  /** The parts that stand on the floor. */
   body?(object: O, look: Look): readonly Shape[];
   /** The outline of what throws a shadow, filled. */
   shade?(object: O, fill: string): Shape;
   /** On paper true to scale, on which the real robot drives: thin lines where zones are. Left out: nothing of it lies on the floor. */
   paper?(object: O, look: Look): readonly Shape[];
-  /** What a frame is drawn around; `null`: it is a line. */
+  /** The outline that a frame is drawn around; `null`: it is a line. */
   frame(object: O): Frame | null;
 }
 

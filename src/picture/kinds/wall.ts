@@ -71,7 +71,7 @@ function isLight(course: number, brick: number): boolean {
 /** A place where ends of walls meet. */
 export interface WallJoint {
   readonly at: Point;
-  /** Of the thinnest wall there, mm. */
+  /** Thickness of the thinnest wall there, mm. */
   readonly thickness: number;
 }
 

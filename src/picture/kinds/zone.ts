@@ -78,7 +78,7 @@ function roundDash(a: number, b: number, about: number): number {
   return around / (2 * Math.max(4, Math.round(around / about / 2)));
 }
 
-/** Where a zone has its sign: in its middle, or where a hollow one has the most room. World mm. */
+/** Place of a zone's sign: its middle, or the most roomy place of a hollow one. World mm. */
 function signPlace({ at, angle, ...zone }: Zone): Point {
   const { x, y } = roomIn(formOf(zone)).at;
   const { x: cos, y: sin } = directionOf(angle);

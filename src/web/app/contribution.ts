@@ -10,12 +10,12 @@ import {
 } from '@mdi/js';
 import { languages } from '#core/languages';
 
-import type { Contribution } from '../kit/features/feature';
+import type { Contribution, MenuPart } from '../kit/features/feature';
 import { LANGUAGES, t } from '../kit/i18n';
 import type { TextKey } from '../kit/i18n/texts';
 import { usePage } from '../kit/parts';
 import { useLayout } from '../session/layout/parts';
-import { useWork } from '../session/work/model/parts';
+import { useWork, type WorkParts } from '../session/work/model/parts';
 import { THEMES, type Theme } from '../session/work/settings/settings';
 import { switchSound } from './switches';
 
@@ -24,6 +24,39 @@ const themes: Readonly<Record<Theme, { readonly key: TextKey; readonly icon: str
   light: { key: 'bar.themeLight', icon: mdiWhiteBalanceSunny },
   dark: { key: 'bar.themeDark', icon: mdiWeatherNight },
 };
+
+/** Language and colours. */
+const choices = (settings: WorkParts['settings']): readonly MenuPart[] => [
+  {
+    group: 'choices',
+    order: 0,
+    heading: () => t('bar.language'),
+    entries: () =>
+      LANGUAGES.map((language) => ({
+        id: language,
+        icon: mdiTranslate,
+        title: languages[language].name,
+        lang: language,
+        choice: 'radio',
+        isChosen: language === settings.current.value.language,
+        act: () => settings.change({ language }),
+      })),
+  },
+  {
+    group: 'choices',
+    order: 10,
+    heading: () => t('bar.theme'),
+    entries: () =>
+      THEMES.map((theme) => ({
+        id: theme,
+        icon: themes[theme].icon,
+        title: t(themes[theme].key),
+        choice: 'radio',
+        isChosen: theme === settings.current.value.theme,
+        act: () => settings.change({ theme }),
+      })),
+  },
+];
 
 /** Sound, panes, language and colours. */
 export const contribution: Contribution = {
@@ -64,35 +97,7 @@ export const contribution: Contribution = {
           ];
         },
       },
-      {
-        group: 'choices',
-        order: 0,
-        heading: () => t('bar.language'),
-        entries: () =>
-          LANGUAGES.map((language) => ({
-            id: language,
-            icon: mdiTranslate,
-            title: languages[language].name,
-            lang: language,
-            choice: 'radio',
-            isChosen: language === settings.current.value.language,
-            act: () => settings.change({ language }),
-          })),
-      },
-      {
-        group: 'choices',
-        order: 10,
-        heading: () => t('bar.theme'),
-        entries: () =>
-          THEMES.map((theme) => ({
-            id: theme,
-            icon: themes[theme].icon,
-            title: t(themes[theme].key),
-            choice: 'radio',
-            isChosen: theme === settings.current.value.theme,
-            act: () => settings.change({ theme }),
-          })),
-      },
+      ...choices(settings),
     ];
   },
 };

@@ -41,9 +41,7 @@ export const contribution: Contribution = {
         group: 'files',
         order: 0,
         entries: () => [
-          entry('share', mdiShareVariant, 'bar.share', ({ openDialog }) =>
-            openDialog(() => import('./ShareDialog.vue')),
-          ),
+          entry('share', mdiShareVariant, 'bar.share', (menu) => menu.openDialog(() => import('./ShareDialog.vue'))),
         ],
       },
       {
@@ -54,8 +52,8 @@ export const contribution: Contribution = {
           entry('save-program', mdiFileCodeOutline, 'menu.saveProgram', commands.saveProgram),
           entry('save-scene', mdiMapOutline, 'menu.saveScene', commands.saveScene),
           entry('open', mdiFolderOpenOutline, 'menu.openFile', commands.load),
-          entry('open-link', mdiLinkVariant, 'menu.openLink', ({ openDialog }) =>
-            openDialog(() => import('./OpenLinkDialog.vue')),
+          entry('open-link', mdiLinkVariant, 'menu.openLink', (menu) =>
+            menu.openDialog(() => import('./OpenLinkDialog.vue')),
           ),
         ],
       },

@@ -14,7 +14,7 @@ export const contribution: Contribution = {
           testId: 'menu-real-device',
           icon: mdiUsb,
           title: t('menu.toDevice'),
-          act: ({ openDialog }) => openDialog(() => import('./RealDeviceDialog.vue')),
+          act: (menu) => menu.openDialog(() => import('./RealDeviceDialog.vue')),
         },
       ],
     },

@@ -9,9 +9,9 @@ import type { PaperTask } from './task/task-blocks';
 
 /** The words of a print, in the language of the page. */
 export interface PrintWords {
-  /** What the course is called. */
+  /** Name of the course. */
   readonly name: string;
-  /** What stands over the plan of the sheets. */
+  /** Title of the plan of the sheets. */
   readonly planTitle: string;
   /** How to print, to check the scale and to glue, a line each. */
   readonly steps: readonly string[];

@@ -11,7 +11,7 @@ import { shapeOutline } from '#scene/shape/shape';
 import { MARGIN_MM, type Tile } from './print-plan';
 import { polyline, printShapes, type ToSheet } from './shapes/pdf-shapes';
 
-/** What is printed of a course. */
+/** The parts of a course that are printed. */
 export interface FloorOptions {
   /** Thin outlines where walls, blocks and obstacles stand and where the robot starts. */
   readonly outlines: boolean;
@@ -45,7 +45,7 @@ function printBackground(pdf: jsPDF, { background }: Scene, to: ToSheet, options
   pdf.addImage(data, format, x, y, size[0], size[1], 'background', 'FAST');
 }
 
-/** Where things stand, for setting the course up; and where the robot starts, with its heading. */
+/** Prints the outlines of things, for setting the course up, and the robot's start with its heading. */
 function printOutlines(pdf: jsPDF, { objects, robot }: Scene, to: ToSheet, shown: Bounds): void {
   pdf.setDrawColor('#5C6671');
   pdf.setLineWidth(0.3);

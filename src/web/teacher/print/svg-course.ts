@@ -19,7 +19,7 @@ import { taskSvg, type PictureTask } from './task/svg-task';
 export interface PictureOptions {
   readonly grid: boolean;
   readonly rulers: boolean;
-  /** Where the robot stands, and the text of its robot.svg; `null`: no robot. */
+  /** The robot's pose, and the text of its robot.svg; `null`: no robot. */
   readonly robot: { readonly pose: Pose; readonly scale: number; readonly drawing: string } | null;
   /** The robot's trails; empty: none is drawn. */
   readonly path: readonly (readonly Vec[])[];
@@ -39,7 +39,7 @@ export interface CoursePicture {
   readonly size: Point;
   /** Its extent without the task. */
   readonly alone: Point;
-  /** Where the arena's upper left corner is in it. */
+  /** Place of the arena's upper left corner in it. */
   readonly corner: Point;
 }
 

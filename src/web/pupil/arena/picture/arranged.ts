@@ -14,7 +14,7 @@ export interface Arranged {
   readonly blocks: readonly PlacedBlock[];
 }
 
-/** What a robot may carry besides its own parts. */
+/** Parts that a robot may carry besides its own. */
 export type Carried = Partial<Pick<RobotState, 'attachments' | 'bumper'>>;
 
 /** The bumper of a robot that is to carry one from the start: its option `bumper` is `always`. */
@@ -96,13 +96,13 @@ export function robotAtStart(scene: Scene, carried: Carried = {}): ArenaRobot {
   };
 }
 
-/** What a text about the robot can say, in the units of the classroom. */
+/** The facts for a text about the robot, in the units of the classroom. */
 export interface ArenaSummary {
   readonly xCm: number;
   readonly yCm: number;
   /** Whole degrees counter-clockwise from +x, −179 … 180. */
   readonly headingDeg: number;
-  /** What the ultrasonic sensor faces, or `null`: nothing, or no such sensor. */
+  /** The distance that the ultrasonic sensor measures, or `null`: nothing in range, or no such sensor. */
   readonly distanceCm: number | null;
 }
 

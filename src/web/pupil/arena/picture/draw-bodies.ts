@@ -18,7 +18,7 @@ export const placedBlock = (block: Block | Spikes | Mover): PlacedBlock => ({
   ...formOf(block),
 });
 
-/** Where a thing lies, and whether a hand has lifted it. */
+/** The pose of a thing; it may be lifted by the hand. */
 type Lies = Pose & { readonly held?: boolean };
 
 const SHADE = 'rgba(0, 0, 0, 0.2)';

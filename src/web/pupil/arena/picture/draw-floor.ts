@@ -2,7 +2,7 @@ import type { PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { marginsPx, toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
-/** Where the floor lies on the canvas. */
+/** The box of the floor on the canvas. */
 export function floorPx(view: View, arena: ArenaSize): PxBox {
   const corner = toPx(view, { x: 0, y: arena[1] });
   return { left: corner.x, top: corner.y, width: arena[0] * view.pxPerMm, height: arena[1] * view.pxPerMm };

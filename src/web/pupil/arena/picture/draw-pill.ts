@@ -33,7 +33,7 @@ interface Pill {
   readonly width: number;
 }
 
-/** So many are kept. Chosen: a robot on its rounds shows that many distances, each of them again and again; 1 MB at most. */
+/** Number of cached pills. Chosen: a robot on its rounds shows that many distances, each of them repeatedly; 1 MB at most. */
 const MOST = 120;
 
 const made = createShelf<Pill>(MOST);

@@ -90,7 +90,7 @@ export function drawRulers(
   context.stroke();
 }
 
-/** Where the rulers lie, in px: the one below under `bottom`, the one beside left of `left`. */
+/** Place of the rulers, in px: the one below under `bottom`, the one beside left of `left`. */
 interface RulerCorner {
   readonly left: number;
   readonly bottom: number;

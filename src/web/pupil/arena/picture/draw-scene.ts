@@ -10,7 +10,7 @@ import type { SceneKinds } from './scene-kinds';
 import type { PaintList } from './still-cache';
 import type { CanvasSize, View } from '../view/view-transform';
 
-/** What stands still, at one moment. */
+/** The still things, at one moment. */
 export interface StillScene {
   /** Drawn from it: size, background, and all objects but those that can be pushed or move by themselves. */
   readonly scene: Scene;

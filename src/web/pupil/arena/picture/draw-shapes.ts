@@ -1,4 +1,5 @@
 import { radOf } from '#core/angle';
+import { memo } from '#core/memo';
 import type { Look } from '#picture/look';
 import type { Geometry, Paint, Shape, Words } from '#picture/shapes';
 import type { Point } from '#scene/scene';
@@ -102,11 +103,5 @@ function drawWords(context: CanvasRenderingContext2D, { text, at: [x, y], rim, .
   context.fillText(text, x, y, words.mostMm);
 }
 
-const icons = new Map<string, Path2D>();
-
 /** Made when first drawn: `Path2D` exists in browsers only. */
-function iconOf(path: string): Path2D {
-  const icon = icons.get(path) ?? new Path2D(path);
-  icons.set(path, icon);
-  return icon;
-}
+const iconOf = memo((path: string) => new Path2D(path));

@@ -7,10 +7,10 @@ import type { LiveScene } from './live-scene';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 
-/** What of a course a run does not know yet, and where the robot starts. */
+/** The parts of a course that a run does not know yet, and the robot's start. */
 export interface Waiting {
   readonly live: LiveScene;
-  /** Where the robot starts, if it is elsewhere now. */
+  /** The robot's start, if it is elsewhere now. */
   readonly start: RobotStart | null;
   /** Convex parts of the robot at scale 1 in its own frame, mm. */
   readonly footprint: readonly (readonly Vec[])[];

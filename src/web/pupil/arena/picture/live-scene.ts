@@ -5,13 +5,13 @@ import { isLasting } from '#simulation/kinds';
 
 /** A course while a run of it goes on: what of it is in the run, and what waits for the next start. */
 export interface LiveScene {
-  /** What the run knows: the course with walls, obstacles and size as they were at the start. */
+  /** The course that the run knows, with walls, obstacles and size as they were at the start. */
   readonly scene: Scene;
   /** Objects of the course that the run does not have yet. */
   readonly waiting: readonly SceneObject[];
   /** Ids of objects that the run still has, and the course no more. */
   readonly leaving: ReadonlySet<string>;
-  /** Where the next run starts, if that is another place than this one's. */
+  /** The start of the next run, if it differs from this one's. */
   readonly start: RobotStart | null;
   /** How large the arena is from the next start on, mm, if that is another size than this run's. */
   readonly size: Scene['size'] | null;
@@ -44,7 +44,7 @@ export function liveScene(course: Scene, started: Scene | null): LiveScene {
   };
 }
 
-/** What is to be seen of the arena, mm: all of the run's, and all of the one that tools change already. */
+/** The visible size of the arena, mm: all of the run's, and all of the one that tools already change. */
 export function shownSize({ scene, size }: LiveScene): Scene['size'] {
   return size === null ? scene.size : [Math.max(scene.size[0], size[0]), Math.max(scene.size[1], size[1])];
 }

@@ -35,7 +35,7 @@ export interface SceneKinds {
   /** Spikes, which stand like walls. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
-  /** What waits for the next start, over all the rest. */
+  /** Draws the changes that wait for the next start, over all the rest. */
   waiting(context: CanvasRenderingContext2D, view: View, waiting: Waiting, palette: Palette): void;
 }
 

@@ -3,7 +3,7 @@ import type { Palette } from '../model/palette';
 import type { PxBox } from '../view/moving-window';
 import type { CanvasSize, View } from '../view/view-transform';
 
-/** What a kept picture depends on. */
+/** The properties that a cached picture depends on. */
 export interface StillFrame {
   readonly view: View;
   readonly canvas: CanvasSize;
@@ -68,7 +68,7 @@ export function addedTo<T>(
   return now.length - before.length;
 }
 
-/** Where a picture made for one view lies in another one, in CSS px. */
+/** The place of a picture made for one view in another one, in CSS px. */
 export function placeInView(made: View, now: View, canvas: CanvasSize): PxBox {
   const factor = now.pxPerMm / made.pxPerMm;
   return {

@@ -25,12 +25,12 @@ export interface TaskLocks {
    * @param isTyped in the page's editor
    */
   changed(before: Project, after: Project, isTyped: boolean): Project | null;
-  /** What is told of the work when it is handed in. */
+  /** The remarks on the work when it is handed in. */
   noticed(): readonly SaidRemark[];
 }
 
 /**
- * What the open task locks. Each way of changing something asks here, so pointer, keys, menus and hosts are all refused
+ * The locks of the open task. Every change asks here, so pointer, keys, menus and hosts are all refused
  * alike, and the reason is shown; what only shows a lock asks `isLocked`.
  */
 export class WorkLocks implements Omit<TaskLocks, 'locks'> {

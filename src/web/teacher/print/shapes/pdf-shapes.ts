@@ -72,7 +72,7 @@ function write(pdf: jsPDF, { text, size, from, fill }: Words, [x, y]: Point, tur
   pdf.text(words, x - back * Math.cos(turn), y + back * Math.sin(turn), { angle: turnDeg });
 }
 
-/** What stands for signs that the fonts of a PDF lack. */
+/** Replacements of signs that the fonts of a PDF lack. */
 const PLAIN: Readonly<Record<string, string>> = {
   '−': '–',
   '→': '->',
