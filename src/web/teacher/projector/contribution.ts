@@ -5,31 +5,21 @@ import { t } from '../../kit/i18n';
 import { openProjector } from '../../session/layout/open-projector';
 import { useLayout } from '../../session/layout/parts';
 import showWords from '../../session/layout/words';
-import { useVisit } from '../../session/visit/parts';
+import { pagePart } from '../../session/layout/page-part';
 import { useWork } from '../../session/work/model/parts';
 import words from './words';
 
 export const contribution: Contribution = {
   menu() {
     const app = { ...useWork(), ...useLayout() };
-    const { host } = useVisit();
     return [
-      {
-        group: 'pages',
+      pagePart({
+        id: 'projector',
         order: 40,
-        entries: () =>
-          host.parts.value !== null
-            ? []
-            : [
-                {
-                  id: 'projector',
-                  testId: 'menu-projector',
-                  icon: mdiProjectorScreenOutline,
-                  title: t(showWords.projector.title),
-                  act: (menu) => menu.leaveFor(() => void openProjector(app)),
-                },
-              ],
-      },
+        icon: mdiProjectorScreenOutline,
+        title: () => t(showWords.projector.title),
+        open: () => void openProjector(app),
+      }),
     ];
   },
   help: [

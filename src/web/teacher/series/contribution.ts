@@ -5,7 +5,7 @@ import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
 import { placeOf } from '../../session/task/series/series-place';
 import wayWords from '../../session/task/series/words';
-import { useVisit } from '../../session/visit/parts';
+import { pagePart } from '../../session/layout/page-part';
 import { useWork } from '../../session/work/model/parts';
 import words from './words';
 
@@ -13,7 +13,6 @@ export const contribution: Contribution = {
   menu() {
     const { work } = useWork();
     const { router } = useLayout();
-    const { host } = useVisit();
     return [
       {
         group: 'files',
@@ -32,22 +31,13 @@ export const contribution: Contribution = {
           ];
         },
       },
-      {
-        group: 'pages',
+      pagePart({
+        id: 'make-series',
         order: 20,
-        entries: () =>
-          host.parts.value !== null
-            ? []
-            : [
-                {
-                  id: 'make-series',
-                  testId: 'menu-make-series',
-                  icon: mdiFormatListNumbered,
-                  title: t(words.title),
-                  act: (menu) => menu.leaveFor(() => router.open('make-series')),
-                },
-              ],
-      },
+        icon: mdiFormatListNumbered,
+        title: () => t(words.title),
+        open: () => router.open('make-series'),
+      }),
     ];
   },
   help: [

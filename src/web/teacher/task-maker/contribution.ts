@@ -3,30 +3,20 @@ import { mdiClipboardEditOutline } from '@mdi/js';
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
-import { useVisit } from '../../session/visit/parts';
+import { pagePart } from '../../session/layout/page-part';
 import words from './words';
 
 export const contribution: Contribution = {
   menu() {
     const { router } = useLayout();
-    const { host } = useVisit();
     return [
-      {
-        group: 'pages',
+      pagePart({
+        id: 'task',
         order: 10,
-        entries: () =>
-          host.parts.value !== null
-            ? []
-            : [
-                {
-                  id: 'task',
-                  testId: 'menu-task',
-                  icon: mdiClipboardEditOutline,
-                  title: t(words.title),
-                  act: (menu) => menu.leaveFor(() => router.open('task')),
-                },
-              ],
-      },
+        icon: mdiClipboardEditOutline,
+        title: () => t(words.title),
+        open: () => router.open('task'),
+      }),
     ];
   },
   help: [
