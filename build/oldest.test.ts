@@ -17,7 +17,7 @@ describe('units of the window', () => {
     expect(older('50svw')).toBe('50vw');
   });
 
-  it('that are old stay alone', () => {
+  it('leaves units of the window alone that are old', () => {
     for (const value of ['100vh', 'var(--1dvh-like)', '12px']) expect(older(value)).toBeNull();
   });
 });

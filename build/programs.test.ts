@@ -127,7 +127,7 @@ const folders = [...courses, ...robots, 'src/my-robot/programs', 'scripts/robot-
 describe('the programs that come with the app', () => {
   it('have words in at least 25 folders', () => expect(folders.length).toBeGreaterThanOrEqual(25));
 
-  it.each(folders)('in %s are translated into every language, without a text too many', async (folder) => {
+  it.each(folders)('are translated into every language in %s, without a text too many', async (folder) => {
     expect(await wordProblems(folder)).toEqual([]);
   });
 });

@@ -48,7 +48,7 @@ describe('a stylesheet', () => {
     ]);
   });
 
-  it('of another room is taken in only where the table allows it', () => {
+  it('may be taken in from another room only if the table allows it', () => {
     const rooms = (table) => forbiddenBetween(imports, { folder: 'src/web', table });
     expect(rooms({ 'session/task': ['session/work'], 'session/work': [] })).toEqual([]);
     expect(rooms({ 'session/task': ['session'], 'session/work': [] })).toEqual([]);

@@ -29,7 +29,7 @@ describe('code inside a page', () => {
     expect(new Function('let result; return ' + code)()).toBe(text);
   });
 
-  it('of styles cannot either', () => {
+  it('cannot close a style element either', () => {
     expect(inlineStyle('a::after{content:"</style>"}')).not.toContain('</style');
   });
 });

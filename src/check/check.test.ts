@@ -42,14 +42,14 @@ describe('a hand-in for a course with goals', () => {
     expect(await checked(task, toGoal)).toEqual(await checked(task, toGoal));
   });
 
-  it('that stops too early has not done it; nothing moves any more, so nobody waits for the time limit', async () => {
+  it('fails if the robot stops too early; nothing moves any more, so the time limit is not awaited', async () => {
     const result = await checked(taskWith(goal), ahead(500));
     expect(result.passed).toBe(false);
     const reason = { code: 'open', params: { done: 0, of: 1, near: expect.any(Number) as number } };
     expect(result.worlds[0]).toMatchObject({ atMs: null, reason });
   });
 
-  it('that ends with an error is told with the words of the board', async () => {
+  it('reports an error in the words of the board', async () => {
     const { worlds } = await checked(taskWith(goal), 'x = 1\nprint(y)\n');
     expect(worlds[0]?.reason).toEqual({
       code: 'exception',
@@ -58,7 +58,7 @@ describe('a hand-in for a course with goals', () => {
     });
   });
 
-  it('that never ends is over after the seconds of the task', async () => {
+  it('ends after the seconds of the task if it never ends by itself', async () => {
     let beats = 0;
     const beat = (): void => {
       beats += 1;
@@ -69,7 +69,7 @@ describe('a hand-in for a course with goals', () => {
     expect(beats).toBe(21);
   });
 
-  it.each([2.01, 4.1])('also after %d s, which no clock of whole µs can tell in its own figures', async (seconds) => {
+  it.each([2.01, 4.1])('ends after %d s, too, which no clock of whole µs can represent exactly', async (seconds) => {
     let beats = 0;
     const beat = (): void => {
       beats += 1;
@@ -79,7 +79,7 @@ describe('a hand-in for a course with goals', () => {
     expect(worlds[0]?.reason).toEqual({ code: 'unmoved', params: { limit: seconds } });
   });
 
-  it('that prints, eats memory or recurses without end costs nothing but its time', async () => {
+  it('costs nothing but its time if it prints, eats memory or recurses without end', async () => {
     const task = taskWith(goal, { seconds: 1 });
     const codes = [];
     for (const program of [
@@ -118,7 +118,7 @@ describe('a hand-in for a course with goals', () => {
     expect((await checkedProject(seen, projectWith(withPicture(''), toGoal))).remarks).toEqual([]);
   });
 
-  it('that was handed out so is told, and is nobody’s twin', async () => {
+  it('is reported and is nobody’s duplicate if it was handed out like that', async () => {
     const result = await checked(taskWith(goal), '');
     expect(result).toMatchObject({ passed: false, remarks: [{ code: 'unchanged' }], twin: '' });
   });
@@ -241,7 +241,7 @@ describe('a task with several worlds', () => {
     expect(new Set(result.worlds.map(({ hash }) => hash)).size).toBe(2); // only a used robot drives otherwise
   });
 
-  it('in which nothing can run is told', async () => {
+  it('says so if nothing can run in it', async () => {
     const worlds = [{ id: 'out', start: { at: [5000, 450] } }];
     const { worlds: results } = await checked(taskWith(goal, { worlds }), toGoal);
     expect(results[1]?.reason).toMatchObject({ code: 'refused' });
@@ -275,7 +275,7 @@ describe('a task gives', () => {
     expect(await of('for i in []: pass\n')).toEqual([false, 1, 0]);
   });
 
-  it('what counts for who has reached all, not for who has done nothing', async () => {
+  it('counts what is required for those who have reached everything, not for those who have done nothing', async () => {
     const task = taskWith(goal, { checks: [{ type: 'goals' }, { type: 'touches', most: 0 }] });
     expect((await checked(task, 'x = 1')).points).toBe(0);
     expect((await checked(task, toGoal)).points).toBe(2);
@@ -305,7 +305,7 @@ describe('rounds and checkpoints', () => {
     expect(worlds[0]?.missed).toEqual({ laps: { code: 'laps', params: { done: 0, of: 1 } } });
   });
 
-  it('of the closed line: two rounds take twice as long as one', async () => {
+  it('count on the closed line: two rounds take twice as long as one', async () => {
     const scene = readyScene('closed-line');
     const endless = readySolution('closed-line');
     const one = await checked(taskWith(scene, { checks: [{ type: 'laps', count: 1 }] }), endless);

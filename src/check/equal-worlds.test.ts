@@ -21,7 +21,7 @@ async function told(worlds: readonly object[], program = ahead(4000)) {
 }
 
 describe('a hidden world', () => {
-  it('that comes out the same as another one is told, once', async () => {
+  it('is reported once if it comes out the same as another one', async () => {
     const worlds = [
       { id: '2', seed: 1 },
       { id: '3', ...near },

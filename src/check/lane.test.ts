@@ -86,7 +86,7 @@ describe('a lane', () => {
     expect(lost.at(-1)).toEqual({ from: 0, reason: { code: 'long', params: { seconds: 120 } } });
   });
 
-  it('that was stopped looks at no thread any more, and starts none', async () => {
+  it('looks at no thread any more once it was stopped, and starts none', async () => {
     const { lane, pass, started, watching } = laneWith(() => null);
     void lane.check(nothing);
     lane.stop();

@@ -47,7 +47,7 @@ describe('parcours run with a project', { timeout: 60_000 }, () => {
     expect(lastLine(parcours('run', anna, '--json').out).devices[0]?.name).toBe('anna');
   });
 
-  it('with several devices lets all of them run, and adds those of --device', () => {
+  it('lets all of several devices run, and adds those of --device', () => {
     const remote = { name: 'main.py', text: 'import radio\nradio.on()\nradio.send("go")\n' };
     const robot = { name: 'main.py', text: 'from callibot import *\nimport radio\nradio.on()\nwhile radio.receive() != "go": delay(5)\nprint("started")\n' }; // prettier-ignore
     const further = { ...anyHardware, sameAs: '', robot: 'none', name: 'Hand', files: [remote] };
@@ -119,7 +119,7 @@ describe('parcours run with a project', { timeout: 60_000 }, () => {
     }
   });
 
-  it('and the id of a ready course is meant where a folder of that name lies', () => {
+  it('takes a name as the id of a ready course, also if a folder of that name exists', () => {
     const bin = fileURLToPath(new URL('../../bin/parcours.mjs', import.meta.url));
     const words = ['run', 'square/main.py', '--scene', 'square', '--until-verdict', '--quiet'];
     expect(spawnSync(process.execPath, [bin, ...words], { cwd: 'courses' }).status).toBe(0);

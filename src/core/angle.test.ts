@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { degOf, fullTurnDeg, radOf, rotationRad, wrappedDeg } from './angle';
 
 describe('an angle', () => {
-  it('of half a turn is 180° or π', () => {
+  it('of half a turn equals 180° or π', () => {
     expect(degOf(Math.PI)).toBe(180);
     expect(radOf(180)).toBe(Math.PI);
   });
@@ -16,7 +16,7 @@ describe('an angle', () => {
     expect([0, -0, 360, -90, 359.9, 725.5].map(fullTurnDeg)).toEqual([0, 0, 0, 270, 359.9, 5.5]);
   });
 
-  it('of a thing in eighths of a turn has the very bits that it had before there were degrees', () => {
+  it('keeps the very bits that it had before there were degrees, if it is in eighths of a turn', () => {
     for (let eighths = 0; eighths < 8; eighths++) expect(rotationRad(45 * eighths)).toBe((eighths * Math.PI) / 4);
     expect(rotationRad(30)).toBeCloseTo(Math.PI / 6, 15);
   });

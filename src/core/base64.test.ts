@@ -11,7 +11,7 @@ describe('base64', () => {
     }
   });
 
-  it('with a foreign sign, a wrong length or an early end is none', () => {
+  it('is refused with a foreign sign, a wrong length or an early end', () => {
     for (const text of ['AAA', 'AA-A', 'A=AA', 'AA=A', '=AAA', 'AAAA=', 'ÄAAA']) expect(fromBase64(text)).toBeNull();
   });
 });

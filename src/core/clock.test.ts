@@ -50,7 +50,7 @@ describe('alarms', () => {
     expect(rang).toEqual(['alarm 10', 'alarm 20', 'alarm 30', 'alarm 40', 'alarm 50']);
   });
 
-  it('of the same microsecond ring in the order in which they were set', () => {
+  it('ring in the order in which they were set if they are for the same microsecond', () => {
     const { clock, rang, note } = setUp();
     for (const name of ['first', 'second', 'third', 'fourth', 'fifth']) clock.at(7, note(name));
     clock.advanceTo(7);
@@ -80,7 +80,7 @@ describe('alarms', () => {
     expect(clock.nowUs).toBe(1000);
   });
 
-  it('of the very microsecond that the clock is moved to ring, of the next one they wait', () => {
+  it('ring if they are for the very microsecond that the clock is moved to, and wait if for the next one', () => {
     const { clock, rang, note } = setUp();
     clock.at(100, note('on time'));
     clock.at(101, note('later'));
@@ -100,7 +100,7 @@ describe('alarms', () => {
     expect(clock.nextAlarmUs).toBe(Infinity);
   });
 
-  it('of a fraction of a microsecond ring at the next whole one', () => {
+  it('ring at the next whole microsecond if they are for a fraction of one', () => {
     const { clock, rang, note } = setUp();
     clock.at(10.2, note('alarm'));
     expect(clock.nextAlarmUs).toBe(11);
@@ -147,7 +147,7 @@ describe('alarms', () => {
     expect(rang).toEqual(['brother 10', 'child 10']);
   });
 
-  it('that move the clock themselves leave it where they moved it to', () => {
+  it('may move the clock themselves, and leave it where they moved it to', () => {
     const { clock, rang, note } = setUp();
     clock.at(10, () => clock.advanceTo(60));
     clock.at(40, note('on the way'));
@@ -156,7 +156,7 @@ describe('alarms', () => {
     expect(clock.nowUs).toBe(60);
   });
 
-  it('after an error in one of them, the others still ring on the next move', () => {
+  it('still ring on the next move after an error in one of them', () => {
     const { clock, rang, note } = setUp();
     clock.at(10, () => {
       throw new Error('broken');
@@ -280,7 +280,7 @@ describe('a repeated alarm', () => {
     expect(rang).toEqual(['tick 10', 'tick 20', 'tick 30', 'tick 40']);
   });
 
-  it('that is stopped and fails at once ends all the same', () => {
+  it('ends even if it is stopped and fails at once', () => {
     const { clock } = setUp();
     const stop = clock.every(10, () => {
       stop();

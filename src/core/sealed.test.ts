@@ -9,7 +9,7 @@ describe('bytes in an address', () => {
 
   it('have four more for their checksum', () => expect(sealed(bytes)).toHaveLength(Math.ceil((11 * 4) / 3)));
 
-  it('that were cut short, changed or never were any are noticed', () => {
+  it('are refused if they were cut short, changed or never were any', () => {
     const text = sealed(bytes);
     for (let length = 0; length < text.length; length += 1) expect(unsealed(text.slice(0, length))).toBeNull();
     expect(unsealed(`${text.slice(0, -2)}AA`)).toBeNull();

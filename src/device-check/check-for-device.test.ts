@@ -113,7 +113,7 @@ describe('no false alarm', () => {
     expect(check({ [path]: readFileSync(path, 'utf8') })).toEqual([]);
   });
 
-  it('in thirty thousand characters, read in the time of a few frames', () => {
+  it('is raised in thirty thousand characters, which are read in the time of a few frames', () => {
     const long = pupilsPrograms['snake'] ?? '';
     expect(check({ 'main.py': long.repeat(30) })).toEqual([]);
   });

@@ -127,7 +127,7 @@ function extrasOf(tried: Tried): Extra[] {
 }
 
 describe.each(boards)('names on the $name', (board) => {
-  it('that our VM alone has are marked', () => {
+  it('are marked if our VM alone has them', () => {
     const device = { features: board.firmware.features, micropython: board.firmware.micropython };
     const extras = extrasOf(board).filter(({ name }) => !UNLISTED.some(([names]) => names.test(name)));
     const marked = extras.filter(({ program }) => checkForDevice({ 'main.py': program }, device).length > 0);

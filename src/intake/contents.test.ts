@@ -34,7 +34,7 @@ describe('a file that is handed in', () => {
     expect(await handInOfBytes('deep.zip', zip, none)).toHaveProperty('handIn');
   });
 
-  it('of a newer version asks for a newer Parcours, a damaged one does not', async () => {
+  it('asks for a newer Parcours if it is of a newer version, but not if it is damaged', async () => {
     const contentWith = (version: unknown) => {
       const project = { files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null };
       const text = projectToText({ ...project, handIn: { version } });

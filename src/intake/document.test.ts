@@ -23,7 +23,7 @@ describe('a file', () => {
     },
   );
 
-  it('that is too large is not read', async () => {
+  it('is not read if it is too large', async () => {
     const unread = (path: string): TreeFile => ({ ...fileOf(path, new Uint8Array(), mostBytes(path) + 1), read: () => expect.fail('It was read.') }); // prettier-ignore
     for (const name of ['a.py', 'a.json', 'a.txt', 'a.tsv'])
       expect(await openFile(unread(name), none)).toMatchObject({ problem: { code: 'large', params: { file: name } } });
@@ -32,7 +32,7 @@ describe('a file', () => {
     expect(await openFile(unread('photo.jpg'), none)).toEqual({ kind: 'picture' });
   });
 
-  it('that vanishes while it is read says so', async () => {
+  it('says so if it vanishes while it is read', async () => {
     const gone: TreeFile = { path: 'a.py', size: 1, read: () => Promise.reject(new Error('no disk')) };
     expect(await openFile(gone, none)).toMatchObject({ problem: { code: 'gone', params: { problem: 'no disk' } } });
   });
@@ -60,7 +60,7 @@ describe('an address', () => {
     expect(documentOfAddress('#?world=hall&task=a%20b', none)).toEqual({ kind: 'ready', course: 'a b', isWhole: true });
   });
 
-  it('that is damaged or newer says so', () => {
+  it('says so if it is damaged or newer', () => {
     const codes = ['#p=1.x', '#p=99.abc', '#r=1.0.x', '#r=99.0.x', '?code=x'].map((address) => {
       const document = documentOfAddress(address, none);
       return document.kind === 'unreadable' ? [document.problem.code, document.link?.code] : document.kind;

@@ -52,7 +52,7 @@ describe('the links in a page', () => {
 
 describe('a megabyte of anything', () => {
   // A pattern that looks at each sign again from each sign would not end within the time of a test.
-  it.each(['<', '<a href=x>', '"', '" ', ' ', '.', '&', `${LINK}.`, `a,"`])('of %j is read', (piece) => {
+  it.each(['<', '<a href=x>', '"', '" ', ' ', '.', '&', `${LINK}.`, `a,"`])('is read if it consists of %j', (piece) => {
     const much = piece.repeat(Math.ceil(1_000_000 / piece.length));
     for (const kind of ['a.txt', 'a.csv', 'a.html'])
       expect(linksInFile(kind, `${much}x\nAnna ${LINK}\n${much}${LINK}${much}x`)).toBeInstanceOf(Array);

@@ -26,7 +26,7 @@ const programs = ({ project }: HandIn): object =>
   Object.fromEntries(project.files.map(({ name, text }) => [name, text]));
 
 describe('a run that is handed in', () => {
-  it('by its link among others is the project in it, on the course that it was driven on', async () => {
+  it('is the project in its link among others, on the course that it was driven on', async () => {
     const [ada, ben] = listSources(`Ada: ${address}\nBen: #${runLinkOf(run, 0)}.`, () => null);
     expect([ada?.name, ben?.name]).toEqual(['Ada', 'Ben']);
     const handIn = await handInOf(ada);
@@ -35,7 +35,7 @@ describe('a run that is handed in', () => {
     expect(programs(await handInOf(ben))).toEqual(files);
   });
 
-  it('as its file is the same', async () => {
+  it('is the same as its file', async () => {
     const bytes = new TextEncoder().encode(run);
     const source = fileSource({ path: 'Ada.run.json', size: bytes.length, read: () => ({ bytes }) }, () => null);
     expect(programs(await handInOf(source))).toEqual(files);
@@ -51,7 +51,7 @@ describe('a run that is handed in', () => {
     expect((await handInOf(listSources(`#${runLinkOf(changed[1] ?? '', 0)}`, () => null)[0])).isEdited).toBe(true);
   });
 
-  it('by a link that is not whole, or from a newer Parcours, says so', async () => {
+  it('says so if its link is not whole, or from a newer Parcours', async () => {
     const newer = address.replace('#r=1.', '#r=2.');
     const found = await Promise.all(listSources(`${address.slice(0, -9)}\n${newer}`, () => null).map(contentOf));
     expect(found).toEqual([{ problem: { code: 'link', params: {} } }, { problem: { code: 'newer-link', params: {} } }]);

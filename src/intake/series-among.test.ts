@@ -49,7 +49,7 @@ describe('a series among files', () => {
     });
   });
 
-  it('that cannot be read says why', async () => {
+  it('says why it cannot be read', async () => {
     const newer = '{"format":"parcours-series","version":2,"tasks":[]}';
     expect(await found(file('neu.json', newer))).toEqual({
       tasks: 'newer',

@@ -60,7 +60,7 @@ describe('hand-ins as pupils and platforms pack them', () => {
     expect(await found(zip('class.zip', files))).toEqual([['Ada', ['main.py']], ['Ben', ['main.py', 'own.py']]]); // prettier-ignore
   });
 
-  it('that may be several programs tell which there are', async () => {
+  it('name the candidates if several files may be the program', async () => {
     const files = {
       'Ada/one/main.py': 'a',
       'Ada/two/main.py': 'b',

@@ -24,13 +24,13 @@ describe('a zip', () => {
     expect(entriesOf(zip).map(({ path }) => path)).toEqual(['a.py', 'home/b.py', 'c.py', 'x/d.py', 'e/']);
   });
 
-  it('that would unpack to a gigabyte is not unpacked', () => {
+  it('is not unpacked if it would unpack to a gigabyte', () => {
     const bomb = zipSync({ 'a.py': new Uint8Array(20_000_000) }, { level: 9 });
     expect(bomb.length).toBeLessThan(25_000);
     expect(entriesOf(bomb)[0]?.read(1_000_000)).toEqual({ problem: { code: 'zip-bomb', params: { most: 1_000_000 } } }); // prettier-ignore
   });
 
-  it('that is none, or a part of one, is refused', () => {
+  it('is refused if it is none, or a part of one', () => {
     const zip = zipSync({ 'a.py': strToU8('x = 1') });
     for (const bytes of [strToU8('hello'), zip.subarray(0, zip.length - 10), new Uint8Array()])
       expect(readZip(bytes)).toEqual({ problem: { code: 'zip', params: {} } });

@@ -45,22 +45,22 @@ describe('a project file', () => {
     expect(projectToText(fullProject())).toBe(projectToText(fullProject()));
   });
 
-  it('of version 1 opens as it always did', () => {
+  it('opens as it always did in version 1', () => {
     expect(parseProject(kept('v1.json'))).toEqual({ project: fullProject() });
   });
 
-  it('of version 2 opens as it always did, with the pupil’s own robot; without one it is still of version 1', () => {
+  it('opens as it always did in version 2, with the pupil’s own robot; without one it is still of version 1', () => {
     expect(parseProject(kept('v2.json'))).toEqual({ project: measuredProject() });
     expect(projectToText(measuredProject())).toBe(kept('v2.json'));
     expect(projectToText(fullProject())).toContain('"version": 1,');
   });
 
-  it('of version 3 opens as it always did, with several devices', () => {
+  it('opens as it always did in version 3, with several devices', () => {
     expect(parseProject(kept('v3.json'))).toEqual({ project: devicesProject() });
     expect(projectToText(devicesProject())).toBe(kept('v3.json'));
   });
 
-  it('of version 4 opens as it always did, with the data of a task; what is handed in is of that version, too', () => {
+  it('opens as it always did in version 4, with the data of a task; a hand-in is of that version, too', () => {
     expect(parseProject(kept('v4.json'))).toEqual({ project: classProject() });
     expect(projectToText(classProject())).toBe(kept('v4.json'));
     expect(projectToText(handedInProject())).toContain('"version": 4,');
@@ -115,7 +115,7 @@ describe('a project file', () => {
     );
   });
 
-  it('of a newer version asks to reload the page', () => {
+  it('asks to reload the page if it is of a newer version', () => {
     const [problem] = problemsOf({ ...asValue(small), version: 7 });
     expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 4 } });
     expect(problem?.message).toBe('Project version 7 is newer than this app (4). Reload the page to update.');
@@ -123,7 +123,7 @@ describe('a project file', () => {
       expect(problemsOf({ ...asValue(small), version })[0]?.code).toBe('unknown-version');
   });
 
-  it('that is none says so', () => {
+  it('says so if it is none', () => {
     for (const value of [null, 7, 'x', [], {}, { format: 'parcours-scene' }])
       expect(problemsOf(value === 'x' ? '"x"' : value)[0]?.code).toBe('not-a-project');
     expect(problemsOf('{ "format": ')[0]?.message).toBe(

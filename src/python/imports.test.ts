@@ -34,7 +34,7 @@ describe('the modules that a program imports', () => {
       }
   });
 
-  it('of a project are those of all its programs; its own files are not from elsewhere', () => {
+  it('are those of all programs of a project; its own files are not from elsewhere', () => {
     const files = { 'main.py': 'import drive, a', 'drive.py': 'from b import c', 'notes.txt': 'import d' };
     expect(modulesImportedBy(files)).toEqual(new Set(['drive', 'a', 'b']));
     expect(foreignModules(files)).toEqual(new Set(['a', 'b']));

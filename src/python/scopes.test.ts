@@ -23,13 +23,13 @@ describe('the names of a program', () => {
     expect(namesIn(rootOf('def a(b): c = 1\nclass d: e = 2\nif (f := 3): pass'))).toBe('a d f');
   });
 
-  it('of a function are its parameters and what it assigns, but for what it takes from the module by global', () => {
+  it('are the parameters of a function and what it assigns, but for what it takes from the module by global', () => {
     const text = 'def f(a, b=1, *c, d: int = 2, **e):\n  global g\n  g = h = 1\n  ¦\ni = 2';
     expect(at(text)).toBe('a b c d e h');
     expect(at(text.replace('¦', '') + '¦')).toBe('f g i');
   });
 
-  it('of instances are what methods assign to self', () => {
+  it('are what methods assign to self for instances', () => {
     const { root, attributes } = namesOf(
       readPython('class A:\n  n = 1\n  def f(self):\n    self.x = self.y = 1\na.z = 2'),
     );
@@ -37,7 +37,7 @@ describe('the names of a program', () => {
     expect([...attributes].sort()).toEqual(['A', 'f', 'n', 'x', 'y', 'z']);
   });
 
-  it('of lambdas and comprehensions end with them', () => {
+  it('end with their lambda or comprehension', () => {
     expect(at('a = lambda b, c=1: b¦')).toBe('b c');
     expect(at('a = [b for b in c if b¦]')).toBe('b');
     expect(at('a = sum(b for b, c in d¦) + 1')).toBe('b c');
@@ -59,7 +59,7 @@ describe('the scope at a place', () => {
     expect(at('def f(a):\n    if a:\n        b = 1\n      c = 2\n    d = 3\n    ¦\ne = 4')).toBe('a b c d');
   });
 
-  it('and its names stay while a line is half written', () => {
+  it('stays with its names while a line is half written', () => {
     for (const half of [
       'display.',
       'display.show(Im',

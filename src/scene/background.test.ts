@@ -12,20 +12,20 @@ describe('the levels of a background', () => {
     expect(unpackLevels({ cells: [600, 450], levels: packed })).toEqual(levels);
   });
 
-  it('that are not as many as the cells are refused, too few or too many', () => {
+  it('are refused if they are not as many as the cells, too few or too many', () => {
     const packed = packLevels(levels);
     expect(unpackLevels({ cells: [600, 451], levels: packed })).toBeNull();
     expect(unpackLevels({ cells: [600, 449], levels: packed })).toBeNull();
     expect(unpackLevels({ cells: [1, 1], levels: '' })).toBeNull();
   });
 
-  it('that would become 16 MB are refused', () => {
+  it('are refused if they would become 16 MB', () => {
     const bomb = toBase64(deflateSync(new Uint8Array(16_000_000), { level: 9 }));
     expect(bomb.length).toBeLessThan(30_000);
     expect(unpackLevels({ cells: [1000, 1000], levels: bomb })).toBeNull();
   });
 
-  it('that are damaged are refused without an exception: cut, no base64, no deflated data, brighter than 15', () => {
+  it('are refused without an exception if they are damaged: cut, no base64, no deflated data, brighter than 15', () => {
     const packed = packLevels(levels);
     const damaged = [packed.slice(0, 400), 'A', '====', '!!!!', '////', toBase64(zlibSync(levels))];
     for (const text of damaged) expect(unpackLevels({ cells: [600, 450], levels: text })).toBeNull();

@@ -439,7 +439,7 @@ describe('a bad course file', () => {
     expect(problemsOf(changed({ objects: Array(500).fill({}) }))).toHaveLength(20);
   });
 
-  it('with more points than 60,000 in all its strokes is refused', () => {
+  it('is refused with more points than 60,000 in all its strokes', () => {
     const stroke = (id: string) => ({ id, type: 'stroke', points: Array(20_001).fill([1, 1]) });
     const [first] = problemsOf(changed({ objects: [stroke('a'), stroke('b'), stroke('c')] }));
     expect(first).toMatchObject({ code: 'too-many', path: 'objects[2].points' });

@@ -47,7 +47,7 @@ describe('an edit', () => {
     expect(after).toEqual({ ...scene, name: 'Slalom', size: [2000, 900] });
   });
 
-  it('of several parts does them one after the other', () => {
+  it('does several parts one after the other', () => {
     const edits: SceneEdit[] = [
       { type: 'clear' },
       { type: 'add', objects: [block('x')] },
@@ -85,7 +85,7 @@ describe('an edit', () => {
       },
     ],
   ];
-  it.each(nothing)('that changes nothing gives the same course: %s', (_what, edit) => {
+  it.each(nothing)('gives the same course if it changes nothing: %s', (_what, edit) => {
     expect(applyEdit(scene, edit)).toBe(scene);
   });
 

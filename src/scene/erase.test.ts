@@ -15,7 +15,7 @@ const line = stroke([
 ]);
 
 describe('an eraser', () => {
-  it('that crosses a line leaves a gap as wide as itself: both round ends touch it', () => {
+  it('leaves a gap as wide as itself when it crosses a line: both round ends touch it', () => {
     const across = eraserAlong(
       [
         { x: 100, y: -50 },
@@ -35,7 +35,7 @@ describe('an eraser', () => {
     ]);
   });
 
-  it('that goes along the end takes it away', () => {
+  it('removes the end of a line when it goes along it', () => {
     expect(
       erased(
         line,
@@ -55,7 +55,7 @@ describe('an eraser', () => {
     ]);
   });
 
-  it('that covers all of it leaves nothing', () => {
+  it('leaves nothing of a line that it covers', () => {
     expect(
       erased(
         line,
@@ -80,14 +80,14 @@ describe('an eraser', () => {
     ).toEqual([]);
   });
 
-  it('that only touches the edge, or is elsewhere, changes nothing', () => {
+  it('changes nothing if it only touches the edge, or is elsewhere', () => {
     expect(erased(line, eraserAlong([{ x: 100, y: 20 }], 10))).toBeNull();
     expect(erased(line, eraserAlong([{ x: 100, y: 300 }], 10))).toBeNull();
     expect(erased(stroke([[50, 50]]), eraserAlong([{ x: 70, y: 50 }], 5))).toBeNull();
     expect(erased(line, eraserAlong([], 10))).toBeNull();
   });
 
-  it('that dabs once takes a disc', () => {
+  it('takes a disc when it dabs once', () => {
     const [left, right] = erased(line, eraserAlong([{ x: 100, y: 0 }], 10)) ?? [];
     expect([left?.at(-1), right?.[0]]).toEqual([
       [80, 0],
@@ -95,7 +95,7 @@ describe('an eraser', () => {
     ]);
   });
 
-  it('that was moved so fast that the pointer was seen only twice leaves no paint in between', () => {
+  it('leaves no paint in between when it was moved so fast that the pointer was seen only twice', () => {
     const zigzag = stroke(Array.from({ length: 200 }, (_, index): Point => [index * 10, index % 2 === 0 ? 0 : 300]));
     const pieces = erased(
       zigzag,

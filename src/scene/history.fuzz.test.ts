@@ -91,7 +91,7 @@ describe('editing, undoing and redoing in any order', () => {
     forManySeeds(fuzzRuns, (rng) => play(rng, inPercent(rng, 99) ? wholeFrom(rng, 1, 30) : 60));
   });
 
-  it('also beyond the steps that are kept', () => {
+  it('also works beyond the steps that are kept', () => {
     forManySeeds(3, (rng) => play(rng, 4 * HISTORY_STEPS));
   });
 });

@@ -23,13 +23,13 @@ function inverseOf(edit: SceneEdit, before = scene): SceneEdit {
 }
 
 describe('the inverse', () => {
-  it('of adding removes; of adding the first ones it clears', () => {
+  it('removes what was added, and clears what was the first of its kind', () => {
     expect(inverseOf({ type: 'add', objects: [block('x'), block('y')] })).toEqual({ type: 'remove', ids: ['x', 'y'] });
     expect(inverseOf({ type: 'add', objects: [block('x')], at: [1] })).toEqual({ type: 'remove', ids: ['x'] });
     expect(inverseOf({ type: 'add', objects: [block('x')] }, empty)).toEqual({ type: 'clear' });
   });
 
-  it('of removing puts the same objects back to their places', () => {
+  it('puts removed objects back to their places', () => {
     const [a, s, b, t] = scene.objects;
     expect(inverseOf({ type: 'remove', ids: ['b', 'a'] })).toEqual({ type: 'add', objects: [a, b], at: [0, 2] });
     expect(inverseOf({ type: 'remove', ids: ['t'] })).toEqual({ type: 'add', objects: [t] });
@@ -37,7 +37,7 @@ describe('the inverse', () => {
     expect(inverseOf({ type: 'clear' })).toEqual({ type: 'add', objects: [a, s, b, t] });
   });
 
-  it('of replacing puts one for its pieces, and back what went without any', () => {
+  it('puts one object back for its pieces, and restores what was replaced by none', () => {
     const [, s, b] = scene.objects;
     const cut: SceneEdit = { type: 'replace', changes: [{ id: 's', by: [line('s'), line('s2', 3)] }, { id: 'b', by: [] }] }; // prettier-ignore
     expect(inverseOf(cut)).toEqual({
@@ -51,7 +51,7 @@ describe('the inverse', () => {
     inverseOf({ type: 'replace', changes: [{ id: 'a', by: [] }, { id: 'b', by: [block('a', 8), block('b', 9)] }] }); // prettier-ignore
   });
 
-  it('of a change of robot or course says what was there of what it names', () => {
+  it('restores the named values of robot or course after a change', () => {
     expect(inverseOf({ type: 'robot', robot: { heading: 90, options: { S1: 'claw' } } })).toEqual({
       type: 'robot',
       robot: { heading: 0, options: {} },
@@ -63,7 +63,7 @@ describe('the inverse', () => {
     });
   });
 
-  it('of several takes back the last one first', () => {
+  it('undoes the last of several first', () => {
     const edits: SceneEdit[] = [
       { type: 'remove', ids: ['s'] },
       {
@@ -84,7 +84,7 @@ describe('the inverse', () => {
     });
   });
 
-  it('of more than one edit can hold puts back the whole course', () => {
+  it('restores the whole course for more than one edit can hold', () => {
     const whole = (of: Scene, edits: readonly SceneEdit[]): void =>
       expect(inverseOf({ type: 'all', edits }, of)).toMatchObject({
         edits: [{ type: 'clear' }, { type: 'add' }, { type: 'robot' }, { type: 'course' }],

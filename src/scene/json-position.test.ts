@@ -12,7 +12,7 @@ describe('the place of a mistake in JSON', () => {
     ['{"a":\n  tru}', 2, 3],
     ["['a']", 1, 2],
   ];
-  it.each(table)('in %j is found', (text, line, column) => {
+  it.each(table)('is found in %j', (text, line, column) => {
     expect(() => void JSON.parse(text)).toThrow();
     expect(findJsonError(text)).toEqual({ line, column });
   });

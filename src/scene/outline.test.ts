@@ -23,7 +23,7 @@ const rounded = (outline: Outline = []): readonly (readonly [number, number])[] 
   outline.map(({ x, y }) => [Number(x.toFixed(3)), Number(y.toFixed(3))]);
 
 describe('the solid outline', () => {
-  it('of a wall is its centre line, half its thickness to each side', () => {
+  it('is a wall’s centre line with half its thickness to each side', () => {
     expect(rounded(...solidParts({ type: 'wall', id: 'w', from: [0, 50], to: [100, 50], thickness: 10 }))).toEqual([
       [0, 45],
       [100, 45],
@@ -32,7 +32,7 @@ describe('the solid outline', () => {
     ]);
   });
 
-  it('of blocks, spikes and movers is their box, exact to the bit when turned by quarters', () => {
+  it('is the box of blocks, spikes and movers, exact to the bit when turned by quarters', () => {
     for (const type of ['block', 'fixed-block', 'spikes'] as const)
       expect(solidParts({ type, id: 'b', at: [100, 100], size: [40, 20], angle: 90 })).toEqual([
         [
@@ -55,7 +55,7 @@ describe('the solid outline', () => {
     expect(flat.map(solidParts)).toEqual([[], [], []]);
   });
 
-  it('of the way of a mover reaches from end to end', () => {
+  it('reaches from end to end of a mover’s path', () => {
     expect(boundsOf(mover)).toEqual({ minX: 90, maxX: 310, minY: 80, maxY: 120 });
     expect(legOutlines(mover)[0]).toHaveLength(4);
     expect(legOutlines({ ...mover, to: [300, 200] })[0]).toHaveLength(6);
@@ -74,7 +74,7 @@ describe('a zone', () => {
     expect(places.map((place) => zoneHolds(zone(), place))).toEqual([true, false, true, true, false]);
   });
 
-  it('that is round does not hold its corners', () => {
+  it('does not hold its corners if it is round', () => {
     const round = zone({ round: true });
     expect(zoneHolds(round, { x: 140, y: 100 })).toBe(true);
     expect(zoneHolds(round, { x: 100, y: 120 })).toBe(true);
@@ -82,7 +82,7 @@ describe('a zone', () => {
     expect(zoneHolds(round, { x: 129, y: 115 })).toBe(false); // 0.725² + 0.75² = 1.09
   });
 
-  it('that is turned by an eighth is turned to the left', () => {
+  it('is turned to the left by an eighth', () => {
     const turned = zone({ angle: 45 });
     expect(zoneHolds(turned, { x: 126, y: 126 })).toBe(true);
     expect(zoneHolds(turned, { x: 126, y: 74 })).toBe(false);
@@ -102,7 +102,7 @@ describe('a zone', () => {
     expect(zoneOverlaps(zone(), square(100, 100, 500))).toBe(true);
   });
 
-  it('that is round is overlapped as random places in body and zone say', () => {
+  it('is overlapped as random places in body and zone say if it is round', () => {
     const rng = createRng(5);
     const between = (min: number, max: number): number => min + rng.unit() * (max - min);
     let overlapping = 0;
@@ -127,7 +127,7 @@ describe('a zone', () => {
 });
 
 describe('the bounds', () => {
-  it('of a stroke hold its width', () => {
+  it('hold the width of a stroke', () => {
     expect(
       boundsOf(
         stroke([
@@ -138,12 +138,12 @@ describe('the bounds', () => {
     ).toEqual({ minX: 0, minY: 10, maxX: 120, maxY: 80 });
   });
 
-  it('of a round zone are those of the ellipse, not of its box', () => {
+  it('are those of the ellipse of a round zone, not of its box', () => {
     const { minX, maxX, minY } = boundsOf(zone({ round: true, size: [100, 100], angle: 45 }));
     expect([minX, maxX, minY].map((mm) => Number(mm.toFixed(6)))).toEqual([50, 150, 50]);
   });
 
-  it('of a label grow with its text', () => {
+  it('grow with the text of a label', () => {
     const width = (text: string): number => {
       const { minX, maxX } = boundsOf({ type: 'label', id: 'l', at: [0, 0], text, height: 30, angle: 0 });
       return maxX - minX;

@@ -69,7 +69,7 @@ describe('a course file', () => {
     expect(sceneOf(changed({ robot: { at: [-500, 450] } })).robot.at).toEqual([-500, 450]);
   });
 
-  it('of the largest course there can be is not too long to be read again', () => {
+  it('is not too long to be read again if it holds the largest course there can be', () => {
     const unprintable = '\u0001'.repeat(96); // six characters each in a file
     const base64 = 'A'.repeat(sceneLimits.pictureCharacters - 40);
     const options = Array.from({ length: sceneLimits.options }, (_, index) => [`${unprintable}${index}`, unprintable]);

@@ -25,7 +25,7 @@ function scribble(seed: number, places: number): Vec[] {
 }
 
 describe('a drawn line', () => {
-  it('that is straight becomes its two ends, in whole mm', () => {
+  it('becomes its two ends if it is straight, in whole mm', () => {
     const path = Array.from({ length: 500 }, (_, index) => ({ x: index * 0.7, y: index * 0.35 + 0.2 }));
     expect(simplified(path)).toEqual([
       [0, 0],
@@ -42,7 +42,7 @@ describe('a drawn line', () => {
     ]);
   });
 
-  it('that comes back to its start stays closed', () => {
+  it('stays closed if it comes back to its start', () => {
     const circle = Array.from({ length: 201 }, (_, index) => {
       const angle = (2 * Math.PI * index) / 200;
       return { x: 300 + 100 * Math.cos(angle), y: 300 + 100 * Math.sin(angle) };
@@ -53,7 +53,7 @@ describe('a drawn line', () => {
     expect(points.length).toBeLessThan(40);
   });
 
-  it('of one place becomes one point, never −0', () => {
+  it('becomes one point if it is one place, never −0', () => {
     expect(simplified([{ x: -0.2, y: 12.5 }])).toEqual([[0, 13]]);
     expect(
       simplified([
@@ -63,7 +63,7 @@ describe('a drawn line', () => {
     ).toEqual([[1, 1]]);
   });
 
-  it('of 20,000 places is never further than 1 mm and the rounding from any of them, with fewer than half the points', () => {
+  it('is never further than 1 mm and the rounding from any of 20,000 places, with fewer than half the points', () => {
     for (const seed of [1, 2]) {
       const path = scribble(seed, 20_000);
       const points = simplified(path);

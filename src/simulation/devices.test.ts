@@ -163,7 +163,7 @@ describe('a message by radio', { timeout: 60_000 }, () => {
     expect(Number((await run(1500, devices, { reality: 1 })).takeConsole(2))).toBeLessThan(10);
   });
 
-  it('that is put in by hand reaches all, or the one that is named', async () => {
+  it('reaches all if it is put in by hand, or the one that is named', async () => {
     const devices: Devices = [board('a', ...LISTEN), board('b', ...LISTEN)];
     const inputs = [
       { timeUs: 100_000, action: { type: 'radio' as const, text: 'all' } },
@@ -260,7 +260,7 @@ describe('the starts of a course', { timeout: 60_000 }, () => {
     expect([second?.robot?.id, second?.options['S1']]).toEqual(['callibot', 'claw']);
   });
 
-  it('in a wall or on another robot are told with device and place', () => {
+  it('are reported with device and place if they are in a wall or on another robot', () => {
     const problemOf = (...objects: SceneObject[]) => {
       const fitted = fitDevices(setupOf(robots('a', 'b'), { scene: courseWith(...objects) }));
       return 'problem' in fitted ? fitted.problem : '';
@@ -346,29 +346,29 @@ describe('a run of several devices is refused', () => {
   const refusal = (devices: readonly DeviceSetup[], scene: Scene = defaultScene()) =>
     expect(Simulation.create(setupOf(devices as unknown as Devices, { scene }), firmware)).rejects;
 
-  it('with more than eight of them', () =>
+  it('if it has more than eight of them', () =>
     refusal(Array.from({ length: 9 }, (_, n) => board(`board ${n}`))).toThrow('9 devices are too many: at most 8'));
 
-  it('with none', () => refusal([]).toThrow('at least one device'));
+  it('if it has none', () => refusal([]).toThrow('at least one device'));
 
-  it('with two of one name', () =>
+  it('if it has two of one name', () =>
     refusal([board('a'), board('b'), board('a')]).toThrow('Two devices are named "a". Give one of them another name.'));
 
-  it('with a robot on another', () =>
+  it('if it has a robot on another', () =>
     refusal([maqueen('a', [300, 300], 0), maqueen('b', [330, 300], 0)]).toThrow(
       'Device "b": At [330, 300] its robot stands on the robot of "a". Move one of them.',
     ));
 
-  it('with a robot outside the arena', () =>
+  it('if it has a robot outside the arena', () =>
     refusal([maqueen('a', [300, 300], 0), maqueen('b', [10, 300], 0)]).toThrow(/^Device "b": .*not wholly inside/));
 
-  it('with a robot for which there is no room', () => {
+  it('if it has a robot for which there is no room', () => {
     const { start: _, ...free } = maqueen('b', [0, 0], 0);
     const scene = { ...defaultScene(), size: [200, 200] as const, robot: { ...defaultScene().robot, at: [100, 100] as const } }; // prettier-ignore
     return refusal([{ ...free, name: 'a' }, free], scene).toThrow(/^Device "b": There is no room for its robot/);
   });
 
-  it('with an input for a device that is not there', async () => {
+  it('if it has an input for a device that is not there', async () => {
     const inputs = [{ timeUs: 0, device: 'x', action: { type: 'interrupt' as const } }];
     await expect(Simulation.create(setupOf([board('a')], { inputs }), firmware)).rejects.toThrow(
       '[0]: There is no device "x". Known are "a".',

@@ -44,7 +44,7 @@ async function drive(
 }
 
 describe('a recorded run', () => {
-  it.each(runs)('of $folder is the same to the last bit, and without an error', { timeout: 60_000 }, async (golden) => {
+  it.each(runs)('is the same to the last bit in $folder, and without an error', { timeout: 60_000 }, async (golden) => {
     const simulation = await replay(golden);
     expect(simulation.ended?.exception ?? null).toBeNull();
     const { xMm, yMm } = simulation.snapshot().robot!.pose;

@@ -22,7 +22,7 @@ describe('a link to a run', () => {
     expect(readRunLink(changed)).toEqual({ fault: 'damaged' });
   });
 
-  it('of a newer version says so', () => {
+  it('says so if it is of a newer version', () => {
     expect(readRunLink('r=2.of-another-form')).toEqual({ fault: 'newer' });
   });
 

@@ -169,7 +169,7 @@ describe('a part that is put where a wall stands', () => {
     expect(Math.abs(rig.robot.pose().xMm + 80 - 2145)).toBeLessThan(0.5);
   });
 
-  it('by the hand that moves the robot lets it out again, too', () => {
+  it('is let out again by the hand that moves the robot, too', () => {
     const rig = atWall(20);
     rig.drive(-60, -60, 1);
     rig.robot.addPart(deep);

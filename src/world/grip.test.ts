@@ -15,7 +15,7 @@ describe('a tyre', () => {
     },
   );
 
-  it('that rolls holds sideways: a push too weak to make the wheels spin leaves the robot aslant', () => {
+  it('holds sideways while it rolls: a push too weak to make the wheels spin leaves the robot aslant', () => {
     const { robot, drive } = createRig({ xMm: 3850, yMm: 2000, headingRad: radOf(40) });
     drive(20, 20, 6);
     expect(robot.wheelSpeedMmPerS(0)).toBeLessThan(1);

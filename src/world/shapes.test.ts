@@ -24,7 +24,7 @@ const ahead = (world: World, from: Vec, headingRad = 0): number =>
   world.distanceCone(from, headingRad, CONE).distanceMm;
 
 describe('a can', () => {
-  it('that is pushed straight by a flat front stays on its line, and turns no robot', () => {
+  it('stays on its line when pushed straight by a flat front, and turns no robot', () => {
     const { world, robot, drive } = createRig();
     const block = world.addBlock(can({ x: 2150, y: 2000 }));
     drive(150, 150, 3);

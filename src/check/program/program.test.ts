@@ -39,7 +39,7 @@ describe('facts about a program', () => {
     expect(longest('delay(x)\nrobot.delay("a")').found).toBe(0);
   });
 
-  it('of a program that is half written are told as far as it goes', () => {
+  it('are found in a half-written program as far as it goes', () => {
     expect(holds({ type: 'loop' }, 'while True\n  x = (')).toBe(true);
     expect(holds({ type: 'loop' }, '('.repeat(5_000))).toBe(false);
     expect(holds({ type: 'delay', most: 1 }, `delay(${'1+'.repeat(5_000)}1)`)).toBe(true);

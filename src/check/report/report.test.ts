@@ -39,7 +39,7 @@ describe('the result of a class', () => {
     expect(remarks[2]).toEqual(['cannot be read: this is not a zip, or only a part of one.']);
   });
 
-  it('of one hand-in is reported on one sheet, of several on a table and a sheet for each', async () => {
+  it('is one sheet for a single hand-in, a table and a sheet each for several', async () => {
     const all = await results();
     const tables = [all, all.slice(0, 1)].map((some) => htmlOf(classResult('t', some), task, 'en'));
     expect(tables.map((html) => [html.split('<table>').length - 1, html.split('<section').length - 1])).toEqual([[1, 3], [0, 1]]); // prettier-ignore

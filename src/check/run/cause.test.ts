@@ -36,17 +36,17 @@ describe('a goal that was not reached', () => {
   const said = async (program: string, data: Carried = { seconds: 3 }, course = goal): Promise<string> =>
     say(await checked(taskWith(course, data), program));
 
-  it('of an empty program, also where it has only remarks', async () =>
+  it('names an empty program, also one with only comments', async () =>
     expect(await said('\n# later\n')).toBe('The program is empty.'));
 
-  it('by a robot that has never moved', async () => expect(await said('x = 1')).toBe('The robot never moved.'));
+  it('names a robot that has never moved', async () => expect(await said('x = 1')).toBe('The robot never moved.'));
 
-  it('by a program that waits for what does not come', async () =>
+  it('names a program that waits for something that does not come', async () =>
     expect(await said(`from microbit import *\nwhile not button_a.is_pressed(): pass\n${ahead(4000)}`)).toBe(
       'The robot never moved: the program waits for “button_a”, which does not come in this task. The program was still running after 3 s, the limit of this check.',
     ));
 
-  it('but where the task presses the button, nobody is said to wait for it', async () => {
+  it('does not say that it waits for a button that the task presses', async () => {
     const inputs = [{ timeUs: 100_000, action: { type: 'button', button: 'a', down: true } }];
     const data = { seconds: 3, worlds: [{ id: 'visible', hidden: false, inputs }] };
     expect(await said('from microbit import *\nwhile not button_b.is_pressed(): pass\n', data)).toBe(
@@ -96,7 +96,7 @@ describe('an error of the program', () => {
       'Line 2: SyntaxError: invalid syntax – repeat belongs to TigerJython. Here you write: for i in range(4):',
     ));
 
-  it('in the language of the reader', async () =>
+  it('is explained in the language of the reader', async () =>
     expect(await said('x = 1\nif x == 1\n    x = 2\n', 'de')).toMatch(
       /^Zeile 3: SyntaxError: invalid syntax – In Zeile 2 .*Doppelpunkt/,
     ));

@@ -34,7 +34,7 @@ describe('the file of a series', () => {
   it('is read as it was written', () =>
     expect(parseSeries(seriesToText(aSeries()), readyCourses)).toEqual({ series: aSeries() }));
 
-  it('of version 1 is read for ever', () => {
+  it('can always be read in version 1', () => {
     const read = parseSeries(KEPT, readyCourses);
     if ('problem' in read) throw new Error(read.problem);
     const { id, tasks } = read.series;
@@ -213,10 +213,10 @@ describe('a series as a link', () => {
     expect(isSeriesLink(link.fragment)).toBe(true);
   });
 
-  it('of three tasks is short enough for a chat, and for a QR code', () =>
+  it('is short enough for a chat and a QR code with three tasks', () =>
     expect(link.fragment.length).toBeLessThan(1000));
 
-  it('of twenty tasks stays under the 8,000 characters that chats cut off', () => {
+  it('stays under the 8,000 characters at which chats cut with twenty tasks', () => {
     const [, task] = aSeries().tasks;
     const tasks = Array.from({ length: 20 }, (_, place) => ({ ...task!, id: String(place) }));
     expect(seriesLinkOf({ ...aSeries(), tasks }, readyCourses)!.fragment.length).toBeLessThan(8000);
@@ -227,9 +227,10 @@ describe('a series as a link', () => {
       expect(seriesOfLink(link.fragment.slice(0, length), readyCourses)).toEqual({ fault: 'damaged' });
   });
 
-  it('of a later version says so', () => expect(seriesOfLink('#s=2.abcd', readyCourses)).toEqual({ fault: 'newer' }));
+  it('says so if it is of a later version', () =>
+    expect(seriesOfLink('#s=2.abcd', readyCourses)).toEqual({ fault: 'newer' }));
 
-  it('that is far too long is not unpacked', () =>
+  it('is not unpacked if it is far too long', () =>
     expect(seriesOfLink(`#s=1.${'A'.repeat(600_000)}`, readyCourses)).toEqual({ fault: 'too-large' }));
 
   it('is not made of a series with files that are not there', () =>
@@ -266,7 +267,7 @@ describe('a series as a folder', () => {
     expect(await readTasks(read.series, load)).toEqual(aSeries());
   });
 
-  it('of which a file is missing, damaged or a series says so in that place', async () => {
+  it('says where a file is missing, damaged or no series', async () => {
     const series = withTasks(
       { file: 'gone.json' },
       { file: 'bad.json' },

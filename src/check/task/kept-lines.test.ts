@@ -32,5 +32,5 @@ describe('lines that stay as they are', () => {
     expect(keptLines('a\nx\nb', 'b\nx\na', [1, 3])).toBeNull();
   });
 
-  it('that the program never had are nothing', () => expect(keptLines('a', 'b', [2, 400])).toEqual([]));
+  it('are nothing if the program never had them', () => expect(keptLines('a', 'b', [2, 400])).toEqual([]));
 });

@@ -13,7 +13,7 @@ const FORM =
   'An input of a task is like { "timeUs": 1000000, "action": { "type": "button", "button": "a", "down": true } }.';
 
 describe('an input of a task', () => {
-  it('that is written otherwise is told with its place and how it is written; nobody has recorded it', () => {
+  it('is refused with its place and the right form if it is written otherwise; nobody has recorded it', () => {
     expect(problemWith({ at: '1s', button: 'a', down: true })).toBe(`task.worlds[0].inputs[0]: is no input. ${FORM}`);
     const button = { type: 'button', button: 'c', down: true };
     expect(problemWith({ timeUs: 5, action: button })).toBe(

@@ -274,7 +274,7 @@ describe('results that are kept', () => {
   const pupils = classOf('kept-results', { 'a.py': RIGHT, 'b.py': ENDLESS, 'c.py': 'from mbrobot import *\nforward()\n', 'd.py': 'x' }); // prettier-ignore
   const results = join(folder, 'results');
 
-  it('of seven shards, joined, are byte for byte those of one machine', () => {
+  it('are byte for byte those of one machine when seven shards are joined', () => {
     for (let place = 1; place <= 7; place++)
       parcours('check', 'closed-line', pupils, '--resume', results, '--shard', `${place}/7`, '--quiet');
     const whole = ['report', 'csv', 'junit'].map((kind) => join(folder, `whole.${kind}`));
@@ -298,7 +298,7 @@ describe('results that are kept', () => {
     expect(run().find(({ name }) => name === before.name)?.points).toBe(0);
   });
 
-  it('of which some are missing are not joined, and it is said which', () => {
+  it('are not joined if some are missing, which are named', () => {
     const some = join(folder, 'some');
     parcours('check', 'closed-line', pupils, '--resume', some, '--shard', '1/2', '--quiet');
     const { code, err } = parcours('check', '--merge', some);
@@ -306,7 +306,7 @@ describe('results that are kept', () => {
     expect(err).toContain('2 of 4 hand-ins have no result yet: b, d.');
   });
 
-  it('of another task are refused', () => {
+  it('are refused if they are of another task', () => {
     const { code, err } = parcours('check', 'small-maze', pupils, '--resume', results);
     expect(code).toBe(2);
     expect(err).toContain('holds the results of another task');

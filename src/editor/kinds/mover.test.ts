@@ -50,7 +50,7 @@ describe('the stops of a moving block', () => {
     expect(places(dragged(way, 'add', 1, [250, 250]))).toEqual([[100, 100], [250, 250], [400, 100], [400, 400]]); // prettier-ignore
   });
 
-  it('of a round trip can be had on the way home, too', () => {
+  it('can be those of a round trip on the way home, too', () => {
     const round: Mover = { ...way, loops: true };
     expect(stopHandles(round, 12).filter(({ kind }) => kind === 'add')).toMatchObject([{ index: 1 }, { index: 2 }, { index: 3, at: { x: 250, y: 250 } }]); // prettier-ignore
     expect(places(dragged(round, 'add', 3, [100, 400]))).toHaveLength(4);

@@ -76,7 +76,7 @@ describe('pen with arcs', () => {
     expect(points.every(([, y]) => y >= 400)).toBe(true);
   });
 
-  it('also draws more than half of a circle', () => {
+  it('draws more than half of a circle, too', () => {
     const { points } = drawn('arc', taps([440, 320], [560, 320], [500, 500]));
     expect(apartFromCircle(points, { x: 500, y: 400 }, 100)).toBeLessThan(0.5);
     expect(points.some(([x]) => x <= 400)).toBe(true);

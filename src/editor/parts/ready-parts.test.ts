@@ -36,7 +36,7 @@ describe('the ready parts', () => {
     expect(written.course.objects).toEqual(kept.course.objects);
   });
 
-  it('of lines end 75 mm or a multiple of it from where they begin, so that tracks close', () => {
+  it('have lines that end 75 mm or a multiple of it from where they begin, so that tracks close', () => {
     for (const name of readyGroups.lines) {
       const ends = readyPart(name).objects.flatMap((object) =>
         object.type === 'stroke' ? [object.points[0]!, object.points.at(-1)!] : [],
@@ -47,7 +47,7 @@ describe('the ready parts', () => {
     }
   });
 
-  it('of lines but the long ones fit onto one sheet of A4, which takes 190 × 277 mm', () => {
+  it('have lines that fit onto one sheet of A4, which takes 190 × 277 mm, except for the long ones', () => {
     for (const name of [...readyGroups.lines, 'bay', 'start-box', 'sensor-strip'] as const) {
       if (name === 'long' || name === 'lane-change' || name === 'zigzag') continue;
       const [short, long] = [...partCourse(readyPart(name)).size].sort((one, two) => one - two);

@@ -32,7 +32,7 @@ describe('the value of an attribute', () => {
     expect(said(name, value)).toBe(words);
   });
 
-  it('that makes no sense is an error with a code and the name of the attribute', () => {
+  it('is an error with a code and the name of the attribute if it makes no sense', () => {
     const problem = attributeProblem('speed', '3', page);
     expect(problem).toMatchObject({ name: 'ParcoursError', code: 'wrong-attribute', path: 'speed' });
   });
@@ -64,7 +64,7 @@ describe('the value of an attribute', () => {
     expect(said(name, value)).toBeNull();
   });
 
-  it('that is left out or empty is all right', () => {
+  it('is all right if it is left out or empty', () => {
     for (const value of [null, ''])
       for (const name of ['show', 'speed', 'seed', 'task']) expect(said(name, value)).toBeNull();
   });

@@ -31,7 +31,7 @@ describe('the properties of an element', () => {
     expect(element.list.size).toBe(3);
   });
 
-  it('of which few values make sense are null for any other, as for one that is left out', () => {
+  it('are null for any value that makes no sense, as for one that is left out', () => {
     const element = new Element();
     for (const name of ['speed', 'theme', 'loading']) element.setAttribute(name, 'nonsense');
     expect([element.speed, element.theme, element.loading]).toEqual([null, null, null]);

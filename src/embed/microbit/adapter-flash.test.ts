@@ -12,7 +12,7 @@ describe('flash', () => {
     expect(kinds(news())).toEqual(['log_delete']);
   });
 
-  it('while a program runs ends that one first, with the whole state', async () => {
+  it('ends a running program first, with its whole state', async () => {
     const { news, flash } = opened();
     await flash();
     news();
@@ -23,7 +23,7 @@ describe('flash', () => {
     expect(rest).toEqual([]);
   });
 
-  it('without main.py starts the REPL', async () => {
+  it('starts the REPL without main.py', async () => {
     const { simulator, adapter } = opened();
     adapter.receive({ kind: 'flash', filesystem: { 'helper.py': bytes('x = 1') } });
     await settled();
@@ -70,7 +70,7 @@ describe('flash', () => {
     expect(simulator.project().files[0]?.text).toBe('print("stays")');
   });
 
-  it('after a log that was full tells that it is not any more, before it empties the table of the host', async () => {
+  it('says that a full log is no longer full, before it empties the table of the host', async () => {
     const { simulator, news, flash } = opened();
     await flash();
     simulator.tell({ type: 'log', events: [{ type: 'full', timeUs: 0 }] });
@@ -87,7 +87,7 @@ describe('flash', () => {
     ]);
   });
 
-  it('of what are no bytes changes nothing and says nothing, as the official simulator', async () => {
+  it('changes nothing and says nothing for anything but bytes, as the official simulator', async () => {
     const { simulator, adapter, news } = opened();
     news();
     const before = simulator.calls.length;

@@ -202,7 +202,7 @@ describe('what the program does', () => {
     expect(news()[0]).toMatchObject({ change: { soundLevel: { lowThreshold: 75, highThreshold: 150 } } });
   });
 
-  it('that cannot start is told as an error', () => {
+  it('is reported as an error if it cannot start', () => {
     const { simulator, news } = opened();
     news();
     simulator.tell({ type: 'failed', message: 'The robot stands in a wall.' });
@@ -306,7 +306,7 @@ describe('other messages', () => {
     ]);
   });
 
-  it('that nobody knows are let by, whatever they are', () => {
+  it('are let pass if they are unknown, whatever they are', () => {
     const { simulator, adapter, news } = opened();
     news();
     const before = simulator.calls.length;

@@ -176,7 +176,7 @@ describe('commands of our own dialect', () => {
     expect(ask('state')).toMatchObject({ ok: true });
   });
 
-  it('without an id are done and not answered', () => {
+  it('are done and not answered without an id', () => {
     const { simulator, adapter, heard } = greeted();
     const before = heard.length;
     adapter.receive({ parcours: 1, type: 'seed', seed: 5 });
@@ -209,7 +209,7 @@ describe('commands of our own dialect', () => {
     expect(Object.keys(simulator.settings().robotOptions)).toEqual([]);
   });
 
-  it('that throw when they are read are as if they had not been', () => {
+  it('are ignored if reading them throws', () => {
     const { adapter, heard } = greeted();
     const before = heard.length;
     adapter.receive({ parcours: 1, id: 7, get type() { throw new Error('no'); } }); // prettier-ignore

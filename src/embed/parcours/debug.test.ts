@@ -96,7 +96,7 @@ describe('commands about lines and time', () => {
     expect(host.events('held')).toEqual([{ parcours: 1, type: 'held', atMs: 7, file: 'main.py', line: 2, device }]);
   });
 
-  it('that wait for a run which does not answer are ended by stop', async () => {
+  it('are ended by stop if they wait for a run that does not answer', async () => {
     const host = greeted({ phase: 'running' });
     host.simulator.where = null;
     const [position, stop] = [host.say('get-position'), host.say('stop')];

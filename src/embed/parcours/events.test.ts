@@ -160,7 +160,7 @@ describe('events of our own dialect', () => {
     expect(events('radio')).toEqual([{ parcours: 1, type: 'radio', packets: [{ atMs: 5, text: 'hi' }, { atMs: 6, bytes: [7, 255] }] }]); // prettier-ignore
   });
 
-  it('and answers have the form that the manual promises', async () => {
+  it('have the form that the manual promises, as do answers', async () => {
     const { simulator, heard, ask, say, answerTo } = greeted({ project: fullProject() });
     ask('subscribe', { snapshotHz: 60 });
     simulator.where = { timeUs: 1500, variables: VARIABLES };

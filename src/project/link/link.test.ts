@@ -75,7 +75,7 @@ describe('a link', () => {
       }
   });
 
-  it('of a drawing that nobody draws on purpose is not much longer', () => {
+  it('is not much longer for a drawing that nobody draws on purpose', () => {
     for (const of of Object.values(wildDrawings)) {
       const project = withDrawing(of, 1);
       expect(link(project).length).toBeLessThan(5_500);
@@ -97,7 +97,7 @@ describe('a link', () => {
     expect(codeOf(projectOfLink(link(small), none))).toBe('unknown-course');
   });
 
-  it('without the program opens with an empty one', () => {
+  it('opens with an empty program if it has none', () => {
     expect(projectIn(link(fullProject(), false))).toEqual({ ...fullProject(), files: [{ name: 'main.py', text: '' }] });
   });
 });
@@ -170,7 +170,7 @@ describe('a link that is not whole', () => {
     expect(projectIn(` ${whole}\n`)).toEqual(fullProject());
   });
 
-  it('of a newer version asks to reload the page', () => {
+  it('asks to reload the page if it is of a newer version', () => {
     const read = projectOfLink('#p=10.abc', courses);
     expect('problem' in read && read.problem.message).toBe('The link is of version 10; this app reads version 9. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
@@ -202,7 +202,7 @@ describe('a hostile link', () => {
     expect(codeOf(projectOfLink(`#p=1.${'A'.repeat(500_000)}`, courses))).toBe('too-long');
   });
 
-  it('that counts more than it holds is damaged, without taking memory', () => {
+  it('is damaged, without taking memory, if it counts more than it holds', () => {
     const out = new ColumnWriter();
     for (let column = 1; column < 60; column += 1) out.uint(column, 34_000_000_000);
     expect(codeOf(projectOfLink(deflatedLink(out.bytes()), courses))).toBe('damaged');
@@ -213,7 +213,7 @@ describe('a hostile link', () => {
     expect(codeOf(projectOfLink(linkOfBytes({ version: 2, bytes: modelled.bytes() }), courses))).toBe('damaged');
   });
 
-  it('with values that no file may have says which', () => {
+  it('names the values that no file may have', () => {
     const scene = { ...ready, size: [10, 900] as const };
     const read = projectOfLink(link({ ...small, course: null, scene }), courses);
     expect(codeOf(read)).toBe('invalid');
@@ -332,7 +332,7 @@ describe('a link of version 4', () => {
     expect(projectIn(link(project))).toEqual(project);
   });
 
-  it('with a robot that cannot be says what is wrong with it', () => {
+  it('says what is wrong with a robot that cannot be', () => {
     const project = measuredProject();
     const { myRobot } = project.settings!;
     const impossible = {
@@ -386,7 +386,7 @@ describe('a link of version 5', () => {
     expect(link(alone)).toMatch(/^p=2\./);
   });
 
-  it('without the programs leaves each device an empty one, or that of another device', () => {
+  it('leaves each device an empty program, or that of another device, without the programs', () => {
     const read = projectIn(link(devicesProject(), false));
     expect(read?.devices?.others.map(({ files, sameAs }) => [files[0]?.text, sameAs])).toEqual([
       ['', ''],

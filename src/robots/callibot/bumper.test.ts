@@ -51,7 +51,7 @@ describe('Calli:bot, bumper', () => {
     expect(floor.robot.state().bumper).toEqual({ left: true, right: true });
   });
 
-  it('that comes onto a robot whose nose is at a wall is pressed at once, and lets it back off', () => {
+  it('is pressed at once when it comes onto a robot whose nose is at a wall, and lets it back off', () => {
     const floor = onTheFloor((world) => world.addWall(wallAhead(200)));
     floor.send(0x20, 0, 0, 60, 0, 60);
     floor.passMs(3000);

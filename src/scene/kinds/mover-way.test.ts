@@ -12,7 +12,7 @@ const firstProblem = (change: object): string => problemsOf(withObject({ ...plai
 const chasing = { to: undefined, chases: {} };
 
 describe('a moving block in a course file', () => {
-  it('that goes to and fro between two places is written as before', () => {
+  it('is written as before if it goes to and fro between two places', () => {
     expect(written({})).toBe('{ "id": "m", "type": "mover", "at": [100, 100], "size": [50, 50], "to": [300, 100] }');
     expect(wayOf(read({}))).toBe('to-and-fro');
   });
@@ -64,7 +64,7 @@ describe('a moving block in a course file', () => {
     ['no second place and no spin', { to: undefined }, /to: is missing/],
   ])('is refused with its place for %s', (_what, change, sentence) => expect(firstProblem(change)).toMatch(sentence));
 
-  it('that is no longer the simplest needs the newest version of the file', () => {
+  it('needs the newest version of the file if it is no longer the simplest', () => {
     const versionOf = (change: object) => /"version": (\d)/.exec(serializeScene(sceneOf(withObject({ ...plain, ...change }))))?.[1]; // prettier-ignore
     expect(versionOf({})).toBe('2');
     for (const change of [{ stops: [[1, 1]] }, { waits: [1] }, { loops: true }, { phase: 1 }, { spin: 5 }, chasing])

@@ -39,7 +39,7 @@ describe('a polygon', () => {
     expect(ownParts(shape)).toHaveLength(2);
   });
 
-  it('as a zone holds what lies in it, not what lies in its hollow', () => {
+  it('holds what lies in it as a zone, not what lies in its hollow', () => {
     const zone: Zone = { type: 'target', id: 't', at: [100, 100], size: [100, 100], angle: 0, round: false, corners: ELL, number: 0, blocks: 0 }; // prettier-ignore
     const at = (x: number, y: number, angle = 0) => zoneHolds({ ...zone, angle }, { x, y });
     expect([at(75, 75), at(125, 125), at(100, 120), at(101, 120)]).toEqual([true, false, true, false]);
@@ -48,7 +48,7 @@ describe('a polygon', () => {
     expect([zoneOverlaps(zone, spot(110, 110)), zoneOverlaps(zone, spot(96, 110))]).toEqual([false, true]);
   });
 
-  it('as a block has room in the hollow of another, and a round one beside a corner', () => {
+  it('has room as a block in the hollow of another, and for a round one beside a corner', () => {
     const block = (id: string, at: Point, more: Partial<Block> = {}): Block => ({
       ...{ type: 'block', id, at, size: [40, 40], angle: 0, ...more },
     });
@@ -59,7 +59,7 @@ describe('a polygon', () => {
     expect(stuckBlocks([block('a', [0, 0]), block('b', [36, 36], { round: true })])).toEqual([]);
   });
 
-  it('in the world has its parts where it is turned to', () => {
+  it('has its parts in the world where it is turned to', () => {
     const [part] = shapeParts({ at: [100, 100], size: [60, 60], angle: 90, corners: [[0, 0], [2, 0], [1, 2]] }); // prettier-ignore
     expect(part?.map(({ x, y }) => [Math.round(x), Math.round(y)]).sort()).toEqual([[130, 130], [130, 70], [70, 100]]); // prettier-ignore
   });

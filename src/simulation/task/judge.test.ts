@@ -80,7 +80,7 @@ describe('a target', () => {
     expect(robot.pose().xMm).toBeGreaterThan(750);
   });
 
-  it('that is round does not reach into its corners', () => {
+  it('does not reach into its corners if it is round', () => {
     const { put, verdict } = start([zone('target', 't', [1000, 500], { round: true })]);
     put(1045, 545);
     expect(verdict()?.state).toBe('open');
@@ -129,7 +129,7 @@ describe('checkpoints', () => {
     expect(verdict()?.state).toBe('passed');
   });
 
-  it('of one number may be passed in any order, and a gap between numbers does no harm', () => {
+  it('may be passed in any order if they have one number, and a gap between numbers does no harm', () => {
     const twice = [checkpoint(1, [600, 500]), checkpoint(1, [900, 500], { id: 'other' }), checkpoint(7, [1200, 500])];
     const { put, verdict } = start(twice);
     put(900, 500);
@@ -140,7 +140,7 @@ describe('checkpoints', () => {
     expect(verdict()?.state).toBe('passed');
   });
 
-  it('that lie over each other are passed at once', () => {
+  it('are passed at once if they lie over each other', () => {
     const { put, verdict } = start([checkpoint(1, [900, 500]), checkpoint(2, [900, 500])]);
     put(900, 500);
     expect(verdict()?.state).toBe('passed');
@@ -174,7 +174,7 @@ describe('blocks', () => {
     expect(verdict()).toMatchObject({ state: 'open', blocks: { delivered: 2, of: 3 } });
   });
 
-  it('that the robot pushes there pass the task', () => {
+  it('pass the task if the robot pushes them there', () => {
     const { drive, verdict } = start([{ ...target, blocks: 1 }, block('a', [500, 500])], { noTouch: true });
     drive(6);
     expect(verdict()).toMatchObject({ state: 'passed', touches: 1 });
@@ -190,7 +190,7 @@ describe('a forbidden zone', () => {
     expect(verdict()).toMatchObject({ state: 'failed', reason: 'forbidden', by: 'no' });
   });
 
-  it('that the robot surrounds is covered, too', () => {
+  it('is covered, too, if the robot surrounds it', () => {
     const { put, verdict } = start([zone('forbidden', 'no', [800, 500], { size: [10, 10], round: true })]);
     put(780, 500);
     expect(verdict()?.state).toBe('failed');
@@ -207,7 +207,7 @@ describe('spikes', () => {
     expect(verdict()).toMatchObject({ state: 'failed', reason: 'spikes', by: 's', touches: 1 });
   });
 
-  it('on a moving obstacle hurt who stands still', () => {
+  it('hurt a robot that stands still if they are on a moving obstacle', () => {
     const mover: SceneObject = {
       ...{ type: 'mover', id: 'm', at: [600, 500], to: [300, 500], size: [60, 60], angle: 0, speed: 100 },
       spiked: true,
@@ -288,7 +288,7 @@ describe('help', () => {
   const target = zone('target', 't', [1000, 500]);
   const other = zone('target', 'other', [1000, 800]);
 
-  it('by the hand is told, and what is done with it does not count as passed', () => {
+  it('is reported if it comes from the hand, and what is done with it does not count as passed', () => {
     const { put, verdict, judge } = start([target]);
     expect(verdict()?.help).toEqual([]);
     judge.takeHand();
@@ -297,14 +297,14 @@ describe('help', () => {
     expect(verdict()).toMatchObject({ state: 'helped', help: ['hand'], targets: { reached: 1, of: 1 } });
   });
 
-  it('that the task allows is told as well, and it is passed', () => {
+  it('is reported even if the task allows it, and the task is passed', () => {
     const { put, verdict, judge } = start([target], { allows: ['hand'] });
     judge.takeHand();
     put(1000, 500);
     expect(verdict()).toMatchObject({ state: 'passed', help: ['hand'] });
   });
 
-  it('of one kind is not allowed with the other', () => {
+  it('is not allowed if the other kind is', () => {
     const { put, verdict, judge } = start([target, other], { allows: ['hand'] });
     judge.takeHand();
     judge.take(courseOf([target], { allows: ['hand'] }));
@@ -319,7 +319,7 @@ describe('help', () => {
     expect(verdict()).toMatchObject({ state: 'failed', reason: 'forbidden', help: ['hand'] });
   });
 
-  it('after the decision changes nothing', () => {
+  it('changes nothing after the decision', () => {
     const { put, verdict, judge } = start([target]);
     put(1000, 500);
     judge.takeHand();

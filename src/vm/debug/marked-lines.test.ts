@@ -137,7 +137,7 @@ describe('stops at a few lines', { timeout: 60_000 }, () => {
       );
   });
 
-  it('and in random programs', () => {
+  it('are the same in random programs', () => {
     const programs = readFileSync('src/vm/debug/testing/cpython-traces.jsonl', 'utf8').trimEnd().split('\n');
     const rng = createRng(5);
     let stops = 0;

@@ -159,7 +159,7 @@ counter(3)(2)`).stack.map(({ locals }) => texts(locals)),
     expect(valueOf('huge = 3 ** 5000', 'huge')?.text).toBe('<int>');
   });
 
-  it('of a program that has ended stay', () => {
+  it('stay after the program has ended', () => {
     const { vm } = deviceWith('x = 4\ndef f(): pass');
     vm.resume(1_000_000);
     expect(vm.ended?.kind).toBe('finished');

@@ -37,7 +37,7 @@ display.show('12')`);
     expect(changes).toEqual(['1 ms', '402 ms', 'ended by 805 ms']);
   });
 
-  it('by a loop never ends, and with clear shows the blank for one more delay', () => {
+  it('never ends by a loop, and with clear shows the blank for one more delay', () => {
     const program = `
 t = running_time()
 display.show('A', 100, clear=True)

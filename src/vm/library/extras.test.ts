@@ -36,7 +36,7 @@ describe('the names of modules', () => {
     for (const device of LATER) expect(linesOf(program, {}, undefined, device)).toEqual([`${shown('')} random`]);
   });
 
-  it('of what is ours are not among those of micropython', () => {
+  it('leave out what is ours from those of micropython', () => {
     expect(linesOf("import micropython\nprint(hasattr(micropython, 'free'), OSError(28))")).toEqual([
       'False [Errno 28] ENOSPC',
     ]);

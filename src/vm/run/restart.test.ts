@@ -125,7 +125,7 @@ describe('the end by a callback', () => {
 });
 
 describe('a long transfer', () => {
-  it('of 8000 bytes at 9600 baud takes 8.3 s, and can be suspended on the way', () => {
+  it('takes 8.3 s for 8000 bytes at 9600 baud, and can be suspended on the way', () => {
     const { vm, clock, console } = deviceWith(
       "from microbit import *\nuart.init(9600)\nt = running_time()\nuart.write('x' * 8000)\nt = running_time() - t\nuart.init(115200)\nprint(t // 10)",
     );
@@ -135,7 +135,7 @@ describe('a long transfer', () => {
     expect(console().slice(-4)).toBe('833\n');
   });
 
-  it('of a long print takes its time, and can be suspended on the way', () => {
+  it('takes its time for a long print, and can be suspended on the way', () => {
     const { vm, clock } = deviceWith("print('x' * 20000)\nwhile True: pass");
     vm.resume(SECOND);
     expect(clock.nowUs).toBe(SECOND);

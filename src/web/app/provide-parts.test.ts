@@ -254,7 +254,7 @@ describe('a run', () => {
     expect(page.dataLog.table.value.rows).toHaveLength(0);
   });
 
-  it('that begins anew on the device takes the mark of the error away', async () => {
+  it('removes the mark of the error when it begins anew on the device', async () => {
     const page = await running();
     page.jump.wrong.value = { file: 'main.py', line: 1, device: 0 };
     page.notices.show({ kind: 'error', key: 'notice.firmware' });
@@ -265,7 +265,7 @@ describe('a run', () => {
 });
 
 describe('a run that cannot begin', () => {
-  it('for want of the VM says that the connection is to be checked, and can be tried again', async () => {
+  it('says that the connection is to be checked if the VM is missing, and can be tried again', async () => {
     const scope = effectScope(true);
     let isOnline = false;
     const firmware = () =>

@@ -38,7 +38,7 @@ describe('the list of a menu', () => {
     expect(menu.text()).toBe('Slalom');
   });
 
-  it('without a connection is asked for again by the open menu; pointing at its button does no harm', async () => {
+  it('is asked for again by the open menu without a connection; pointing at its button does no harm', async () => {
     let asked = 0;
     const { List, soon } = lateList(() => {
       asked += 1;

@@ -32,7 +32,7 @@ describe('a late part that does not come', () => {
     expect(notices.current.value).toBe(latePart);
   });
 
-  it('that was fetched ahead is not missed', () => {
+  it('is not missed if it was fetched ahead', () => {
     miss();
     expect(notices.current.value).toBeNull();
     document.body.dispatchEvent(new Event('click', { bubbles: true }));

@@ -160,13 +160,16 @@ function errorsOf(strokes: readonly StrokeShape[], radius: number) {
 
 describe('what a spot sees is what is drawn', () => {
   // The pattern itself is up to 0.018 off: with an edge along its rows.
-  it.each(drawings)('at %s: within 0.008 in the mean of 2,000 points, nowhere more than 0.02 off', (_what, strokes) => {
-    for (const radius of [3, 1.5]) {
-      const { rms, greatest } = errorsOf(strokes, radius);
-      expect(rms).toBeLessThan(0.008);
-      expect(greatest).toBeLessThan(0.02);
-    }
-  });
+  it.each(drawings)(
+    'at %s is within 0.008 in the mean of 2,000 points, nowhere more than 0.02 off',
+    (_what, strokes) => {
+      for (const radius of [3, 1.5]) {
+        const { rms, greatest } = errorsOf(strokes, radius);
+        expect(rms).toBeLessThan(0.008);
+        expect(greatest).toBeLessThan(0.02);
+      }
+    },
+  );
 
   it('exactly beside a straight piece, inside and outside', () => {
     const ground = createGround();
@@ -175,7 +178,7 @@ describe('what a spot sees is what is drawn', () => {
       expect(ground.reflectanceAt(100, 100 + distance, 3)).toBeCloseTo(1 - bandCoverage(distance, 10, 3), 14);
   });
 
-  it('also of pieces longer than the largest cells, and across negative places', () => {
+  it('holds for pieces longer than the largest cells, too, and across negative places', () => {
     const ground = createGround();
     ground.addStroke(strokeOf(10, 0, -3000, -2000, 9000, 6000));
     for (let share = 0.001; share < 1; share += 0.0037)
@@ -260,7 +263,7 @@ describe('a picture on the floor', () => {
     expect(ground.reflectanceAt(55, 39, 1)).toBe(1);
   });
 
-  it('of cells too fine for any sensor is the mean of them', () => {
+  it('is the mean of cells that are too fine for any sensor', () => {
     const ground = createGround();
     const fine = { atMm: { x: 0, y: 0 }, sizeMm: { x: 100, y: 50 }, columns: 1000, rows: 1000 };
     ground.setFloor({ ...fine, reflectances: Float32Array.from({ length: 1_000_000 }, (_, i) => (i % 1000) % 2) });

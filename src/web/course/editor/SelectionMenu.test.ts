@@ -37,7 +37,7 @@ async function opened(ids: readonly string[], on: MenuPlace['on'] = 'things') {
   return { ...page, host, fit, open, choose };
 }
 
-it('where the open task keeps the course there is nothing to change, only to look', async () => {
+it('is only for looking where the open task locks the course', async () => {
   const { work, ...page } = await opened(['block']);
   work.locks.task.value = { locks: { ...noLocks, course: true }, hasTool: (tool: string) => tool === 'hand' } as unknown as TaskLocks; // prettier-ignore
   for (const on of ['things', 'floor'] as const) {
@@ -114,7 +114,7 @@ describe('the menu of what is selected', () => {
     expect(editor.tool.value).toBe('points');
   });
 
-  it('of the floor pastes there, selects all, shows the whole arena', async () => {
+  it('pastes on the floor, selects all, shows the whole arena', async () => {
     const { choose, fit, editor, ids, object } = await opened(['block'], 'floor');
     expect(entry('cut')).toBeNull();
     editor.clipboard.take({ objects: [samples.block] }, '');

@@ -32,7 +32,7 @@ describe('what a host does to the page', () => {
     expect(settings.own.value).toMatchObject({ robot: 'maqueen-lite', seed: 7 });
   });
 
-  it('and what the pupil has made of the host’s work with what that runs on', () => {
+  it('includes what the pupil has made of the host’s work with the hardware of that', () => {
     const { work, simulator } = page();
     simulator.setFiles(main('theirs'));
     simulator.change({ robot: 'none' });
@@ -42,7 +42,7 @@ describe('what a host does to the page', () => {
     expect(kept?.project).toMatchObject({ files: main('theirs, changed'), settings: { robot: 'none' } });
   });
 
-  it('and the pupil’s own work that came back with what the pupil has chosen', () => {
+  it('includes the pupil’s own work that came back with what the pupil has chosen', () => {
     const { work, simulator } = page();
     simulator.setFiles(main('theirs'));
     simulator.change({ robot: 'none', seed: 3 });

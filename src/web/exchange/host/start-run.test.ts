@@ -20,7 +20,7 @@ describe('a run that a host starts', () => {
     expect(run.phase.value).toBe(paused ? 'paused' : 'running');
   });
 
-  it('and somebody stops before it began is answered as stopped, not as done', async () => {
+  it('is answered as stopped, not as done, if somebody stops it before it began', async () => {
     for (const end of ['stop', 'reset'] as const) {
       const { run, host } = fakeRun();
       const answer = startRun({ run, host }, false);
@@ -30,7 +30,7 @@ describe('a run that a host starts', () => {
     }
   });
 
-  it('that could not start is answered with the reason', async () => {
+  it('is answered with the reason if it could not start', async () => {
     const { run, host, say } = fakeRun();
     const answer = startRun({ run, host }, false);
     await settled();
@@ -38,7 +38,7 @@ describe('a run that a host starts', () => {
     expect(await answer).toBe('The robot stands in a wall.');
   });
 
-  it('and who hears of its start stops at once is answered as stopped', async () => {
+  it('is answered as stopped if a listener to its start stops it at once', async () => {
     const { run, host } = fakeRun();
     host.listen(({ type }) => {
       if (type === 'started') void run.stop();

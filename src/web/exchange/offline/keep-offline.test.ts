@@ -172,7 +172,7 @@ describe('a new version', () => {
     expect(worker.heard).toEqual([]);
   });
 
-  it('that another tab has taken is offered here, and a yes loads the page anew', async () => {
+  it('is offered here if another tab has taken it, and a yes loads the page anew', async () => {
     const { takesOver } = browser(new Worker('activated'));
     await keepOffline();
     await takesOver();

@@ -80,7 +80,7 @@ describe('a hand-in', () => {
     expect(inLink()?.said?.remarks).toEqual(['hand', 'outside']);
   });
 
-  it('that has not passed says why, and can be handed in', async () => {
+  it('says why it has not passed, and can be handed in', async () => {
     await handIn({ ...passed, passed: false, atMs: null, reason: { code: 'open', params: { done: 0, of: 1 } } });
     expect(byId('hand-in-state').textContent).toContain('Das Ziel ist nicht erreicht (0 von 1).');
     expect(inLink()?.said?.verdict).toBe('open');

@@ -341,7 +341,7 @@ describe('what is saved', () => {
     page.work.openProject({ files: [{ name: 'main.py', text: 'x = 1\n' }], scene: course, course: null }, null);
   });
 
-  it('as a project comes back as it was, with program, course and device', async () => {
+  it('comes back as it was from a project, with program, course and device', async () => {
     page.settings.change({ device: 'calliope-mini-3' });
     const [name, text] = await download(() => useCommands(page).save());
     expect(name).toBe('Neuland.parcours.json');
@@ -354,14 +354,14 @@ describe('what is saved', () => {
     expect(page.settings.current.value.device).toBe('calliope-mini-3');
   });
 
-  it('as a course has no program in it', async () => {
+  it('has no program in a course', async () => {
     const [name, text] = await download(() => useCommands(page).saveScene());
     expect(name).toBe('Neuland.json');
     expect(text).not.toContain('x = 1');
     expect(JSON.parse(text)).toMatchObject({ name: 'Neuland', size: [700, 500] });
   });
 
-  it('as a program is the file that is shown', async () => {
+  it('is the shown file as a program', async () => {
     page.work.create('turn.py', 'left = 1\n');
     expect(await download(() => useCommands(page).saveProgram())).toEqual(['turn.py', 'left = 1\n']);
     expect(notice()).toBe('turn.py ist gespeichert.');

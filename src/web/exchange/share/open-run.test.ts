@@ -121,7 +121,7 @@ describe('a run that is taken along', () => {
     expect(page.work.scene.value.size).toEqual([900, 700]);
   });
 
-  it('of a task that was handed out leaves that task open, with its locks; what it brings is told', async () => {
+  it('leaves its task open with its locks if that was handed out, and reports what it brings', async () => {
     const project = { ...page.work.work.value.project, task: { version: 1, id: 'A', locks: { hand: true } } };
     page.work.openProject(withoutSecrets(project), null);
     await soon(() => expect(page.work.locks.task.value).not.toBeNull());

@@ -38,7 +38,7 @@ describe('an address', () => {
     return { page, problem: openAddress(page, address) };
   };
 
-  it('with a project opens it, whatever stands before it', () => {
+  it('opens its project, whatever stands before it', () => {
     for (const before of ['', 'https://other.example/app/', '  parcours.example/?x=1']) {
       const { page, problem } = opened(before + linkTo(project()));
       expect(problem).toBeNull();
@@ -46,12 +46,12 @@ describe('an address', () => {
     }
   });
 
-  it('with a project without a name is called a shared one', () => {
+  it('calls a project without a name a shared one', () => {
     const { page } = opened(linkTo(project({ scene: { ...own, name: '' } })));
     expect(said(page)).toBe('«Geteiltes Projekt» ist geöffnet.');
   });
 
-  it('with a ready course only names it, and opens it as it is here', () => {
+  it('only names a ready course, and opens it as it is here', () => {
     const address = linkTo(project({ scene: slalom.scene, course: 'slalom' }));
     expect(address.length).toBeLessThan(120);
     const { page } = opened(address);
@@ -81,7 +81,7 @@ describe('an address', () => {
     expect(page.work.work.value.previous.map((entry) => entry.project.files[0]?.text)).toEqual(['mine = 1\n']);
   });
 
-  it('with `task` opens a course and its program, with `world` its arena alone', () => {
+  it('opens a course and its program with `task`, its arena alone with `world`', () => {
     const page = createPage();
     page.work.setText('main.py', 'mine = 1\n');
     opened('?world=slalom', page);
@@ -97,7 +97,7 @@ describe('an address', () => {
     expect(page.sent.filter(({ type }) => type === 'run')).toEqual([]);
   });
 
-  it('that holds something else changes nothing', () => {
+  it('changes nothing if it holds something else', () => {
     for (const address of ['', 'hallo', 'https://example.org/', '#courses/slalom', '?task=nowhere', '?code=###']) {
       const page = createPage();
       const before = page.work.work.value;
@@ -159,7 +159,7 @@ describe('the address with which the page is called', () => {
     expect(address()).toBe('/app/');
   });
 
-  it('without work in it is left as it is', async () => {
+  it('is left as it is without work in it', async () => {
     const page = called('/app/?speed=4#courses');
     await vi.waitFor(() => expect(page.settings.current.value.speed).toBe(4));
     expect(address()).toBe('/app/?speed=4#courses');

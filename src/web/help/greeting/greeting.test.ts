@@ -96,7 +96,7 @@ describe('the greeting of a first visit', () => {
     expect(page.settings.current.value.tourStep).toBeNull();
   });
 
-  it('for the microcomputer opens a program that needs no robot, without the arena', async () => {
+  it('opens a program that needs no robot for the microcomputer, without the arena', async () => {
     const page = await visit();
     await tap('welcome-board');
     await vi.waitFor(() => expect(page.settings.current.value.showArena).toBe(false));

@@ -37,7 +37,7 @@ describe('a message about the page itself', () => {
     expect(document.querySelector('.page-bar-place')?.getAttribute('role')).toBe('status');
   });
 
-  it('that asks nothing goes after twelve seconds', async () => {
+  it('goes after twelve seconds if it asks nothing', async () => {
     showPageBar(message(kinds[0]!, 'Ohne Speicher'));
     vi.advanceTimersByTime(11_999);
     await nextTick();
@@ -47,7 +47,7 @@ describe('a message about the page itself', () => {
     expect(shown()).toBeUndefined();
   });
 
-  it('that asks something waits for an answer', async () => {
+  it('waits for an answer if it asks something', async () => {
     showPageBar(message(kinds[0]!, 'Neue Fassung', [{ text: same('Neu laden'), run: () => undefined }]));
     vi.advanceTimersByTime(3_600_000);
     await nextTick();
@@ -65,7 +65,7 @@ describe('a message about the page itself', () => {
     expect(shown()).toBeUndefined();
   });
 
-  it('of a newer kind stands in front; behind it the older one waits', async () => {
+  it('is put in front if it is newer; behind it the older one waits', async () => {
     showPageBar(message(kinds[0]!, 'erste', [{ text: same('a'), run: () => undefined }]));
     showPageBar(message(kinds[1]!, 'zweite', [{ text: same('b'), run: () => undefined }]));
     await nextTick();
@@ -74,7 +74,7 @@ describe('a message about the page itself', () => {
     expect(shown()).toBe('erste');
   });
 
-  it('of the same kind takes the place of the older one', async () => {
+  it('takes the place of an older one of the same kind', async () => {
     showPageBar(message(kinds[0]!, 'alt', [{ text: same('a'), run: () => undefined }]));
     showPageBar(message(kinds[0]!, 'neu', [{ text: same('b'), run: () => undefined }]));
     await nextTick();

@@ -35,7 +35,7 @@ describe('the words of the page', () => {
     expect(fetched).toEqual(['first fr', 'first it']);
   });
 
-  it('of a late part are there when the part is, in the language that is wanted then', async () => {
+  it('are there when a late part is, in the language that is wanted then', async () => {
     const { wordsOfPart, wantWords, withWords, fetched } = stage();
     wordsOfPart('first', 0, { run: 0 });
     await wantWords('it');
@@ -47,7 +47,7 @@ describe('the words of the page', () => {
     expect(fetched).toEqual(['first it', 'late it', 'first de', 'late de']);
   });
 
-  it('that do not come keep the part away, and are fetched again by the next try', async () => {
+  it('keep the part away if they do not come, and are fetched again by the next try', async () => {
     const { wordsOfPart, wantWords, withWords, broken } = stage();
     await wantWords('en');
     broken.add('late en');
@@ -57,7 +57,7 @@ describe('the words of the page', () => {
     expect((await withWords(load())).words).toEqual({ share: { en: 'Share en' } });
   });
 
-  it('of a part that comes while another language is on its way are there in the shown one, too', async () => {
+  it('are there in the shown language, too, if the part comes while another one is on its way', async () => {
     const { wordsOfPart, wantWords, withWords } = stage();
     wordsOfPart('first', 0, { run: 0 });
     await wantWords('de');

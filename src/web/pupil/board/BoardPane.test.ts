@@ -158,7 +158,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['a true', 'a false']);
   });
 
-  it('on the logo or a pin is a touch, not a press', async () => {
+  it('touches the logo or a pin instead of pressing it', async () => {
     const { page } = await pane();
     await startRun(page);
     finger('pointerdown', 'Logo berühren');
@@ -166,7 +166,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['pinLogo true', 'pin1 true']);
   });
 
-  it('on A + B presses both', async () => {
+  it('presses both on A + B', async () => {
     const { page } = await pane();
     await startRun(page);
     finger('pointerdown', 'Tasten A + B zusammen');
@@ -176,7 +176,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['a true', 'b true', 'a false', 'b false']);
   });
 
-  it('that taps very quickly is told to the run as it is: the run makes the press last long enough', async () => {
+  it('is passed on to the run as it is if it taps very quickly: the run makes the press last long enough', async () => {
     const { page } = await pane();
     await startRun(page);
     finger('pointerdown', 'Taste B');
@@ -184,7 +184,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['b true', 'b false']);
   });
 
-  it('without a run reaches nothing, but is seen', async () => {
+  it('reaches nothing without a run, but is seen', async () => {
     const { page } = await pane();
     finger('pointerdown', 'Taste A');
     await nextTick();
@@ -209,7 +209,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['a true', 'a false']);
   });
 
-  it('with the space bar or Enter presses the key that has the focus, once however long it is held', async () => {
+  it('presses the key that has the focus with the space bar or Enter, once however long it is held', async () => {
     const { page } = await pane();
     await startRun(page);
     const key = named('Taste A', '.face [role="button"]');
@@ -225,7 +225,7 @@ describe('a finger on the board', () => {
     expect(pressed(page)).toEqual(['a true', 'a false', 'a true']);
   });
 
-  it('of a screen reader, a mere click, presses for 200 ms', async () => {
+  it('presses for 200 ms by a mere click, as of a screen reader', async () => {
     const { page } = await pane();
     await startRun(page);
     named('Taste A', '.face [role="button"]').dispatchEvent(new MouseEvent('click', { detail: 0, bubbles: true }));

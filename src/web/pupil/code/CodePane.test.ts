@@ -117,7 +117,7 @@ describe('a line that is wrong', () => {
     expect(wrong()).toEqual(['drei']);
   });
 
-  it('of another file is marked once that file is shown', async () => {
+  it('is marked in another file once that file is shown', async () => {
     const { page, wrong } = await pane({ 'main.py': three, 'helfer.py': 'x = 1\ny = 2\n' });
     page.jump.wrong.value = { file: 'helfer.py', line: 2, device: 0 };
     await nextTick();
@@ -161,7 +161,7 @@ describe('a line that is wrong', () => {
     expect(cursorLine()).toBe(4);
   });
 
-  it('that was wished for before the editor came is jumped to when it does', async () => {
+  it('is jumped to when the editor comes if it was wished for before', async () => {
     const { page, cursorLine } = await pane({ 'main.py': three }, ({ jump }) => jump.to({ file: 'main.py', line: 3 }));
     expect(cursorLine()).toBe(3);
     expect(page.jump.target.value).toBeNull();

@@ -94,7 +94,7 @@ describe('another name for a file', () => {
     named('Umbenennen');
   });
 
-  it('that is the same changes nothing', async () => {
+  it('changes nothing if it is the same', async () => {
     const { give, done, closed } = form('helfer.py');
     await give('helfer.py');
     expect(done).toEqual([]);

@@ -261,7 +261,7 @@ describe('the console’s line while the display shows an error', () => {
     expect(field.attributes('aria-label')).toBe(long);
   });
 
-  it('in few words on a phone, where the field is narrow', async () => {
+  it('says it in few words on a phone, where the field is narrow', async () => {
     setWindow(390, 800);
     const { page, field } = await running();
     page.say({ type: 'program-ended', ended: failed, device: 0 });

@@ -61,14 +61,14 @@ describe('the card of an error', () => {
     expect(card.findAll('p b')).toHaveLength(1);
   });
 
-  it('of a line typed at the REPL has no place to lead to', () => {
+  it('has no place to lead to for a line typed at the REPL', () => {
     const report = { ...nameError, source: null };
     const card = mountOn(pageWith('main.py'), ErrorCard, { place: null, report });
     expect(card.find('button').exists()).toBe(false);
     expect(textOf(card.get('p').element)).not.toContain('Zeile');
   });
 
-  it('of an exception that nobody knows says at least that it ended the program', () => {
+  it('says at least that an unknown exception ended the program', () => {
     const report = { ...nameError, failure: { type: 'MeinFehler', message: 'oh', traceback: '' }, source: null };
     const card = mountOn(pageWith('main.py'), ErrorCard, { place: null, report });
     expect(textOf(card.get('p').element)).toContain('Fehler');

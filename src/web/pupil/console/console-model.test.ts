@@ -75,7 +75,7 @@ describe('what the console shows', () => {
     expect(console.toText()).toBe('');
   });
 
-  it('as text is what the program wrote, the latest included, without the page’s own words', () => {
+  it('is what the program wrote as text, the latest included, without the page’s own words', () => {
     const console = model();
     console.startRun(1);
     console.write('a\n');

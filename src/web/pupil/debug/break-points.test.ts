@@ -36,7 +36,7 @@ describe('break points', () => {
     expect(new BreakPoints(tab(text)).of('/main.py')).toEqual([]);
   });
 
-  it('that land on the same line are one', () => {
+  it('are one if they land on the same line', () => {
     const points = new BreakPoints(null);
     points.set('/main.py', [4, 2, 4, 0]);
     expect(points.of('/main.py')).toEqual([2, 4]);

@@ -83,7 +83,7 @@ describe('a file of readings that cannot be shown', () => {
     expect(page.dataLog.isCompared.value).toBe(false);
   }); // prettier-ignore
 
-  it('of 100 MB is not even read', async () => {
+  it('is not even read if it has 100 MB', async () => {
     const huge = file('huge.csv');
     Object.defineProperty(huge, 'size', { value: 100 * 1024 * 1024 });
     huge.arrayBuffer = () => Promise.reject(new Error('This would fill the memory.'));

@@ -65,7 +65,7 @@ describe('the panel of the device', () => {
     expect(choice('robot-maqueen-lite').text()).toBe('auf micro:bit V2');
   });
 
-  it('without a robot puts the arena away; a robot brings it back', async () => {
+  it('puts the arena away without a robot; a robot brings it back', async () => {
     const { page, choose } = panel({ device: 'microbit-v2', robot: 'maqueen-lite', showArena: true });
     await choose('robot-none');
     expect(page.settings.current.value).toMatchObject({ robot: 'none', showArena: false });

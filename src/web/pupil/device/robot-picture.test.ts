@@ -18,7 +18,7 @@ describe.each(robots)('the portrait of the $type.name', ({ type, drawing }) => {
     expect(lights).toEqual([]);
   });
 
-  it('with its lights on has 8 mm more room around, for their glow', () => {
+  it('has 8 mm more room around with its lights on, for their glow', () => {
     const { box, body, lights } = robotPicture(drawing, true);
     expect(box).toEqual({ x: body.x - 8, y: body.y - 8, width: body.width + 16, height: body.height + 16 });
     for (const { x, y, radius, color } of lights) {

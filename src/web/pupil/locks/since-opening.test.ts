@@ -79,7 +79,7 @@ describe('a task that locks the robot', () => {
     expect(now()).toEqual(['maqueen-lite', 0.5]);
   });
 
-  it('and another one after it, each with its own', async () => {
+  it('can be followed by another one, each with its own', async () => {
     const page = await hasty({ robot: true }, () => undefined);
     const next = given({ robot: true });
     useOpenings(page).open({ ...next, settings: { ...defaultProjectSettings, robot: 'callibot' } }, 'Next', true);

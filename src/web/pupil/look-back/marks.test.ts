@@ -28,7 +28,7 @@ const verdict = (state: string, passed: number) => ({
 });
 
 describe('the time line marks', () => {
-  it('when a button goes down, not that it is down', () =>
+  it('mark when a button goes down, not that it is down', () =>
     expect(marksOf(1, buttons(false, false), buttons(true, false), buttons(true, true), buttons(false, true))).toEqual([
       [40, 'pressA', 0],
       [60, 'pressB', 0],

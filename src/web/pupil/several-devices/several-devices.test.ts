@@ -272,7 +272,7 @@ it('a phone turns to the arena while the remote control is shown, because anothe
   expect(page.layout.tab.value).toBe('arena');
 });
 
-it('what is chosen for a device holds for it alone', async () => {
+it('keeps what is chosen for a device to that device alone', async () => {
   const page = pair();
   mountOn(page, DeviceList);
   byId('board-calliope-mini-3').querySelector('input')?.dispatchEvent(new Event('change'));

@@ -27,7 +27,7 @@ describe('how the panes lie', () => {
     expect(pageIn(width, height).layout.kind.value).toBe(kind);
   });
 
-  it('of board and arena alone in a host’s small frame is side by side, above each other, or behind tabs', () => {
+  it('have board and arena alone in a host’s small frame side by side, above each other, or behind tabs', () => {
     const wish = { settings: { parts: ['board', 'arena'] } } as const;
     const arrangement = (width: number, height: number) => pageIn(width, height, wish).layout.arrangement.value;
     expect(arrangement(560, 400)).toBe('medium');
@@ -62,7 +62,7 @@ describe('which panes are shown', () => {
     expect(shown(page)).toEqual(['code', 'board']);
   });
 
-  it('on a phone in a host without a program is the arena first', () => {
+  it('have the arena first on a phone in a host without a program', () => {
     const page = pageIn(300, 300, { settings: { parts: ['board', 'arena', 'console'] } });
     expect(shown(page)).toEqual(['arena']);
     page.layout.tab.value = 'console';

@@ -5,7 +5,7 @@ import { readingsPx } from './readings-room';
 const foot = { distance: true, bumper: false };
 
 describe('the room for readings under the arena', () => {
-  it('of 413 px, beside a screen 1440 px wide, is enough for the five numbers of a Plus V2, not for the six of a Plus V1', () => {
+  it('is enough for the five numbers of a Plus V2 with 413 px, beside a screen 1440 px wide, not for the six of a Plus V1', () => {
     expect(readingsPx({ ...foot, count: 5, digits: 3 })).toBeLessThan(413);
     expect(readingsPx({ ...foot, count: 6, digits: 3 })).toBeGreaterThan(413);
   });

@@ -113,7 +113,7 @@ describe('the pages over the app', () => {
     expect([it.page.value, location.hash]).toEqual([null, '']);
   });
 
-  it('that are closed already are not left again', () => {
+  it('are not left again if they are closed already', () => {
     const go = vi.spyOn(history, 'go').mockImplementation(() => undefined);
     router().close();
     expect(go).not.toHaveBeenCalled();

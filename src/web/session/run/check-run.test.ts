@@ -33,7 +33,7 @@ describe('a program that is checked again and again', () => {
     expect(run.result.value?.passed).toBe(false);
   });
 
-  it('that is not there has no result', async () => {
+  it('has no result if it is not there', async () => {
     const { run, asked } = running();
     await run.run(task, null);
     expect([asked, run.result.value]).toEqual([[], null]);

@@ -106,7 +106,7 @@ describe('the runs before this one', () => {
     expect(offered({}, ['maqueen-lite', 'maqueen-lite'])).toBe(false);
   });
 
-  it('that came with a link or a file is raced against by the next run', async () => {
+  it('include one that came with a link or a file, which the next run races against', async () => {
     const { page, runs, here } = pageWithRuns();
     await startRun(page);
     const kept = page.run.recording.value.setup!;

@@ -56,7 +56,7 @@ describe('a run that is put back to its start', () => {
     vi.unstubAllGlobals();
   });
 
-  it('and started in the same breath runs: the start came last', async () => {
+  it('runs if it is started in the same breath: the start came last', async () => {
     const run = newRun();
     void run.reset();
     void run.start();
@@ -64,7 +64,7 @@ describe('a run that is put back to its start', () => {
     expect(run.phase.value).toBe('running');
   });
 
-  it('and started while the run before is being stopped runs, too', async () => {
+  it('runs, too, if it is started while the run before is being stopped', async () => {
     const run = newRun();
     await run.start();
     await aMoment();
@@ -76,7 +76,7 @@ describe('a run that is put back to its start', () => {
     expect(run.phase.value).toBe('ready');
   });
 
-  it('while it is being stopped is at its start when both are done', async () => {
+  it('is at its start when both are done if it is being stopped', async () => {
     const run = newRun();
     await run.start();
     await aMoment();

@@ -55,7 +55,7 @@ describe('the goals in words', () => {
     expect(goalsInWords(scene, now)[0]).toMatchObject({ done: 1, of: 2 });
   });
 
-  it('of several robots count for all of them', () => {
+  it('count for all of several robots', () => {
     const scene = course([zone('target')], { robots: 'all' });
     const now = verdict({ targets: { reached: 1, of: 3 } });
     expect(goalsInWords(scene, now)).toEqual([{ words: 'target', values: { count: 1 }, done: 1, of: 3 }]);

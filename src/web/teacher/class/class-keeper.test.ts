@@ -96,14 +96,14 @@ describe('a class in the browser', () => {
     expect([entries.size, model.rows.value.length]).toEqual([0, 2]);
   });
 
-  it('that the browser has no room for is told, and stays on the page', async () => {
+  it('is reported if the browser has no room for it, and stays on the page', async () => {
     stubDatabase(false);
     const { model, keeper } = await classOfTwo();
     await keeper.keep(true);
     expect([keeper.problem.value, keeper.isKept.value, model.rows.value.length]).toEqual(['failed', false, 2]);
   });
 
-  it('that cannot be read any more is told, and is gone', async () => {
+  it('is reported if it cannot be read any more, and is gone', async () => {
     const { entries } = stubDatabase();
     entries.set('class.task', { name: 'class.task', usedMs: 0, text: '{"version":99}' });
     const { keeper } = await loaded();
@@ -142,7 +142,7 @@ describe('a class that is kept in two tabs', () => {
     expect([one.keeper.problem.value, other.keeper.problem.value]).toEqual([null, null]);
   });
 
-  it('and changed in both at once: the later tab says so, writes over nothing, and keeps what it has on the page', async () => {
+  it('is changed in both at once: the later tab says so, writes over nothing, and keeps what it has on the page', async () => {
     const { one, other } = await twoTabs();
     one.model.write('Ada', 'von hier');
     other.model.write('Tim', 'von dort');
@@ -154,7 +154,7 @@ describe('a class that is kept in two tabs', () => {
     expect([namesIn(other), other.keeper.isKept.value]).toEqual([['Ada von hier', 'Tim'], true]);
   });
 
-  it('or this one is chosen instead: then the other tab follows', async () => {
+  it('is followed by the other tab if this one is chosen instead', async () => {
     const { one, other } = await twoTabs();
     one.model.write('Ada', 'von hier');
     other.model.write('Tim', 'von dort');

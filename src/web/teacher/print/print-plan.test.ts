@@ -8,7 +8,7 @@ function plan(size: readonly [number, number], paper: Paper): PrintPlan {
 }
 
 describe('a course on sheets', () => {
-  it('of 120 × 90 cm takes 25 sheets of A4 across, which is fewer than upright', () => {
+  it('takes 25 sheets of A4 across for 120 × 90 cm, which is fewer than upright', () => {
     // Across a sheet shows 277 × 190 mm, 10 mm of it twice: 5 × 5. Upright it would be 7 × 4 = 28.
     const { page, columns, rows, tiles } = plan([1200, 900], 'a4-tiles');
     expect(page).toEqual([297, 210]);

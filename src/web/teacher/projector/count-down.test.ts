@@ -150,7 +150,7 @@ describe('the timer of the projector view', () => {
     expect(after.shows()).toBe('20:00');
   });
 
-  it('that ended while nobody looked is over, and makes no more of it', () => {
+  it('is over if it ended while nobody looked, and makes no more of it', () => {
     const { clock, shows, down, ends } = timer({ setMs: 60_000, leftMs: 60_000, endsMs: 1 });
     expect([shows(), down.phase.value]).toEqual(['0:00', 'over']);
     clock.pass(5);

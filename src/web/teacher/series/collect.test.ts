@@ -29,7 +29,7 @@ describe('the files of a series', () => {
     expect(refusals[0]).toMatch(/^tasks\.zip: .*67108864/);
   });
 
-  it('that cannot be read are told, and the others are taken', async () => {
+  it('are reported if they cannot be read, and the others are taken', async () => {
     const damaged = [{ path: 'broken.zip', file: new File(['no zip'], 'broken.zip') }];
     const { refusals } = await collectFiles(damaged);
     expect(refusals).toHaveLength(1);

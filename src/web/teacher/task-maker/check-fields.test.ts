@@ -9,7 +9,7 @@ import { teachersTask } from '#check/series/testing/series';
 import { fieldsOf, freshCheck } from './check-fields';
 
 describe('a check that is added to a task', () => {
-  it.each(checkTypes)('of kind %s has a value for each field of its form, and can be read again', (type) => {
+  it.each(checkTypes)('has a value for each field of its form for kind %s, and can be read again', (type) => {
     const check: Check = freshCheck(type, []);
     expect(Object.keys(check)).toEqual(expect.arrayContaining(fieldsOf[type].map(({ name }) => name)));
     const read = draftOf(teachersTask());

@@ -99,7 +99,7 @@ describe('the task of the open work', () => {
     expect(draftOf(withoutSecrets(page.work.work.value.project))).toMatchObject({ task: { locks: { tools: [] } } });
   });
 
-  it('that cannot be read is told, and can be begun anew', () => {
+  it('is reported if it cannot be read, and can be begun anew', () => {
     const { page, made } = maker();
     page.work.setTask({ version: 1, checks: [{ type: 'fly' }] });
     expect(made.task.value).toBeNull();

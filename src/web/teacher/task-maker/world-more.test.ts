@@ -24,12 +24,12 @@ describe('an object in a world', () => {
     expect(courseOfWorld(scene, world)).toMatchObject({ scene: { objects: [{ id: 'w', from: [550, 280], to: [550, 580] }] } }); // prettier-ignore
   });
 
-  it('that is changed otherwise, or with others, is no row', () => {
+  it('is no row if it is changed otherwise, or with others', () => {
     const other = { type: 'replace', changes: [{ id: 'w', by: [{ ...wall, thickness: 20 }] }] } as const;
     expect(objectRows(scene, worldWith(other, { type: 'remove', ids: ['t', 'w'] }, { type: 'clear' }))).toEqual([]);
   });
 
-  it('that the course has no more cannot be moved', () =>
+  it('cannot be moved if the course no longer has it', () =>
     expect(objectEdit(scene, { id: 'x', by: [1, 1] })).toBeNull());
 });
 

@@ -41,7 +41,7 @@ describe('own parts', () => {
     expect(namesIn(store)).toEqual(['First', 'Two', 'Three']);
   });
 
-  it('of two tabs all stay', () => {
+  it('all stay if two tabs have some', () => {
     const store = storage();
     const [one, other] = [createOwnParts(store), createOwnParts(store)];
     one.keep('Of this tab', readyPart('gap'));
@@ -51,7 +51,7 @@ describe('own parts', () => {
     expect(one.parts.value).toHaveLength(2);
   });
 
-  it('that cannot be read are counted and stay as they are stored', () => {
+  it('are counted and stay as they are stored if they cannot be read', () => {
     const strange = { id: 'own-1', name: 'Of a later version', clip: { format: 'parcours-objects', course: { version: 99 } } }; // prettier-ignore
     const store = storage({ [PARTS_KEY]: JSON.stringify({ version: 1, parts: [strange, 7] }) });
     const own = createOwnParts(store);

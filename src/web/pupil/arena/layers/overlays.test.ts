@@ -12,7 +12,7 @@ const robotAt = (headingRad: number) => ({
 });
 
 describe('a chain of lights on a robot', () => {
-  it('of 24 lights is a ring of 59 mm around the middle of the body, 18 mm ahead of the axle', () => {
+  it('is a ring of 59 mm around the middle of the body for 24 lights, 18 mm ahead of the axle', () => {
     const place = placeOf('ring', 24, { now: robotAt(0), look, scale: 1 });
     expect(place.atMm.x).toBeCloseTo(518, 6);
     expect(place.atMm.y).toBeCloseTo(400, 6);
@@ -26,7 +26,7 @@ describe('a chain of lights on a robot', () => {
     expect(place.unitMm).toBeCloseTo(15.4, 6);
   });
 
-  it('of 256 lights is drawn smaller, so that it stays on a robot 9 cm wide', () => {
+  it('is drawn smaller for 256 lights, so that it stays on a robot 9 cm wide', () => {
     const { unitMm } = placeOf('zigzag', 256, { now: robotAt(0), look, scale: 1 });
     expect(16 * unitMm).toBeLessThanOrEqual(92);
   });

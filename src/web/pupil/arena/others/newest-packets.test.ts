@@ -7,7 +7,7 @@ const packet = (id: number, ms: number, device: number, from: RadioEntry['from']
   ...{ id, timeUs: ms * 1000, device, from, text: `n${String(id)}`, isText: true },
 });
 
-it('of the packets in the air, the last one of each program is seen for 0.8 s; those by hand are not', () => {
+it('shows the last packet of each program for 0.8 s; those by hand are not shown', () => {
   const entries = [
     packet(1, 100, 0),
     packet(2, 900, 0),

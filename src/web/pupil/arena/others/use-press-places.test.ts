@@ -17,20 +17,20 @@ const noBody = (): boolean => false;
 const nameTop = 200 - 40 - 6 - 24;
 
 describe('a press on the arena', () => {
-  it('on the name of a robot is for its device', () => {
+  it('is for the device whose name was pressed', () => {
     expect(deviceAt(rings, { x: 100, y: nameTop + 12 }, noBody)).toBe(0);
     expect(deviceAt(rings, { x: 100, y: nameTop - FINGER_PX }, noBody)).toBe(0);
     expect(deviceAt(rings, { x: 100, y: nameTop - FINGER_PX - 1 }, noBody)).toBeNull();
     expect(deviceAt(rings, { x: 130, y: nameTop + 12 }, noBody)).toBeNull();
   });
 
-  it('on the robot itself only while that counts', () => {
+  it('counts on the robot itself only while that counts', () => {
     expect(deviceAt(rings, { x: 100, y: 200 }, anyBody)).toBe(0);
     expect(deviceAt(rings, { x: 100, y: 200 }, noBody)).toBeNull();
     expect(deviceAt(rings, { x: 100, y: 200 }, ({ isShown }) => !isShown)).toBeNull();
   });
 
-  it('where two names overlap is for the one that is painted above', () => {
+  it('is for the name that is painted above where two overlap', () => {
     expect(deviceAt(rings, { x: 305, y: nameTop + 12 }, noBody)).toBe(2);
   });
 });

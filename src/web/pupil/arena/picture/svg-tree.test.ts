@@ -10,7 +10,7 @@ describe('an SVG text', () => {
     expect(text.slice(group.start, group.end)).toBe('<g id="a"><path d="M0>1"/></g>');
   });
 
-  it('with an element that is never closed is read to its end', () => {
+  it('is read to its end with an element that is never closed', () => {
     expect([...elementsOf(readSvgTree('<svg><g>'))]).toHaveLength(3);
   });
 });

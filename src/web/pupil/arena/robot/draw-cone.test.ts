@@ -20,5 +20,5 @@ describe('the label of the distance', () => {
 });
 
 describe('a colour', () => {
-  it('of 10 % ends in 1a', () => expect(withAlpha('#E06A00', 0.1)).toBe('#E06A001a'));
+  it('ends in 1a at 10 %', () => expect(withAlpha('#E06A00', 0.1)).toBe('#E06A001a'));
 });

@@ -565,7 +565,7 @@ describe('the menu for what is in the arena', () => {
 describe('a double click', () => {
   const label: SceneObject = { type: 'label', id: 'label', at: [300, 300], text: 'Start', height: 30, angle: 0 };
 
-  it('on a label changes its words in their place; on a line takes hold of its points', async () => {
+  it('changes the words of a label in their place, and takes hold of the points of a line', async () => {
     const { editor, tap } = await toolsOver('select', [label, samples.stroke]);
     tap(300, 300, { timeStamp: 1 });
     tap(300, 300, { timeStamp: 2 });

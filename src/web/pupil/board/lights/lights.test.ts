@@ -61,7 +61,7 @@ describe('a chain of lights beside the board', () => {
     expect(chain.get('canvas').attributes('aria-label')).toContain('LED-Matrix an Pin 2');
   });
 
-  it('on the robot is drawn there; here stand its words alone', () => {
+  it('is drawn on the robot if it is there; here are only its words', () => {
     const page = pageWith('maqueen-lite');
     page.settings.change({ lights: { P2: { place: 'robot' } } });
     const chain = mountOn(page, LightChain, { pin: 'P2', count: 12 });
@@ -105,7 +105,7 @@ describe('form and place of a chain', () => {
     named('Platz', '[role="group"]');
   });
 
-  it('without a robot are the form alone', () => {
+  it('are the form alone without a robot', () => {
     mountOn(pageWith('none'), LightList, { pin: 'P2', form: 'strip', place: 'board', hasRobot: false });
     expect(checked()).toEqual(['Streifen']);
     expect(document.querySelectorAll('[role="group"]')).toHaveLength(1);

@@ -111,13 +111,13 @@ describe('a message to the program', () => {
     expect(mounted.get('.lost').text()).toBe('nicht empfangen: Funk ist aus');
   });
 
-  it('without any letter is none', async () => {
+  it('is none without any letter', async () => {
     const { page, send } = await panel();
     await send('');
     expect(inputsOf(page)).toEqual([]);
   });
 
-  it('of 29 bytes fits as it is, one of 30 needs a longer packet: 33', async () => {
+  it('fits as it is with 29 bytes, and needs a longer packet with 30: 33', async () => {
     const { mounted, type } = await panel();
     await type('x'.repeat(29));
     expect(mounted.find('.hint').exists()).toBe(false);
@@ -132,7 +132,7 @@ describe('a message to the program', () => {
     expect(mounted.get('.hint').text()).toContain('30 Bytes');
   });
 
-  it('of more than 248 bytes is not sent and stays in the field', async () => {
+  it('is not sent with more than 248 bytes and stays in the field', async () => {
     const { page, mounted, send } = await panel();
     const long = 'ä'.repeat(125);
     await send(long);

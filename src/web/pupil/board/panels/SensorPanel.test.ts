@@ -48,7 +48,7 @@ describe('what the board feels, set by hand', () => {
     expect(slider('Schallpegel').text()).toBe('0');
   });
 
-  it('before a run is what the next one starts with', async () => {
+  it('is what the next run starts with if it is set before a run', async () => {
     const { page, slider } = panel();
     await slider('Temperatur').move(-3);
     expect(slider('Temperatur').text()).toBe('−3 °C');

@@ -29,7 +29,7 @@ describe('break points in the editor', () => {
     expect(pointLines(view.state)).toEqual([2]);
   });
 
-  it('on lines that the file has not are left out', () => {
+  it('are left out on lines that the file has not', () => {
     const view = editor();
     showStops(view, [0, 2, 99], null);
     expect(pointLines(view.state)).toEqual([2]);

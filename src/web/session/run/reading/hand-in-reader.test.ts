@@ -55,7 +55,7 @@ describe('hand-ins that are read beside the page', () => {
     expect(workers()).toBe(1);
   });
 
-  it('that do not come to an end are tried once more, then told; the others are read', async () => {
+  it('are tried once more if they do not come to an end, then reported; the others are read', async () => {
     const { reader, pass, workers } = readerWith((message) => isOf(message, 1));
     const { sources } = await reader.open(added('Ada.py', 'Ben.py', 'Cem.py'));
     const reading = Promise.all(sources.map(async (source) => source.read()));

@@ -50,7 +50,7 @@ describe('files that are handed in on the page', () => {
     expect(ben).toEqual(['Ben', 'link']);
   });
 
-  it('that cannot be read, say so and keep nobody else from being read', async () => {
+  it('say so if they cannot be read, and keep nobody else from being read', async () => {
     expect(await contents(alone(file('Tim.zip', 'no zip')), alone(file('leer.txt', 'hallo')))).toEqual([
       ['Tim.zip', 'zip'],
       ['leer', 'no-link'],

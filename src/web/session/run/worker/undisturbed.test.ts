@@ -238,7 +238,7 @@ describe('a run that is stepped, stopped, looked at and gone back in at random',
     expect(printed).toBeGreaterThan(20);
   });
 
-  it('also with 40 pure programs', async () => {
+  it('is the same with 40 pure programs, too', async () => {
     const programs = readFileSync('src/vm/debug/testing/cpython-traces.jsonl', 'utf8').trimEnd().split('\n');
     for (const [index, line] of programs.entries()) {
       if (index % 8 !== 0) continue;
@@ -250,11 +250,11 @@ describe('a run that is stepped, stopped, looked at and gone back in at random',
     }
   });
 
-  it.each([2, 3, 4])('also with %i devices that talk by radio', async (count) => {
+  it.each([2, 3, 4])('is the same with %i devices that talk by radio, too', async (count) => {
     for (let seed = 1; seed <= 2; seed++) await expectUndisturbed(convoyOf(count), 2000 + 10 * count + seed);
   });
 
-  it('and each of these was done often', () => {
+  it('has done each of these often', () => {
     const least = { 'step-line': 200, 'break-points': 60, step: 60, press: 60, frame: 60, 'go on': 20, inspect: 200, look: 25 }; // prettier-ignore
     for (const [deed, times] of Object.entries(least)) expect(done.get(deed) ?? 0, deed).toBeGreaterThan(times);
   });

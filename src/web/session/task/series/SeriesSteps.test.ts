@@ -47,7 +47,7 @@ describe('after a task of a series was passed', () => {
     expect(page.router.page.value).toEqual({ name: 'series', id: 'series/woche-3' });
   });
 
-  it('in a course that was changed there is no mark', async () => {
+  it('has no mark in a course that was changed', async () => {
     const page = await passed(({ work }) => {
       work.locks.task.value = null;
       work.edit({ type: 'remove', ids: ['t'] });

@@ -44,7 +44,7 @@ describe('a task of a series', () => {
     expect([way.task.value, way.next.value]).toEqual([goal, plain]);
   });
 
-  it('that was begun comes back as it was left, or is opened anew', () => {
+  it('comes back as it was left if it was begun, or is opened anew', () => {
     const page = createPage();
     openTask(page, series, goal);
     page.work.setText('main.py', 'forward()\n# mein Weg\n');
@@ -57,7 +57,7 @@ describe('a task of a series', () => {
     expect(page.work.find('main.py')?.text).toBe('forward()\n');
   });
 
-  it('that was only looked at is not put aside', () => {
+  it('is not put aside if it was only looked at', () => {
     const page = createPage();
     openTask(page, series, goal);
     openTask(page, series, plain);
@@ -121,7 +121,7 @@ describe('a series that was opened', () => {
     expect(await seriesFrom('https://schule.example/')).toBeNull();
   });
 
-  it('and is being made is kept with its solutions', async () => {
+  it('is kept with its solutions if it is still being made', async () => {
     stubDatabase();
     await keepDraft(aSeries());
     expect(await keptDraft()).toEqual(aSeries());

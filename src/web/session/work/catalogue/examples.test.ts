@@ -253,7 +253,7 @@ describe('opening an example', () => {
     expect(files[0]?.text).toContain('# A servo at port S1');
   });
 
-  it('after another example brings its own arena, without what the other one needed', () => {
+  it('brings its own arena after another example, without what the other one needed', () => {
     const servo = withExample(found, entryOf('maqueen-lite', 'servo.py'), 'de');
     for (const file of ['square.py', 'lights.py']) {
       const { scene, course } = withExample(servo, entryOf('maqueen-lite', file), 'de');

@@ -152,7 +152,7 @@ describe('the work that is kept', () => {
     expect(stamp).toBeGreaterThan(1_000_000);
   });
 
-  it('of a slow disk is written once at a time, the newest last', async () => {
+  it('is written once at a time to a slow disk, the newest last', async () => {
     const database = stubDatabase();
     const model = await openPage();
     await typeFor(model, 1000);
@@ -167,7 +167,7 @@ describe('the work that is kept', () => {
     expect((await textOf())?.length).toBe(70);
   });
 
-  it('of one tab is not overwritten by another, and of six tabs the five newest are kept', async () => {
+  it('is not overwritten by another tab, and of six tabs the five newest are kept', async () => {
     const database = stubDatabase();
     for (let tab = 0; tab < 6; tab += 1) {
       sessionStorage.clear();
@@ -210,7 +210,7 @@ describe('the work that is kept', () => {
     expect(sessionStorage.getItem('parcours.work')).not.toContain('further');
   });
 
-  it('of a full course goes to the tab’s own storage, which is slow, only when the page is left', async () => {
+  it('goes to the tab’s own storage, which is slow, only when the page is left, for a full course', async () => {
     stubDatabase();
     const model = await openPage();
     const long = `# ${'x'.repeat(40_000)}`;
@@ -236,7 +236,7 @@ describe('the work that is kept', () => {
     expect(await textOf()).toBe('mine');
   });
 
-  it('that fits nowhere is told once, and again only after something could be saved', async () => {
+  it('is reported once if it fits nowhere, and again only after something could be saved', async () => {
     stubDatabase(false);
     const model = await openPage();
     isFull = true;
@@ -249,7 +249,7 @@ describe('the work that is kept', () => {
     expect(said).toEqual(['lost', 'lost']);
   });
 
-  it('that only the disk has room for is safe, and nothing is told', async () => {
+  it('is safe if only the disk has room for it, and nothing is reported', async () => {
     stubDatabase();
     const model = await openPage();
     isFull = true;

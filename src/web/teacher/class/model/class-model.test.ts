@@ -86,7 +86,7 @@ describe('a class', () => {
     expect(model.isUnsaved.value).toBe(false);
   });
 
-  it('that is taken away while it is checked, is gone for good', async () => {
+  it('is gone for good if it is taken away while it is checked', async () => {
     const { model } = classWith({ starter: () => new Promise(() => undefined) });
     await model.choose({ name: 'T', from: 'open', task });
     void model.add([program('Ada', ahead(3000))]);
