@@ -1,3 +1,6 @@
+/** Each folder of `packages/` and the module that it is made of. `hasApp`: the built app is in it, too. */
+export const packages: readonly { readonly folder: string; readonly entry: string; readonly hasApp: boolean }[];
+
 /**
  * Builds and packs `packages/*`.
  *
