@@ -277,10 +277,10 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
-  { name: 'picture-kinds', test: /\/arena\/picture\/(kinds\/|scene-kinds|draw-(outline|background|waiting)\.ts)/ },
+  { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
     name: 'editor-bars',
-    test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon)/,
+    test: /\/course\/editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon)/,
   },
   { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];
