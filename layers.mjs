@@ -105,7 +105,7 @@ export const wings = {
     ], // prettier-ignore
     series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker'],
   },
-  help: ['session', 'course/editor', 'pupil/console', 'pupil/code', 'pupil/device', 'pupil/debug', 'teacher'],
+  help: ['session', 'course/editor', 'pupil/console', 'pupil/code'],
   app: ['session', 'course', 'pupil', 'exchange', 'teacher', 'help'],
 };
 
