@@ -28,7 +28,7 @@ export function commonFields(scene: Scene, selection: Selection): readonly Commo
   });
 }
 
-/** True for the choice that makes a checkpoint, which needs a number of its own. */
+/** True for the field that can make a zone a checkpoint, which needs a number of its own. */
 const isNumbered = (field: Field): boolean => field.name === 'type' && field.choices.includes('checkpoint');
 
 const isAlike = (one: Field, other: Field): boolean =>

@@ -87,7 +87,7 @@ function touchText({ pose, moved }: Moment, { scene, body }: Surroundings): stri
   return t(words.touch[SIDES[eighth] ?? 'front'], { thing: t(words.touched[what]) });
 }
 
-/** True if only lines are dark: otherwise a sensor's darkness does not mean a line. */
+/** True if the course has lines and no floor picture, on which a sensor's darkness need not mean a line. */
 const hasLines = ({ objects, background }: Scene): boolean =>
   background === null && objects.some(({ type }) => type === 'stroke');
 

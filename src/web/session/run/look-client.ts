@@ -29,7 +29,7 @@ export class LookClient {
 
   constructor(options: LookClientOptions) {
     this.worker = this.open(options);
-    this.worker.catch(() => undefined); // every request is rejected with it
+    this.worker.catch(() => undefined); // each request handles the failure itself
   }
 
   /**

@@ -21,7 +21,7 @@ const BUSY_AFTER_MS = 1000;
 /** Time the VM may take to load before a notice is shown, in ms. Chosen: a slow school network needs less. */
 const SLOW_MS = 10_000;
 
-/** Returns the same promise; if it takes long, a notice is shown. */
+/** Waits for the work; if it takes long, a notice is shown. */
 function patiently(work: Promise<void>, tell: () => unknown): Promise<void> {
   const timer = setTimeout(tell, SLOW_MS);
   return work.finally(() => clearTimeout(timer));

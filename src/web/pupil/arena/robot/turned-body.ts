@@ -27,7 +27,7 @@ export class TurnedBody {
   private frames = 0;
 
   /**
-   * @param patience number of frames for which it is reused after a turn; differs between robots, as they may end a
+   * @param patience number of unchanged frames before the picture is cached; differs between robots, as they may end a
    * turn together
    */
   constructor(private readonly patience = 0) {}

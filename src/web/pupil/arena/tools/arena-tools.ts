@@ -231,7 +231,7 @@ function withNudge(now: SurfacePicture, edit: SceneEdit | null, context: () => T
   return { ...now, marks, told: reading && at && { reading, typed: '', at, isFinger: false } };
 }
 
-/** The reading, or the hint of the keyboard, with its place in world mm. */
+/** The ruler's measurement, the typed numbers or the reading, with its place in world mm. */
 function toldBy({
   told,
   marks,

@@ -88,7 +88,7 @@ export type FromWorker =
   | { readonly type: 'events'; readonly events: RunEvents; readonly device: number }
   /**
    * The pictures of the run, 50 moments for a second of simulated time: a piece for `Rows`, in their order.
-   * `thinSinceUs`: it has one moment for a second, since the run went as fast as possible, and those after this time
+   * `thinSinceUs`: it has one moment for two seconds, since the run went as fast as possible, and those after this time
    * are missing.
    */
   | { readonly type: 'tape'; readonly piece: Uint8Array; readonly thinSinceUs: number | null }

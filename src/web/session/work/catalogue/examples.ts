@@ -24,7 +24,7 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
 /** Those of all robots, in their order. */
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
-/** Programs that are also solutions: having written one still counts as the pupil's own work. */
+/** Programs that come with courses and examples. Solutions are left out: a pupil who wrote the same has written it. */
 const brought: ReadonlySet<string> = new Set([
   ...readyCourses.flatMap((course) => [course, ...course.devices].flatMap(({ program }) => Object.values(program))),
   ...examples.flatMap(({ example }) => Object.values(example.source)),
