@@ -23,8 +23,7 @@ interface Made {
 type Texts = Readonly<Record<string, string>>;
 
 /** @param isObserved whether somebody hears of all calls: then the library is loaded and not copied */
-function made(type: BoardType, ofBoard: FirmwareType, given: Texts, isObserved: boolean): Made {
-  const clock = new Clock();
+function made(type: BoardType, ofBoard: FirmwareType, given: Texts, isObserved: boolean, clock = new Clock()): Made {
   const board = new Board(type, clock, ofBoard);
   const calls: string[] = [];
   let printed = '';
@@ -136,6 +135,16 @@ describe('copies of the loaded library', () => {
     for (let round = 0; round < 2; round++)
       for (const [type, given] of all)
         expectSame(made(type, type.firmwares[0], given, false), made(type, type.firmwares[0], given, true));
+  });
+
+  it('are the same whatever the clock of the run that they were made of waited for', () => {
+    const [type] = boardTypes;
+    if (type === undefined) throw new Error('There is no board.');
+    const given = { 'main.py': '', 'clock.py': '' };
+    const busy = new Clock();
+    busy.at(90_000, () => undefined);
+    made(type, type.firmwares[0], given, false, busy);
+    expectSame(made(type, type.firmwares[0], given, false), made(type, type.firmwares[0], given, true));
   });
 
   it('are made anew when there were many others', () => {

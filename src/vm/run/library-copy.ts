@@ -88,10 +88,13 @@ export function restoreCopy({ pages, globals }: LibraryCopy, firmware: Firmware,
   }
 }
 
-/** All global variables, and some that never change. */
+/**
+ * All global variables, and some that never change. Not `gas`: it depends on the alarms of the clock, and the engine
+ * sets it whenever it enters the VM.
+ */
 const globalsOf = (firmware: Firmware): [string, WebAssembly.Global][] =>
   Object.entries(firmware).filter(
-    (entry): entry is [string, WebAssembly.Global] => entry[1] instanceof WebAssembly.Global,
+    (entry): entry is [string, WebAssembly.Global] => entry[0] !== 'gas' && entry[1] instanceof WebAssembly.Global,
   );
 
 function changedPages(before: Uint8Array, after: Uint8Array): LibraryCopy['pages'] {
