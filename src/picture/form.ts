@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import { lastMadeOf } from '#core/memo';
 import { distanceToEdge, lengthOf, type Outline } from '#scene/outline';
 import type { Point, Shaped } from '#scene/scene';
 import { outlineHolds, ownOutline } from '#scene/shape/shape';
@@ -98,15 +99,18 @@ export interface Room {
 
 /** Places that are tried along each side of a polygon. Chosen: near enough to the best by eye. */
 const TRIED = 16;
-const rooms = new WeakMap<readonly Point[], { readonly size: Vec; readonly room: Room }>();
 
 /** The place in a form with the most room around it: of a rectangle and an ellipse the middle. */
 export function roomIn(form: Form): Room {
   const { sizeMm, corners } = form;
   if (!corners) return { at: { x: 0, y: 0 }, acrossMm: Math.min(sizeMm.x, sizeMm.y) };
-  const known = rooms.get(corners);
-  if (known?.size.x === sizeMm.x && known.size.y === sizeMm.y) return known.room;
-  const outline = polygonPath(form);
+  return roomInPolygon(corners, sizeMm);
+}
+
+const roomInPolygon = lastMadeOf(freestPlace, (one, other) => one.x === other.x && one.y === other.y);
+
+function freestPlace(corners: readonly Point[], sizeMm: Vec): Room {
+  const outline = polygonPath({ corners, sizeMm });
   let room: Room = { at: { x: 0, y: 0 }, acrossMm: 0 };
   for (let i = 0; i < TRIED * TRIED; i++) {
     const [column, row] = [i % TRIED, Math.floor(i / TRIED)];
@@ -114,6 +118,5 @@ export function roomIn(form: Form): Room {
     const acrossMm = outlineHolds(outline, at, 0) ? 2 * distanceToEdge(outline, at) : 0;
     if (acrossMm > room.acrossMm) room = { at, acrossMm };
   }
-  rooms.set(corners, { size: sizeMm, room });
   return room;
 }

@@ -16,7 +16,7 @@ import { provideFirstSteps } from '../help/parts';
 import { createTour } from '../help/tour-model';
 import { ArenaAlone } from '../session/layout/arena-alone';
 import { createRouter } from '../session/layout/router';
-import { featurePages } from './feature-pages';
+import { featurePages } from './features/feature-pages';
 import { createLayout } from '../session/layout/layout-model';
 import { provideLayout, type LayoutParts } from '../session/layout/parts';
 import type { HelpEntry } from '../kit/features/feature';
@@ -53,7 +53,7 @@ export type AllParts = ReturnType<typeof createParts>;
 
 /** The features' entries of the help, loaded with it. */
 const contributedHelp = async (): Promise<readonly HelpEntry[]> =>
-  (await import('./contributions')).contributions.flatMap(({ help }) => help ?? []);
+  (await import('./features/all-help-entries')).allHelpEntries;
 
 /** Makes the models of all rooms and joins them: the only place that knows all. */
 export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {

@@ -8,13 +8,12 @@ import de from '../words/guide/de.json';
 import en from '../words/guide/en.json';
 import fr from '../words/guide/fr.json';
 import italian from '../words/guide/it.json';
-import { contributions } from '../../app/contributions';
+import { allHelpEntries } from '../../app/features/all-help-entries';
 import type { HelpEntry } from '../../kit/features/feature';
 import { guideSections } from './entries';
 
 const contents: Readonly<Record<(typeof LANGUAGES)[number], GuideContent>> = { de, fr, it: italian, en };
-const contributed = contributions.flatMap(({ help }) => help ?? []);
-const entries = guideSections(contributed).flatMap((section) => section.entries);
+const entries = guideSections(allHelpEntries).flatMap((section) => section.entries);
 
 /** The bars, panes and menus whose controls the help explains. */
 const sources = import.meta.glob<string>(

@@ -43,7 +43,7 @@ export interface MenuPart {
   readonly entries: () => readonly MenuEntry[];
 }
 
-/** Something that the help explains. Its name is that of its control, so that both always say the same. */
+/** Something that the help explains: a feature lists its own in its `help-entries.ts`, loaded with the help. Its name is that of its control, so that both always say the same. */
 export interface HelpEntry {
   readonly id: string;
   readonly section: 'menu' | 'program' | 'board' | 'arena' | 'tools' | 'console' | 'keys';
@@ -59,11 +59,10 @@ export interface HelpEntry {
   readonly keys?: readonly string[];
 }
 
-/** Everything that a feature brings to the menu and to the help, in its `contribution.ts`; loaded with the first of them. */
+/** Everything that a feature brings to the main menu, in its `contribution.ts`; loaded with the menu. */
 export interface Contribution {
   /** Called in the set-up of the menu, so it may ask for models. */
-  readonly menu?: () => readonly MenuPart[];
-  readonly help?: readonly HelpEntry[];
+  readonly menu: () => readonly MenuPart[];
 }
 
 /** The modules of a pattern of files by what they export, in the order of their paths. */

@@ -1,12 +1,10 @@
-import { mdiGhostOutline, mdiPause, mdiPlay, mdiSkipNext } from '@mdi/js';
+import { mdiPause, mdiPlay, mdiSkipNext } from '@mdi/js';
 
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { hasLittleRoom } from '../../session/layout/layout-model';
 import { useLayout } from '../../session/layout/parts';
-import showWords from '../../session/layout/words';
 import { useRun } from '../../session/run/parts';
-import helpWords from './words/help';
 
 /** The buttons of the run that a small bar has no room for. */
 export const contribution: Contribution = {
@@ -42,15 +40,4 @@ export const contribution: Contribution = {
       },
     ];
   },
-  help: [
-    {
-      id: 'ghosts',
-      section: 'arena',
-      after: 'show',
-      icon: mdiGhostOutline,
-      name: () => t(showWords.ghost.title),
-      text: () => t(helpWords.ghosts),
-      covers: ['ghost-away', 'ghost-*'],
-    },
-  ],
 };

@@ -5,7 +5,6 @@ import { t } from '../../kit/i18n';
 import { hasLittleRoom } from '../../session/layout/layout-model';
 import { useLayout } from '../../session/layout/parts';
 import words from './words';
-import helpWords from './words/help';
 
 export const contribution: Contribution = {
   menu() {
@@ -44,15 +43,4 @@ export const contribution: Contribution = {
       },
     ];
   },
-  help: [
-    {
-      id: 'gallery',
-      section: 'menu',
-      after: 'show-arena',
-      icon: mdiRobotHappyOutline,
-      name: () => t(words.gallery),
-      text: () => t(helpWords.gallery),
-      covers: ['gallery'],
-    },
-  ],
 };

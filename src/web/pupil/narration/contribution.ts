@@ -1,10 +1,9 @@
-import { mdiAccountVoice, mdiCheckboxBlankOutline, mdiCheckboxMarkedOutline } from '@mdi/js';
+import { mdiCheckboxBlankOutline, mdiCheckboxMarkedOutline } from '@mdi/js';
 
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import showWords from '../../session/layout/words';
 import { useWork } from '../../session/work/model/parts';
-import words from './words';
 
 export const contribution: Contribution = {
   menu() {
@@ -30,15 +29,4 @@ export const contribution: Contribution = {
       },
     ];
   },
-  help: [
-    {
-      id: 'tell',
-      section: 'arena',
-      after: 'ghosts',
-      icon: mdiAccountVoice,
-      name: () => t(showWords.tell.title),
-      text: () => t(words.help),
-      covers: ['tell-switch', 'show-tell', 'show-tones'],
-    },
-  ],
 };

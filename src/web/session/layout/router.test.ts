@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, type EffectScope } from 'vue';
 
-import { featurePages } from '../../app/feature-pages';
+import { featurePages } from '../../app/features/feature-pages';
 import { createRouter, pageAt, type Router } from './router';
 
 describe('the address of a page over the app', () => {
@@ -55,6 +55,14 @@ describe('the pages over the app', () => {
   });
 
   it('are closed on a usual visit', () => expect(router().page.value).toBeNull());
+
+  it('know the id of the open page only: a page that is being left sees none of the next', () => {
+    const { open, idOn } = router();
+    open('robots', 'callibot');
+    expect([idOn('robots'), idOn('courses')]).toEqual(['callibot', null]);
+    open('courses', 'slalom');
+    expect([idOn('robots'), idOn('courses')]).toEqual([null, 'slalom']);
+  });
 
   it('are open at the page that the address asks for', () => {
     history.replaceState(null, '', '#robots/callibot');

@@ -15,6 +15,8 @@ export interface OpenPage {
 export interface Router {
   /** `null`: none is open. */
   readonly page: Readonly<ShallowRef<OpenPage | null>>;
+  /** The id that the open page shows; `null`: none, or another page is open. A page that is about to close asks, too. */
+  idOn(name: string): string | null;
   /** Opens a page, or one thing on it. */
   open(name: string, id?: string): void;
   /** Shows another thing in the same place: the back button skips the one before. */
@@ -57,6 +59,7 @@ export function createRouter(pages: readonly FeaturePage[]): Router {
   onScopeDispose(() => removeEventListener('popstate', arrive));
   return {
     page,
+    idOn: (name) => (page.value?.name === name ? page.value.id : null),
     open(name, id) {
       history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${name}` : `#${name}/${id}`);
       follow();

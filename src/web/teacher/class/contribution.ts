@@ -19,15 +19,4 @@ export const contribution: Contribution = {
       }),
     ];
   },
-  help: [
-    {
-      id: 'class',
-      section: 'menu',
-      after: 'series',
-      icon: mdiClipboardCheckOutline,
-      name: () => t(words.title),
-      text: () => t(words.help),
-      covers: ['menu-class'],
-    },
-  ],
 };

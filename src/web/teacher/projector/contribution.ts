@@ -7,7 +7,6 @@ import { useLayout } from '../../session/layout/parts';
 import showWords from '../../session/layout/words';
 import { pagePart } from '../../session/layout/page-part';
 import { useWork } from '../../session/work/model/parts';
-import words from './words';
 
 export const contribution: Contribution = {
   menu() {
@@ -22,15 +21,4 @@ export const contribution: Contribution = {
       }),
     ];
   },
-  help: [
-    {
-      id: 'projector',
-      section: 'menu',
-      after: 'class',
-      icon: mdiProjectorScreenOutline,
-      name: () => t(showWords.projector.title),
-      text: () => t(words.help),
-      covers: ['menu-projector', 'show-projector', 'projector-open'],
-    },
-  ],
 };

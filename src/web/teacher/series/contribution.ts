@@ -40,24 +40,4 @@ export const contribution: Contribution = {
       }),
     ];
   },
-  help: [
-    {
-      id: 'make-series',
-      section: 'menu',
-      after: 'task-maker',
-      icon: mdiFormatListNumbered,
-      name: () => t(words.title),
-      text: () => t(words.help),
-      covers: ['menu-make-series'],
-    },
-    {
-      id: 'series',
-      section: 'menu',
-      after: 'make-series',
-      icon: mdiFormatListNumbered,
-      name: () => t(wayWords.back),
-      text: () => t(words.helpBack),
-      covers: ['menu-series'],
-    },
-  ],
 };

@@ -19,15 +19,4 @@ export const contribution: Contribution = {
       }),
     ];
   },
-  help: [
-    {
-      id: 'task-maker',
-      section: 'menu',
-      after: 'gallery',
-      icon: mdiClipboardEditOutline,
-      name: () => t(words.title),
-      text: () => t(words.help),
-      covers: ['menu-task'],
-    },
-  ],
 };

@@ -7,7 +7,7 @@ import { fn, module, type, value, absent } from '#reference/table';
 import { robotTypes } from '#robots/index';
 import { robotReferences } from '#robots/references';
 import { robotSheets } from '#robots/sheets';
-import { featurePages } from '../../../app/feature-pages';
+import { featurePages } from '../../../app/features/feature-pages';
 import { pageAt } from '../../../session/layout/router';
 import { addressesText, addressText, sizeCm } from './facts';
 import { libraryTables } from './library-rows';

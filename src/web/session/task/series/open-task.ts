@@ -12,7 +12,8 @@ import type { Previous } from '../../work/storage/history';
 import { isOurs, useCourses } from '../../work/use-courses';
 import { useOpenings } from '../../work/use-openings';
 import { taskText } from '../../work/catalogue/task-text';
-import { carriedPlace, isAsGiven, taskOfWork } from './series-place';
+import { carriedPlace } from './series-place';
+import { isAsGiven, taskOfWork } from './series-task';
 
 /** The models that open tasks of a series. */
 export type SeriesApp = Workplace & Pick<LayoutParts, 'router'>;

@@ -13,7 +13,8 @@ import { stubDatabase } from '../../work/storage/testing/memory-database';
 import { createDoneMarks } from './done-marks';
 import { keepDraft, keepSeries, keptDraft, keptSeries, seriesFrom } from './kept-series';
 import { openTask, taskAfter, taskName, workOn } from './open-task';
-import { isAsGiven, placeOf, taskOfWork } from './series-place';
+import { placeOf } from './series-place';
+import { isAsGiven, taskOfWork } from './series-task';
 import { useSeriesWay } from './use-series-way';
 
 const series: Series = seriesForPupils(aSeries());

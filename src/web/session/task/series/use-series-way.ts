@@ -6,7 +6,8 @@ import type { WithLate } from '../../../kit/state/late-models';
 import { keptSeries } from './kept-series';
 import type { SeriesApp } from './open-task';
 import { taskAfter } from './open-task';
-import { placeOf, taskOfWork } from './series-place';
+import { placeOf } from './series-place';
+import { taskOfWork } from './series-task';
 
 /** The way on from a task of a series. */
 export interface SeriesWay {

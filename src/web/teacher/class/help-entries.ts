@@ -1,0 +1,17 @@
+import { mdiClipboardCheckOutline } from '@mdi/js';
+
+import type { HelpEntry } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import words from './words';
+
+export const helpEntries: readonly HelpEntry[] = [
+  {
+    id: 'class',
+    section: 'menu',
+    after: 'series',
+    icon: mdiClipboardCheckOutline,
+    name: () => t(words.title),
+    text: () => t(words.help),
+    covers: ['menu-class'],
+  },
+];

@@ -1,0 +1,17 @@
+import { mdiClipboardEditOutline } from '@mdi/js';
+
+import type { HelpEntry } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import words from './words';
+
+export const helpEntries: readonly HelpEntry[] = [
+  {
+    id: 'task-maker',
+    section: 'menu',
+    after: 'gallery',
+    icon: mdiClipboardEditOutline,
+    name: () => t(words.title),
+    text: () => t(words.help),
+    covers: ['menu-task'],
+  },
+];
