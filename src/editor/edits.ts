@@ -28,7 +28,7 @@ export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null 
       'size' in other &&
       'size' in object &&
       isSame(other.at, object.at) &&
-      isSame(other.size, object.size) &&
+      isSame([other.size, other.round, other.corners], [object.size, object.round, object.corners]) &&
       other.angle === object.angle,
   );
   return isThere ? null : adding(scene, [object]);

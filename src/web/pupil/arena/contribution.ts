@@ -32,7 +32,7 @@ export const contribution: Contribution = {
             testId: 'step',
             icon: mdiSkipNext,
             title: t('bar.step'),
-            isDisabled: phase === 'running',
+            isDisabled: phase === 'running' || phase === 'starting',
             act: () => run.step(),
           };
           return layout.kind.value === 'phone' ? [pause, step] : [step];

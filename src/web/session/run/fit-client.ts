@@ -13,6 +13,7 @@ export type { Fit } from './worker/fit';
  */
 export async function fitInWorker(robot: string, measured: Measured, signal: AbortSignal): Promise<Fit> {
   const firmware = await compileFirmware();
+  if (signal.aborted) return new Promise(() => undefined);
   const worker = createWorker();
   signal.addEventListener('abort', () => worker.terminate());
   try {

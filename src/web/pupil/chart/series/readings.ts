@@ -81,8 +81,8 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
     of(t(words.motorRight), at('duty', 'right'), { unit: '%', times: 100 }),
     of(t(words.heading), ['robot', 'pose', 'headingRad'], { unit: '°', times: DEGREES_PER_RAD }),
     of(t(words.turned), ['robot', 'turnedRad'], { unit: '°', times: DEGREES_PER_RAD }),
-    of('x', ['robot', 'pose', 'x'], { unit: 'cm', times: 0.1 }),
-    of('y', ['robot', 'pose', 'y'], { unit: 'cm', times: 0.1 }),
+    of('x', ['robot', 'pose', 'xMm'], { unit: 'cm', times: 0.1 }),
+    of('y', ['robot', 'pose', 'yMm'], { unit: 'cm', times: 0.1 }),
     of(t(words.way), ['robot', 'pathMm'], { unit: 'cm', times: 0.1 }),
     of(t(words.touches), ['robot', 'collisions']),
     onOff(t(words.lightLeft), at('leds', 'left')),
@@ -99,7 +99,7 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
 function colourLight(name: string, path: readonly Key[]): Reading {
   return {
     ...{ id: path.join('/'), name, unit: '%', isStepped: true, isRate: false },
-    paths: ['r', 'g', 'b'].map((colour) => [...path, colour]),
+    paths: [0, 1, 2].map((colour) => [...path, colour]),
     value(leaves) {
       const colours = leaves.map(numberOf).filter((colour) => colour !== null);
       return colours.length === 0 ? null : Math.max(...colours) / 2.55;

@@ -29,8 +29,10 @@ export async function keepSeries(app: WithLate, series: Series, address?: string
 export async function keptSeries(app: WithLate, id: string): Promise<Series | null> {
   const known = openedSeries(app).get(id);
   if (known !== undefined) return known;
-  const series = seriesIn(await entryOf(SERIES + id));
-  if (series !== null) await keepSeries(app, series);
+  const entry = await entryOf(SERIES + id);
+  const series = seriesIn(entry);
+  const address = valueIn(entry)?.['address'];
+  if (series !== null) await keepSeries(app, series, typeof address === 'string' ? address : undefined);
   return series;
 }
 

@@ -108,12 +108,15 @@ export class WorkModel {
 
   /** Takes a further device away, after putting the whole work aside. Returns whether that was done. */
   removeDevice(place: number, nameOfOld: string): boolean {
-    if (furtherDevice(this.work.value.project, place) === null || this.staysAsItIs()) return false;
+    const before = this.work.value.project;
+    if (furtherDevice(before, place) === null || this.staysAsItIs()) return false;
+    const project = this.locks.changed(before, removedDevice(before, place), false);
+    if (project === null) return false;
     this.keep(nameOfOld);
     const shown = this.place.value;
     this.showDevice(0);
     this.opened.clear();
-    this.setProject(removedDevice(this.work.value.project, place));
+    this.work.value = { ...this.work.value, project };
     if (shown !== place) this.showDevice(shown > place ? shown - 1 : shown);
     return true;
   }
