@@ -9,13 +9,13 @@ import type { ArenaOptions, RobotLook } from './model/arena-model';
 export interface CanvasProps {
   /** The course as shown before a run: with the things where the hand has put them. Replace the object to change it. */
   scene: Scene;
-  /** The course as stored, if it is another. */
+  /** The course as stored, if it differs. */
   course?: Scene;
   /** The editor whose tools change the course; left out: the hand is the only tool. */
   editor?: CourseEditorModel;
   /**
-   * Reads the newest state of the run, or `null` before a run: then the course's own start is shown. A function, so that
-   * a new state paints the canvas and renders no component.
+   * Reads the newest state of the run, or `null` before a run: then the course's own start is shown. A function, so
+   * that a new state paints the canvas and renders no component.
    */
   newest: () => Snapshot | null;
   /** True if the hand may take nothing; an attempt shows why. Left out: it may take everything. */
@@ -27,11 +27,12 @@ export interface CanvasProps {
   options: ArenaOptions;
   /** The path of the robot in this run. It changes with the state of the run. */
   trail: Trail;
-  /** Holds the robot in the middle of the picture. */
+  /** Holds the robot in the middle third of the picture. */
   follow: boolean;
   /** Dark page. */
   dark: boolean;
-  /** Name of the arena for screen readers, and whether events in it are announced elsewhere. */
+  /** Name of the arena for screen readers. */
   label: string;
+  /** True if events in the arena are announced elsewhere. */
   told?: boolean;
 }

@@ -6,7 +6,7 @@ import { hasLittleRoom } from '../../session/layout/layout-model';
 import { useLayout } from '../../session/layout/parts';
 import { useRun } from '../../session/run/parts';
 
-/** The buttons of the run that a small bar has no room for. */
+/** The buttons of the run that a small bar has no room for, and the help on ghosts. */
 export const contribution: Contribution = {
   menu() {
     const { run } = useRun();

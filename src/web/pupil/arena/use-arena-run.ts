@@ -24,14 +24,14 @@ export function useArenaRun(
     return { ...scene, objects, robot: { ...scene.robot, at: [xMm, yMm], heading: headingDeg } };
   });
 
-  /** Poses of the hand are finer than those of a course: neither whole mm nor tenths of a degree. Only for showing. */
+  /** Puts a block where the hand has put it, only for showing: poses of the hand are finer than those of a course. */
   function inHand(object: SceneObject): SceneObject {
     const pose = object.type === 'block' ? hand.blocks.value[object.id] : undefined;
     if (object.type !== 'block' || pose === undefined) return object;
     return { ...object, at: [pose.xMm, pose.yMm], angle: pose.headingDeg };
   }
 
-  /** The last picture of a stopped run would hide the hand's changes. */
+  /** Resets a stopped run: its last picture would hide the hand's changes. */
   function prepare(): void {
     if (run.snapshot.value !== null) void run.reset();
   }

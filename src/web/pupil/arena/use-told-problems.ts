@@ -7,7 +7,7 @@ type Around = Pick<WorkParts, 'work'> & Pick<CourseEditorParts, 'editor'>;
 
 /** When and how problems of the course are shown. */
 export function useToldProblems({ work, editor }: Around): {
-  /** The course was changed, or a tool for it is chosen. */
+  /** True if the course was changed, or a tool for it is chosen. */
   readonly hasEdited: ComputedRef<boolean>;
   /**
    * Also true for a user's own course that was only opened. Ready-made courses are checked before they are published.

@@ -4,13 +4,13 @@ import { lateModel } from '../../kit/state/late-models';
 import { MOST_CURVES } from './plot/looks';
 import type { Series } from './series/series';
 
-/** Units that have an axis: one at the left, one at the right. */
+/** Most units that have an axis: one at the left, one at the right. */
 const MOST_UNITS = 2;
 
 /** The ids of the curves that somebody has chosen, for as long as the page is open; `null`: nobody has. */
 export const chosenCurves = lateModel(() => shallowRef<readonly string[] | null>(null));
 
-/** True if a curve can come to those that are drawn. */
+/** True if a curve can be drawn beside those that are drawn. */
 export function canJoin({ unit }: Series, drawn: readonly Series[]): boolean {
   const units = new Set([...drawn.map((series) => series.unit), unit]);
   return drawn.length < MOST_CURVES && units.size <= MOST_UNITS;

@@ -3,7 +3,7 @@ import { valueAt } from './series/series';
 import type { Span } from './plot/span';
 
 /**
- * The curves as a table, one row for each time at which one of them has a value of its own.
+ * The curves within a stretch as a table, one row for each time at which one of them has a value of its own.
  *
  * @param time heading of the column of times, in seconds
  */
@@ -28,7 +28,7 @@ const cell = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAl
 /** Six decimals are finer than anything that is measured. */
 const plain = (value: number): string => String(Math.round(value * 1e6) / 1e6);
 
-/** The least, the largest and some values of a curve, for who cannot see it. */
+/** Rows with a time in s and the value of each curve then, at even intervals of a stretch: for screen readers. */
 export function rowsOfCurves(
   curves: readonly Curve[],
   [from, to]: Span,
@@ -40,7 +40,7 @@ export function rowsOfCurves(
   });
 }
 
-/** From where to where the values of a curve go within a stretch; `null` where it has none. */
+/** The least and the largest value of a curve within a stretch; `null` if it has none there. */
 export function rangeWithin({ points }: Curve, [from, to]: Span): readonly [min: number, max: number] | null {
   let [min, max] = [Infinity, -Infinity];
   for (const [at, timeS] of points.timesS.entries()) {
@@ -55,7 +55,7 @@ export function rangeWithin({ points }: Curve, [from, to]: Span): readonly [min:
 /**
  * The chart as a picture, with the names of the curves above it.
  *
- * @param names of the curves, with their colours
+ * @param names of the curves, each with its curve for its look
  */
 export function pictureOf(
   canvas: HTMLCanvasElement,

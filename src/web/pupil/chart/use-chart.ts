@@ -18,7 +18,7 @@ import { readingsOf, usualReadings } from './series/readings';
 import { noPoints, type Series, type SeriesSource } from './series/series';
 import { TapeSource } from './series/tape-source';
 
-/** How often curves are drawn anew while a run goes on: that often, and more slowly the longer they are. */
+/** Shortest time between two drawings of the curves during a run, in ms; one more for so many points. */
 const LEAST_MS = 60;
 const POINTS_PER_MS = 200; // chosen: then drawing takes less than a tenth of the time on the slow tablet
 
@@ -58,7 +58,7 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & 
     const points = curves.value.reduce((sum, curve) => sum + curve.points.timesS.length, 0);
     timer ??= setTimeout(update, LEAST_MS + points / POINTS_PER_MS);
   }
-  /** Servos come to a robot when they are first used. */
+  /** The robot's type and the number of its servos, which come to it when they are first used. */
   const things = computed(() => {
     const device = deviceAt(run.present.value, work.place.value);
     return device && [device.robot?.type, Object.keys(device.robot?.state.servos ?? {}).length].join(' ');
@@ -106,7 +106,7 @@ function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'
 const deviceAt = (snapshot: Snapshot | null, device: number): DeviceSnapshot | null =>
   device === 0 ? snapshot : (snapshot?.others[device - 1] ?? null);
 
-/** The curves drawn by default: those that a program prints. */
+/** The curves drawn by default: those that the program prints, else the usual readings. */
 function usualOf({ printed, usual }: Sources): readonly string[] {
   const ids = printed?.list().map(({ id }) => id) ?? [];
   return ids.length > 0 ? ids : usual;

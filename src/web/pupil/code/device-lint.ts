@@ -15,7 +15,7 @@ import { contextOf } from '../../session/work/hardware/written-for';
 /** How long a pupil has stopped typing before the text is checked. Chosen: longer than between two keys. */
 const PAUSE_MS = 700;
 
-/** Another board, another file: what was checked has to be checked again. */
+/** The question has changed: the text has to be checked again. */
 const checkAgain = StateEffect.define();
 
 /** Marks in the text and in the gutter, an explanation when pointed at, and a line below the text that explains. */

@@ -44,7 +44,9 @@ function fillWhenNeeded(view: EditorView, slot: Compartment, options: DeviceMark
   };
 }
 
-/** Filled already, as in a file that was shown before; or another file is shown, whose slot is its own. */
+/**
+ * True if it is filled already, as in a file that was shown before, or if another file is shown, whose slot is its own.
+ */
 function isFilled(view: EditorView, slot: Compartment): boolean {
   const now = slot.get(view.state);
   return now === undefined || !Array.isArray(now) || now.length > 0;

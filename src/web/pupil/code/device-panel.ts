@@ -46,7 +46,7 @@ function whatToSay(state: EditorState): Said {
   return { marked, errors, hints: marked.length - errors, here };
 }
 
-/** A sign beside a line: `!` where the device stops, `i` where it only counts differently. */
+/** A sign beside a line: `!` where the device stops, `i` where it may come to another result, and for a slip. */
 class Sign extends GutterMarker {
   constructor(
     private readonly isHint: boolean,
@@ -103,7 +103,7 @@ const goToNext: Command = (view) => {
  * A line below the text: it counts what would not run on the device, and explains what is in the cursor's line. So the
  * explanation is there for a finger, a keyboard (F8 goes to the next place) and a screen reader too.
  *
- * @param board what the microcomputer is called, now
+ * @param board present name of the microcomputer
  */
 export function devicePanel(board: () => string): Extension {
   const create = (view: EditorView): Panel => panelOf(view, board);

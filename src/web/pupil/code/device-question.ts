@@ -16,12 +16,14 @@ export interface DeviceQuestion {
   readonly written: () => Written;
 }
 
-/** How the marks learn what they are about. */
+/** The sources of the marks. */
 export interface DeviceMarksOptions {
   /** Asked at every check; `null`: there is nothing to check against, no marks. */
   readonly question: () => DeviceQuestion | null;
   /** True if the program is one of ours just as it came, for its own board: there is nothing to find in it. */
   readonly isOurs: () => boolean;
-  /** Tells when the question has changed, for another board or another file of the project. */
+  /**
+   * Calls the listener when the question has changed: another board or firmware, or the check is switched on or off.
+   */
   readonly onChange: (listener: () => void) => Stop;
 }

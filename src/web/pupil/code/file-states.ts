@@ -6,7 +6,7 @@ import { markWrongLine } from './wrong-line';
 
 /** The state that the editor should show. */
 export interface Shown {
-  /** Unlike that of any other file. */
+  /** Unique among all files. */
   readonly key: string;
   readonly name: string;
   readonly text: string;
@@ -48,7 +48,9 @@ export class FileStates {
     for (const key of this.hidden.keys()) if (!keys.includes(key)) this.hidden.delete(key);
   }
 
-  /** Forgets all other files' states, for instance when another language renames them. */
+  /**
+   * Makes the editor anew with this text and forgets all other files' states, for instance after a change of language.
+   */
   refresh(text: string): void {
     this.hidden.clear();
     const { selection } = this.view.state;

@@ -11,7 +11,7 @@ import { repeatIn } from '#advice/syntax-advice';
 import { loadErrorTexts, t } from '../../kit/i18n';
 import type { TextKey, TextValues } from '../../kit/i18n/texts';
 
-/** A slip that the editor tells before the program runs. */
+/** A slip that the editor shows before the program runs. */
 export interface SlipHint {
   readonly from: number;
   readonly to: number;

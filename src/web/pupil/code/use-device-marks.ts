@@ -8,7 +8,7 @@ import { AUTO_DEVICE, deviceName } from '../../session/work/settings/devices';
 import { isAsFound } from '../../session/work/catalogue/first-course';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
-/** Marks each file for the microcomputer that is chosen now, and its firmware. */
+/** The options of the marks for each file: for the microcomputer that is chosen now, and its firmware. */
 export function useDeviceMarks(
   parts: WorkParts,
   hardware: ComputedRef<Hardware | null>,

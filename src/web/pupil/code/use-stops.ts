@@ -8,9 +8,9 @@ import type { WorkParts } from '../../session/work/model/parts';
 
 /**
  * Break points beside the line numbers, and the line where the program stands. A press on a number sets one, F9 at the
- * cursor; what shows them comes with the first.
+ * cursor; the code for them is loaded with the first.
  *
- * @returns the column of line numbers for a file, and what is to be called when another file is shown
+ * @returns the column of line numbers for a file, and a function to call when another file is shown
  */
 export function useStops(
   { work }: Pick<WorkParts, 'work'>,
@@ -26,7 +26,7 @@ export function useStops(
     slot.need((debug) => debug.points.toggle(file, number));
     return true;
   }
-  /** The line that was shown last. */
+  /** The place that was shown last. */
   let stood: unknown = null;
   function show(): void {
     const debug = slot.debug.value;

@@ -5,7 +5,7 @@ import { memo } from '#core/memo';
 
 /** Indentation of the continuation of a wrapped line, in columns. Chosen: it cannot be mistaken for an indent. */
 const FURTHER = 2;
-/** A line that is indented more than this begins below as if it were not: a phone has little more. */
+/** Most columns of indentation that the continuation of a line has: a phone has little more. */
 const MOST = 16;
 
 /** Column, from the pane's left edge, at which the rest of a wrapped line begins. */
@@ -35,7 +35,9 @@ function marksIn({ state, visibleRanges }: EditorView): DecorationSet {
   return builder.finish();
 }
 
-/** Lines that are too long for the pane go on below, further in than they begin: nothing of a program is out of sight. */
+/**
+ * Lines that are too long for the pane go on below, further in than they begin: nothing of a program is out of sight.
+ */
 export const wrappedLines: Extension = [
   EditorView.lineWrapping,
   ViewPlugin.fromClass(

@@ -19,17 +19,17 @@ export class ConsoleModel {
   private readonly lists: ShallowRef<readonly (readonly ConsoleEntry[])[]> = shallowRef([]);
   /** The lines of all devices of a run that has several. */
   readonly together = new SharedLines();
-  /** All of them are to be seen where there are several; else those of the one that is shown. */
+  /** True if the lines of all devices are shown where there are several; else those of the shown device. */
   readonly isTogether = shallowRef(true);
-  /** The chart is shown instead. */
+  /** True if the chart is shown instead. */
   readonly isChart = shallowRef(false);
-  /** There is output the pupil may not have seen, on a screen where the console is behind a tab. */
+  /** True if there is output that the pupil may not have seen, on a screen where the console is behind a tab. */
   readonly isNew = shallowRef(false);
   /** Counts what the pupil has sent: from then on the console shows its end. */
   readonly sent = shallowRef(0);
-  /** Somebody has been at the REPL of the last run: from then on the console shows what the REPL says. */
+  /** True if somebody has been at the REPL of the last run: from then on the console shows its greeting. */
   readonly isReplVisited: ComputedRef<boolean> = computed(() => this.visited.value.has(this.run.value));
-  /** Numbers of the runs of which this is so. */
+  /** Numbers of the runs at whose REPL somebody has been. */
   private readonly visited = shallowRef<ReadonlySet<number>>(new Set());
   /** Number of the present run, from 1; 0: there was none. */
   readonly run = shallowRef(0);
@@ -57,7 +57,11 @@ export class ConsoleModel {
     this.timer ??= setTimeout(() => this.show(), SHOW_EVERY_MS);
   }
 
-  /** A run begins. @param devices how many it has */
+  /**
+   * Begins a run.
+   *
+   * @param devices number of its devices
+   */
   startRun(number: number, devices = 1): void {
     this.show();
     this.run.value = number;
@@ -80,7 +84,7 @@ export class ConsoleModel {
     this.show();
   }
 
-  /** The pupil stopped the program: its last traceback is not an alarm. */
+  /** Shows the last traceback quietly: the pupil has stopped the program. */
   quieten(device = 0): void {
     this.show();
     this.logOf(device).quieten();
@@ -95,7 +99,7 @@ export class ConsoleModel {
     this.isNew.value = false;
   }
 
-  /** The pupil goes to the REPL. */
+  /** Notes that the pupil goes to the REPL. */
   visitRepl(): void {
     if (!this.isReplVisited.value) this.visited.value = new Set([...this.visited.value, this.run.value]);
   }

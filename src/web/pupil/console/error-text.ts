@@ -7,7 +7,7 @@ import type { WorkParts } from '../../session/work/model/parts';
 import { explain } from './advice/explain';
 import { lastPlace, type ErrorPlace } from './log/console-log';
 
-/** The live region's sentence on an error; `''` for a program that ended without one. */
+/** The sentence on an error; `''` for a program that ended without one. */
 export function errorSentence(ended: Ended, parts: WorkParts): string {
   const text = errorText(ended, parts);
   return text === null ? '' : t(text.key, text.values);
@@ -32,7 +32,7 @@ export const placeIn = (traceback: string, files: readonly SourceFile[]): ErrorP
     files.map(({ name }) => name),
   );
 
-/** The line that an error names, for errors that are explained by what is written there. */
+/** The text of the file and the line that an error names; `null` if the file is none of these. */
 export function sourceAt(place: ErrorPlace | null, files: readonly SourceFile[]) {
   const file = files.find(({ name }) => name === place?.file);
   return place === null || file === undefined ? null : { text: file.text, line: place.line };

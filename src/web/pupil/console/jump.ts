@@ -10,10 +10,10 @@ export interface Mending {
   readonly after: string;
 }
 
-/** A wish to show a line of a file, and the line that is marked as wrong. */
+/** Requests to the editor: a line of a file to show, one to mark as wrong, and a correction to write. */
 export type Jump = ReturnType<typeof createJump>;
 
-/** Makes the wish; asking for a line shows its file. */
+/** Makes the requests; `to` and `mend` show the file, too. */
 export function createJump(work: WorkModel) {
   const target = shallowRef<ErrorPlace | null>(null);
   const wrong = shallowRef<(ErrorPlace & { readonly device: number }) | null>(null);
@@ -21,7 +21,7 @@ export function createJump(work: WorkModel) {
   return {
     target,
     wrong,
-    /** A correction that the editor should write; it clears it when done. */
+    /** A correction for the editor to write, which then clears it. */
     mending,
     mend: (file: string, before: string, after: string): void => {
       work.show(file);

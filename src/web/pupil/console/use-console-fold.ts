@@ -5,7 +5,7 @@ import type { RunParts } from '../../session/run/parts';
 import type { ConsoleEntry } from './log/console-log';
 import type { ConsoleParts } from './parts';
 
-/** True if the console shows its head alone, and how to change that by hand. */
+/** The fold of the console: folded, it shows its head alone. */
 export interface ConsoleFold {
   readonly isFolded: ComputedRef<boolean>;
   readonly canFold: ComputedRef<boolean>;
@@ -13,8 +13,8 @@ export interface ConsoleFold {
 }
 
 /**
- * Folds the console while it has nothing to say, and opens it for what a program prints or asks and for an error. What a
- * pupil has chosen by hand stays until the next run; an error opens it all the same.
+ * Folds the console while it has nothing to say, and opens it for what a program prints or asks and for an error. What
+ * a pupil has chosen by hand stays until the next run; an error or a question opens it all the same.
  */
 export function useConsoleFold({
   run,

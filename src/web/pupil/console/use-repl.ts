@@ -13,15 +13,15 @@ export function useRepl({
   work,
 }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & Pick<ConsoleParts, 'console'>) {
   const ended = run.ended;
-  /** The REPL has greeted; before that the display shows the error, half a minute at times. */
+  /** True once the REPL has greeted; before that the display shows the error, half a minute at times. */
   const isRepl = computed(() => run.isActive.value && ended.value !== null && run.shown.value?.repl === true);
   const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
   return {
     isRepl,
-    /** True if there is a listener: after a panic there is none until the next run. */
+    /** True if the device reads the line: not without a run, and not after a panic. */
     isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
-    /** Says in the field what it is for. */
+    /** The text in the field: its use at present. */
     hint: computed((): TextKey => {
       if (run.isWaitingForInput.value) return 'console.input';
       if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';

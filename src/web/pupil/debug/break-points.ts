@@ -27,7 +27,7 @@ export class BreakPoints {
     this.keep(wanted.length === 0 ? others : { ...others, [file]: wanted });
   }
 
-  /** Sets a break point, or takes it away where there is one. */
+  /** Sets a break point, or removes it if there is one. */
   toggle(file: string, line: number): void {
     const lines = this.of(file);
     this.set(file, lines.includes(line) ? lines.filter((one) => one !== line) : [...lines, line]);

@@ -1,17 +1,19 @@
 import type { Variable, Variables } from '#vm/debug/variables';
 
 /**
- * The former values of changed variables, by the names that `globalName` and `localName` give; `null`: there was
- * none.
+ * The former values of changed variables, by the keys that `globalName` and `localName` give; `null`: there was none.
  */
 export type Before = ReadonlyMap<string, string | null>;
 
 export const globalName = (name: string): string => `global ${name}`;
 
-/** A variable of a function: of the call with so many others around it. */
+/** Key of a variable of a function call; `depth`: the number of calls around it. */
 export const localName = (depth: number, name: string): string => `local ${depth} ${name}`;
 
-/** Which variables have another value than at the stop before. Those of a call that has just begun are new, not changed. */
+/**
+ * The variables that have another value than at the stop before. Those of a call that has just begun are not among
+ * them.
+ */
 export function changesBetween(before: Variables | null, now: Variables): Before {
   const changes = new Map<string, string | null>();
   if (before === null) return changes;

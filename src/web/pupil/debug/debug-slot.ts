@@ -5,11 +5,11 @@ import type * as Marks from './editor/marks';
 import type { PastParts } from './past';
 
 /**
- * The debugger's place on the page. What it does comes when it is needed: with the first break point, with one that is
- * there from before, or when the program stands for the first time.
+ * The debugger's place on the page. Its code is loaded when it is needed: with the first break point, with stored ones,
+ * or when a program is first halted or looked back on.
  */
 export class DebugSlot implements Stillness {
-  /** `null`: nobody has needed it so far. */
+  /** `null` until it is loaded. */
   readonly debug: ShallowRef<Debug | null> = shallowRef(null);
   readonly isStanding: ComputedRef<boolean>;
   readonly isStill: ComputedRef<boolean>;

@@ -12,13 +12,13 @@ import { fileKey } from './file-key';
 import { Past, type PastParts } from './past';
 import { changedFile } from './ran-program';
 
-/** True if there is something to see of the program of the device that is shown. */
+/** The state in which the program of the shown device can be looked into. */
 export interface Stillness {
-  /** It stands still, and would go on. */
+  /** True while the run is paused and the program has not ended, and no past moment is shown. */
   readonly isStanding: ComputedRef<boolean>;
-  /** True while it is paused, or while a past moment is shown. */
+  /** True while it is halted, or while a past moment is shown. */
   readonly isStill: ComputedRef<boolean>;
-  /** The variables are shown in the board's place. */
+  /** True if the variables are shown in the board's place. */
   readonly showsVariables: ShallowRef<boolean>;
 }
 
@@ -31,7 +31,7 @@ export interface Place {
 /** A place in a program that may have been written on since. */
 export interface Here {
   readonly file: string;
-  /** `null`: the line is not there any more. */
+  /** `null`: the line has been removed since. */
   readonly line: number | null;
   /** The text of the line when it ran, if the file is another one by now; else `null`. */
   readonly ran: string | null;
@@ -45,7 +45,7 @@ interface Found {
   readonly before: Before;
 }
 
-/** The time line has stood for this long when variables are asked for, in ms. Chosen: a drag asks for none. */
+/** Rest of the time line before variables are requested, in ms. Chosen: a drag requests none. */
 const SETTLED_MS = 150;
 
 /** Break points, stepping by lines, and variables of programs. */
@@ -55,12 +55,12 @@ export class Debug {
   readonly place: ComputedRef<Place | null>;
   /** The same in the program as it is written now. */
   readonly here: ComputedRef<Here | null>;
-  /** The state of the shown device while its program is paused. */
+  /** The state of the shown device while its program is halted or looked back on. */
   readonly found: ShallowRef<Found | null> = shallowRef(null);
   private readonly last = new Map<number, Variables>();
   private toldPoints: PointsOfDevices = [];
 
-  /** The run again, for all that was before. */
+  /** The run repeated, for moments of the past. */
   readonly past: Past;
 
   constructor(
@@ -104,7 +104,7 @@ export class Debug {
     this.followPast(showsVariables);
   }
 
-  /** Variables of the past cost a run: they are asked for when they are seen, and time stands on the screen. */
+  /** Requests variables of the past, which cost a run, only while they are shown and the time line rests. */
   private followPast(showsVariables: Readonly<Ref<boolean>>): void {
     const { run, work } = this.app;
     let timer: ReturnType<typeof setTimeout> | undefined;
@@ -118,13 +118,16 @@ export class Debug {
     );
   }
 
-  /** Goes on line by line: the program that is shown makes a step, or goes on up to a line. */
+  /** Steps on line by line: the program of the shown device makes a step, or goes on up to a line. */
   step(step: LineStep): void {
     if (this.slot.isStanding.value) this.app.run.debug.step(step, this.app.work.place.value);
     else void this.stepInPast(step);
   }
 
-  /** Steps in the past. Where no recorded line follows, it returns to the present and goes on from there. */
+  /**
+   * Steps in the past. If no recorded line follows, it returns to the present; from the present moment it makes the
+   * step there.
+   */
   private async stepInPast(step: LineStep): Promise<void> {
     const { run, work } = this.app;
     const turn = ++this.turns;
@@ -134,7 +137,7 @@ export class Debug {
     run.look.leave();
     if (isNow && this.slot.isStanding.value) run.debug.step(step, work.place.value);
   }
-  /** Counts what somebody wants to see of the past. */
+  /** Counts the requests for moments of the past. */
   private turns = 0;
 
   /** Goes to the line that began before, in the past. */
@@ -149,7 +152,7 @@ export class Debug {
     void this.past.toError(timeUs, line);
   }
 
-  /** The value of a name where the program stands: of the innermost call, else of the file. */
+  /** The value of a name where the program is halted: of the innermost call, else of the file. */
   valueOf(name: string): Shown | null {
     const variables = this.found.value?.variables;
     const known = [...(variables?.stack[0]?.locals ?? []), ...(variables?.globals ?? [])];
@@ -171,7 +174,7 @@ export class Debug {
     this.found.value = null;
   }
 
-  /** The run has the lines that it began with. */
+  /** The break points of a file, in the lines of the program that the run began with. */
   private linesOf(place: number, file: string, lines: readonly number[]): BreakPoint[] {
     const changed = this.app.run.isActive.value ? changedFile(this.app, place, file) : null;
     return lines.flatMap((now) => {

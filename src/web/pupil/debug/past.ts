@@ -24,12 +24,12 @@ export interface PastParts extends Pick<RunParts, 'run'>, Pick<WorkParts, 'work'
 
 /** Lines and variables of moments that have been: the run is run again up to them. */
 export class Past {
-  /** The line to which a way led last. */
+  /** The moment of the line that a step or a jump has reached last. */
   readonly arrived: ShallowRef<Look | null> = shallowRef(null);
   private client: { readonly of: Recording; readonly inputs: number; readonly client: LookClient } | null = null;
   /** The moment that was found last, while it is the one that is shown. */
   private found: Look | null = null;
-  /** Ways to other lines that are under way. */
+  /** Number of steps and jumps that are under way. */
   private goings = 0;
 
   /** @param tell hears the variables of the moment that is shown */
@@ -49,8 +49,8 @@ export class Past {
   }
 
   /**
-   * The moment that is shown, as a device has it, for others than the page. Meanwhile the page asks for nothing itself: its
-   * wish would overtake this one.
+   * The moment that is shown, for any device. Meanwhile the page requests none itself: its request would overtake this
+   * one.
    *
    * @returns `null`: another one is shown by now, or nothing can be seen
    */
@@ -94,7 +94,7 @@ export class Past {
     return this.go({ kind: 'line', at: { device, timeUs: sinceUs, isLine: false }, place });
   }
 
-  /** Which lines have set what. `null`: it cannot be known, or somebody has asked for something else meanwhile. */
+  /** The lines that have set the outputs. `null`: they cannot be found, or something else was requested meanwhile. */
   async why(wish: WhyWish): Promise<readonly Cause[] | null> {
     return (await this.clientNow())?.why(wish) ?? null;
   }
@@ -116,7 +116,7 @@ export class Past {
     return true;
   }
 
-  /** The moment that is shown is the one that was found. */
+  /** True if the moment that is shown is the one that was found. */
   private isFound(device: number): boolean {
     return this.found !== null && this.found.snapshot === this.app.run.past.value && this.found.device === device;
   }

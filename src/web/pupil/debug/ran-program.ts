@@ -11,7 +11,9 @@ export interface RanFile extends MovedLines {
   readonly text: string;
 }
 
-/** A file of a device as the run has it, where somebody has written in it since; `null`: it is as it ran, or never did. */
+/**
+ * A file of a device as the run has it, where somebody has written in it since; `null`: it is as it ran, or never did.
+ */
 export function changedFile({ run, work }: Parts, device: number, name: string): RanFile | null {
   const text = run.recording.value.setup?.devices[device]?.files[name];
   const now = filesOfDevice(work.work.value.project, device).find((file) => file.name === name)?.text;

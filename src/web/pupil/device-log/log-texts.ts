@@ -23,7 +23,7 @@ const remarkTexts: Readonly<Record<Remark['code'], Texts>> = {
   'text-columns': words.remarks.textColumns,
 };
 
-/** Why a file shows nothing, in words. */
+/** The message on a file that cannot be shown. */
 export const problemText = (file: string, problem: LogProblem): string =>
   t(problemTexts[problem.code], { file, ...shortened(problem) });
 

@@ -16,7 +16,10 @@ interface GivenLog {
   readonly document: Document;
 }
 
-/** Shows the readings of a file beside those of the simulation, of several the last. What cannot be read gives a message and changes nothing. */
+/**
+ * Shows the readings of a file beside those of the simulation, of several the last. What cannot be read gives a message
+ * and changes nothing.
+ */
 export function openDeviceLogs(app: TakesLogs, files: readonly GivenLog[]): void {
   const refusals: string[] = [];
   const opened: OpenedLog[] = [];

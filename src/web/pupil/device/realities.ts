@@ -1,7 +1,7 @@
 import type { Texts } from '#core/languages';
 import words from './words';
 
-/** How real a robot can be, and what that is called. */
+/** The degrees of wear of a robot, 0 … 1, with their names. */
 export const REALITIES: readonly { readonly value: number; readonly name: Texts }[] = [
   { value: 0, name: words.realities.ideal },
   { value: 0.25, name: words.realities.almostNew },

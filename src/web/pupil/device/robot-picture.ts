@@ -27,7 +27,7 @@ const UNDERGLOW_REACH = 1.75; // as in the arena
 const LED_REACH = 3;
 const MARGIN_MM = 8; // room for the light around the body; what reaches farther fades away
 
-/** The places of the lights under the body are not part of the picture. */
+/** Hides the circles that only mark the lights under the body. */
 const NO_PLACES = '<style>[id^="rgb-"]{display:none}</style>';
 
 /** The portrait for the text of a robot.svg; without `lit` all lights are off. */

@@ -5,7 +5,7 @@ import { useHardware } from '../../session/work/hardware/use-hardware';
 import type { Workplace } from '../../session/work/model/parts';
 import words from './words';
 
-/** The pupil's own robot, if one of the type in use was measured, and what it is called. */
+/** The pupil's own robot, if one of the type in use was measured, and its name. */
 export function useMine(app: Workplace) {
   const hardware = useHardware(app);
   const mine = computed(() => {

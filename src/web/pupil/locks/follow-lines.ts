@@ -9,8 +9,8 @@ export interface Followed {
 }
 
 /**
- * The new places of locked lines while the author goes on writing: a lock moves with its line, and stays on one
- * that is written anew. One that went comes back with its text: a cut may be taken back, or pasted elsewhere.
+ * The new places of locked lines while the author goes on writing: a lock moves with its line, and stays on one that is
+ * written anew. A lock that went comes back with its text: a cut may be taken back, or pasted elsewhere.
  *
  * @param lines their numbers before, from 1
  * @param gone the texts of those that went earlier

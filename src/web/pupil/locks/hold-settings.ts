@@ -9,7 +9,10 @@ import type { TaskLocks } from '../../session/work/model/task-locks';
 /** The settings that are locked with the robot. */
 export const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'] as const;
 
-/** Settings that a task locks are as it says, whatever an address, another tab or somebody in a hurry has chosen. */
+/**
+ * Holds the settings that a task locks at the task's values, whatever an address, another tab or somebody in a hurry
+ * has chosen.
+ */
 export function holdSettings({ settings, work }: WorkParts, task: Pick<TaskLocks, 'locks'>): void {
   holdSpeed({ settings }, task);
   watch(

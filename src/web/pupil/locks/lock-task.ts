@@ -37,7 +37,10 @@ export type LockedPage = Pick<PageParts, 'notices' | 'late'> &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   Pick<CourseEditorParts, 'editor' | 'panels'>;
 
-/** Keeps what the open task locks, as long as one that was handed out is open; in the teacher's own, what is to be locked. */
+/**
+ * Enforces the locks of a task that was handed out, while it is open; in the teacher's own task, keeps the locks on
+ * their lines.
+ */
 export const lockTask = (app: LockedPage, opened: Project): Stop =>
   isHandedOut(opened) ? lockGiven(app, opened) : followLocks(app);
 
@@ -89,7 +92,7 @@ class OpenTaskLocks implements TaskLocks {
     return before !== undefined && isSame(before, locks) ? before : locks;
   });
 
-  /** The hand in the last run. */
+  /** The use of the hand in the last run. */
   private readonly hand: UsedHand;
   private readonly copied = { text: '' };
 

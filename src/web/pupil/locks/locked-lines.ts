@@ -24,11 +24,12 @@ const look = EditorView.baseTheme({
 });
 
 /**
- * Lines that nobody changes in the editor, by whatever key, paste or command. Undo takes nothing back that was not allowed.
+ * Refuses changes of locked lines in the editor, by whatever key, paste or command. A refused change leaves no step to
+ * undo.
  *
  * @param lines their numbers in the text with which the editor begins
- * @param told what is said of such a line
- * @param onRefused somebody has tried
+ * @param told title of a locked line
+ * @param onRefused called when a change is refused
  */
 export function lockedLines(lines: () => readonly number[], told: string, onRefused: () => void): Extension {
   const field = StateField.define<readonly number[]>({

@@ -11,7 +11,10 @@ const remarksIn = ({ handIn }: Project): readonly unknown[] => {
 /** True if some of the program was written elsewhere. */
 export const isFromOutside = (project: Project): boolean => remarksIn(project).includes(OUTSIDE);
 
-/** The project, with that told. It stays with the work, over a reload and in its file. */
+/**
+ * The project with the remark that some of its program was written elsewhere. The remark stays with the work, over a
+ * reload and in its file.
+ */
 export function fromOutside(project: Project): Project {
   if (isFromOutside(project)) return project;
   const remarks = [...remarksIn(project), OUTSIDE];

@@ -7,7 +7,10 @@ import words from './words';
 
 const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
 
-/** Messages offer nothing that is locked: no other start in a locked course, no other robot, no tool that is not there. */
+/**
+ * Removes from messages the offers of what is locked: another start in a locked course, another robot, a tool that is
+ * missing.
+ */
 export function plainHints({ notices }: Pick<PageParts, 'notices'>, task: Pick<TaskLocks, 'locks' | 'hasTool'>): void {
   watch(
     notices.current,

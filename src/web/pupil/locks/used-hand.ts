@@ -7,7 +7,9 @@ import type { InputAction } from '#simulation/input';
 import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 
-/** Whether somebody has put their hand to the last run: moved things, or pressed and set what the task does not give. */
+/**
+ * Notes whether the last run was helped by hand: things moved, or something pressed or set that the task does not give.
+ */
 export class UsedHand {
   isUsed = false;
 
@@ -23,7 +25,7 @@ export class UsedHand {
     watch(work.openings, () => (this.isUsed = false), { flush: 'sync' });
   }
 
-  /** This is done to the run, if there is one. */
+  /** Notes an action on the run, if there is one. */
   does(action: InputAction): void {
     if (this.app.run.isActive.value) this.isUsed ||= this.counts(action);
   }

@@ -1,13 +1,13 @@
 import type { Extension, Transaction } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 
-/** A paste is told from so many lines on. Chosen: less is an example from the worksheet. */
+/** Fewest lines of a paste that is reported. Chosen: less is an example from the worksheet. */
 const LEAST_LINES = 3;
 
 /**
- * Tells of a paste that makes up most of the program, unless it was copied here.
+ * Calls `onPasted` for a paste that makes up most of the program, unless it was copied here.
  *
- * @param copied what was last copied or cut in an editor of this page
+ * @param copied the text that was last copied or cut in an editor of this page
  */
 export function wholePastes(copied: { text: string }, onPasted: () => void): Extension {
   const remember = (_: Event, { state }: EditorView): boolean => {

@@ -102,7 +102,7 @@ const unpackingOf = (of: Recording): Unpacked => ({
 /**
  * The moments of the run's recording, unpacked as they come, in slices.
  *
- * @param onOthers other pieces of the same run have taken the place of those so far
+ * @param onOthers called when other pieces of the same run have taken the place of those so far
  */
 function useRows(run: RunModel, onOthers: () => void) {
   let next = unpackingOf(run.recording.value);

@@ -1,7 +1,7 @@
 import { leavesAt, timesOf, type Chunk } from '#tape/rows/chunk';
 import type { Key, Leaf } from '#tape/rows/leaves';
 
-/** An event at one moment of a run. */
+/** The kind of an event at one moment of a run. */
 export type MarkKind = 'pressA' | 'pressB' | 'touch' | 'checkpoint' | 'target' | 'block' | 'passed' | 'failed' | 'end';
 
 export interface Mark {

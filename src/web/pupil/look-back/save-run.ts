@@ -40,7 +40,7 @@ export async function linkToRun(app: App): Promise<string | null> {
 }
 
 /**
- * The file of the run so far. It is run again for that: what the file says it comes to is what its repetition comes to.
+ * The file of the run so far. The run is repeated for it: the result in the file is that of the repetition.
  *
  * @returns `null`: it was given up, or a message says why
  */
@@ -76,7 +76,7 @@ async function recordedNow(run: RunModel): Promise<Recorded | null> {
   return { ...untilStop({ setup: { ...setup, inputs: done }, untilUs: endUs }), untilProgramEnds: false };
 }
 
-/** The output of a stopped run up to the stop: Stop interrupts the programs, and their last words are not the run's. */
+/** A stopped run up to the stop: Stop interrupts the programs, and what they print then does not count as the run's. */
 function untilStop({ setup, untilUs }: Omit<Recorded, 'untilProgramEnds'>): Omit<Recorded, 'untilProgramEnds'> {
   const { inputs = [] } = setup;
   const last = inputs.at(-1);

@@ -6,7 +6,7 @@ import type { Fit } from '../../session/run/fit-client';
 /** The fit as the page shows it. */
 export type FitState =
   | { readonly kind: 'nothing' }
-  /** The one before stays in sight meanwhile. */
+  /** The fit before stays in sight meanwhile. */
   | { readonly kind: 'busy'; readonly last: Fit | null }
   | { readonly kind: 'fitted'; readonly fit: Fit }
   | { readonly kind: 'failed' };

@@ -16,7 +16,10 @@ export function useMyRobot(app: Workplace, fitter: Fitter) {
   const kept = computed(() => settings.current.value.myRobot);
   const chosen = shallowRef(kept.value?.robot ?? hardware.value?.robot?.id ?? robotTypes[0]?.id ?? '');
   const type = computed<RobotType | null>(() => robotTypes.find(({ id }) => id === chosen.value) ?? null);
-  /** Numbers belong to one type; another type begins anew, and the first is there again when one goes back to it unsaved. */
+  /**
+   * Numbers belong to one type: another type begins anew, and those of the first are shown again after going back to it
+   * unsaved.
+   */
   const mine = computed<MyRobot>(() => {
     const blank = { name: '', robot: chosen.value, used: false, measured: nothingMeasured, traits: plainTraits };
     return kept.value?.robot === chosen.value ? kept.value : blank;
@@ -46,7 +49,7 @@ export function useMyRobot(app: Workplace, fitter: Fitter) {
     choose: (robot: string): void => void (chosen.value = robot),
     rename: (name: string): void => keep({ name }),
     measure: (change: Partial<Measured>): void => keep({ measured: { ...measured.value, ...change } }),
-    /** True if runs with this robot are driven by the measured one. */
+    /** Sets whether runs use the measured robot. */
     use: (used: boolean): void => keep({ used }),
     forget: (): void => settings.change({ myRobot: null }),
     again,

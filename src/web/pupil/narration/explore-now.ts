@@ -16,7 +16,7 @@ export interface Explored extends Pick<RunParts, 'run' | 'hand'> {
 
 /** Explores the arena as it is at that moment. */
 export interface ExplorerNow {
-  /** The next thing, or the one before. */
+  /** Describes the next thing, or the one before. */
   step(back: boolean): Told;
   /** Describes the surroundings of the robot, or of the crosshair. */
   around(): Told;

@@ -22,7 +22,7 @@ export interface Asked {
   readonly robot: Pose | null;
   /** The convex parts of the robot's body in its frame, at its size. */
   readonly body: readonly Outline[];
-  /** The crosshair of the keyboard, while it shows: then all is told from there. World mm. */
+  /** The crosshair of the keyboard, world mm, while it shows: then everything is described from there; else `null`. */
   readonly crosshair: Vec | null;
 }
 
@@ -34,7 +34,7 @@ export interface Told {
 
 /** Walks through what lies in a course. */
 export interface Explorer {
-  /** The next thing, or the one before. The first one is the robot, and so is the one after the last. */
+  /** Describes the next thing, or the one before. The first one is the robot, and so is the one after the last. */
   step(asked: Asked, back: boolean): Told;
 }
 
@@ -59,7 +59,10 @@ export function createExplorer(): Explorer {
   };
 }
 
-/** Checkpoints in the order of their numbers, the rest in the order of the course. */
+/**
+ * The objects by kind, as `ORDER` has it; checkpoints by their numbers, the others of a kind in the order of the
+ * course.
+ */
 export function inOrder({ objects }: Scene): readonly SceneObject[] {
   const number = (object: SceneObject): number => (object.type === 'checkpoint' ? object.number : 0);
   return [...objects].sort((a, b) => ORDER.indexOf(a.type) - ORDER.indexOf(b.type) || number(a) - number(b));
@@ -72,7 +75,7 @@ function tellAll(asked: Asked): Told {
   return { words: `${placeText(asked)} ${count === 0 ? t(words.none) : things}`, atMm: originOf(asked) };
 }
 
-/** A thing: its name, its size, and where it is. */
+/** Describes a thing: its name, its size and its place. */
 function tellThing(object: SceneObject, asked: Asked): Told {
   const origin = originOf(asked);
   const name = namesOf(asked.scene).get(object.id) ?? t(kindNames[object.type].one);
@@ -109,7 +112,7 @@ export function tellAround(asked: Asked): Told {
   return { words: [placeText(asked), ...onText, ...met].join(' '), atMm: at };
 }
 
-/** From where all is told. */
+/** The place from which everything is described: the crosshair, else the robot, else the middle of the arena. */
 const originOf = ({ crosshair, robot, scene }: Asked): Vec =>
   crosshair ?? (robot === null ? { x: scene.size[0] / 2, y: scene.size[1] / 2 } : vecOf(robot));
 
@@ -119,7 +122,10 @@ function placeText(asked: Asked): string {
   return t(asked.crosshair === null ? words.middle : words.crosshair, { x: cm(x), y: cm(y) });
 }
 
-/** A place in words: relative to the robot, or without a robot to the picture. */
+/**
+ * A place in words: ahead and to the side of the robot; from the crosshair or without a robot by the points of the
+ * compass.
+ */
 function whereText(at: Vec, asked: Asked): string {
   const { robot, crosshair } = asked;
   const origin = originOf(asked);

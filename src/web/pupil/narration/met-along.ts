@@ -6,17 +6,17 @@ import { fromRobot, partsNow } from './solids';
 
 /** A place and a direction to look along. */
 export interface Look {
-  /** From here, along its heading. */
+  /** The place, and the heading to look along. */
   readonly pose: Pose;
   readonly scene: Scene;
   readonly moved: Readonly<Record<string, Pose>>;
   /** The robot's body in its own frame; empty: a place alone. */
   readonly body: readonly Outline[];
-  /** By how many quarters of a turn, counter-clockwise, the look goes beside the robot's own heading. */
+  /** Number of quarter turns, counter-clockwise, from the robot's heading to that of `pose`. */
   readonly quarter: number;
 }
 
-/** Half as wide looks who has no body, in mm. Chosen: as a finger. */
+/** Half the width of the look without a body, in mm. Chosen: as a finger. */
 const FINGER_MM = 10;
 
 /**

@@ -14,14 +14,14 @@ export interface Moment {
   readonly ahead: { readonly mm: number; readonly hitMm: Vec | null } | null | undefined;
   /** From left to right. */
   readonly lineSensors: readonly { readonly name: string; readonly isDark: boolean }[];
-  /** How often the robot has touched something since the start. */
+  /** Number of touches of the robot since the start. */
   readonly touches: number;
   readonly verdict: Verdict | null;
   /** Poses of blocks and moving obstacles, by their id. */
   readonly moved: Readonly<Record<string, Pose>>;
 }
 
-/** The moment in a picture of the run; `null` on the bare board. */
+/** The moment in a picture of the run; `null` without a robot. */
 export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
   const { robot, verdict, blocks, movers } = snapshot;
   if (robot === null) return null;

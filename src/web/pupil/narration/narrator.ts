@@ -10,22 +10,29 @@ import { watchRest } from './watch-rest';
 import { isDecided, watchTask } from './watch-task';
 import { watchTurn } from './watch-turn';
 
-/** Follows one run and tells of it. Times by the clock on the wall, in ms. */
+/** Follows one run and puts it into words. Times by the clock on the wall, in ms. */
 export interface Narrator {
   /** Looks at the newest picture. It may be the same as before: that nothing moves any more is seen in time. */
   see(snapshot: Snapshot, nowMs: number): void;
   /** The text to announce now, if any. */
   next(nowMs: number): string | null;
-  /** The run is over: what waited is no news any more; where the robot stands is told. */
+  /** Ends the run: what waited is dropped, and the robot's place is announced. */
   end(nowMs: number): void;
-  /** Something else is said now, such as how the run goes. @param ms how long that takes; left out: a few words */
+  /**
+   * Waits while something else is said, such as how the run goes.
+   *
+   * @param ms how long that takes; left out: a few words
+   */
   letSpeak(nowMs: number, ms?: number): void;
-  /** Time stands still: nothing that waited is told. */
+  /** Drops what waited: the run is paused. */
   pause(): void;
   readonly isWaiting: boolean;
 }
 
-/** How long the page takes to say that the run has begun or stopped, and what the verdict is, in ms. Chosen: so many words take so long. */
+/**
+ * How long the page takes to say that the run has begun or stopped, and what the verdict is, in ms. Chosen: so many
+ * words take so long.
+ */
 const PAGE_MS = 1200;
 const VERDICT_MS = 4000;
 
@@ -65,7 +72,7 @@ export function createNarrator(around: () => Surroundings): Narrator {
   };
 }
 
-/** Up to here a run has just begun, in simulated µs. */
+/** Time up to which a run has just begun, in simulated µs. */
 const START_US = 1_000_000;
 
 /** The numbers of the checkpoints in the order in which they count. */

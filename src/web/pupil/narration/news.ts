@@ -13,9 +13,9 @@ export type News = { readonly seen: Moment } & (
   | { readonly topic: 'target' | 'block'; readonly done: number; readonly of: number }
   /** The sensors that are on the line, from left to right. */
   | { readonly topic: 'line'; readonly names: readonly string[] }
-  /** Nothing is ahead any more, or something has come nearer. */
+  /** `isClear`: nothing is ahead any more; else something has come nearer. */
   | { readonly topic: 'ahead'; readonly isClear: boolean }
-  /** It turns, or (with `degrees`) has turned. */
+  /** The robot turns, or (with `degrees`) has turned. */
   | { readonly topic: 'turn'; readonly isLeft: boolean; readonly degrees: number | null }
 );
 

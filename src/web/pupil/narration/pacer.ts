@@ -1,18 +1,24 @@
 import type { News, Topic } from './news';
 
-/** Between the beginnings of two sentences, in ms. Chosen: a screen reader says six words in two seconds. */
+/**
+ * Shortest time between the beginnings of two sentences, in ms. Chosen: a screen reader says six words in two seconds.
+ */
 export const GAP_MS = 2000;
 
 /** The most important first. */
 const ORDER: readonly Topic[] = ['touch', 'target', 'checkpoint', 'block', 'start', 'line', 'ahead', 'turn', 'rest'];
 
-/** After so long in the queue an event is no news any more, in ms. What is so (line, ahead) is told as it is by then. */
+/**
+ * After so long in the queue an event is no news any more, in ms. A state (line, ahead) is announced as it is by then.
+ */
 const STALE_MS: Readonly<Record<Topic, number>> = {
   ...{ touch: 5000, target: 10_000, checkpoint: 10_000, block: 10_000, start: 5000 },
   ...{ line: Infinity, ahead: Infinity, turn: 5000, rest: 6000 },
 };
 
-/** Between two sentences about the same, in ms: what goes on and off all the time must not talk down the rest. */
+/**
+ * Shortest time between two sentences on a topic, in ms: what goes on and off all the time must not talk down the rest.
+ */
 const REST_MS: Readonly<Record<Topic, number>> = {
   ...{ touch: 4000, target: 0, checkpoint: 0, block: 0, start: 0 },
   ...{ line: 4000, ahead: 0, turn: 0, rest: 4000 },
@@ -20,17 +26,17 @@ const REST_MS: Readonly<Record<Topic, number>> = {
 
 /** Lets news out one by one, at a pace that can be followed. Times by the clock on the wall, in ms. */
 export interface Pacer {
-  /** Something is to be told. It takes the place of what still waited on its topic. */
+  /** Queues a piece of news. It takes the place of what still waited on its topic. */
   offer(news: News, nowMs: number): void;
   /**
    * The text to announce now, if any.
    *
-   * @param words what would be said of it now; `null`: it is not so any more
+   * @param words the text on a piece of news now; `null`: it is not so any more
    */
   next(nowMs: number, words: (news: News) => string | null): string | null;
-  /** Somebody else speaks: nothing is told until then. */
+  /** Announces nothing until then: something else is said. */
   letSpeak(untilMs: number): void;
-  /** Nothing waits any more. */
+  /** Empties the queue. */
   clear(): void;
   readonly isWaiting: boolean;
 }
@@ -41,7 +47,10 @@ export function createPacer(): Pacer {
   let freeFromMs = -Infinity;
   let last: string | null = null;
 
-  /** The last text on a topic: events may be repeated, states are announced when they change. */
+  /**
+   * The text that new words on a topic must differ from: states are announced when they change, events may be repeated
+   * (`null`).
+   */
   function before(topic: Topic): string | null {
     if (topic === 'rest') return last;
     return topic === 'line' ? (told.get(topic)?.words ?? null) : null;

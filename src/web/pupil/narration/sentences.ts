@@ -18,7 +18,7 @@ export interface Surroundings {
 }
 
 /**
- * The announcement of a piece of news, in one sentence or two.
+ * The announcement of a piece of news, in up to three sentences.
  *
  * @param now the newest moment: what has changed since it was seen is said as it is now
  * @returns `null`: it is not so any more
@@ -68,7 +68,9 @@ function wholeDegrees(rad: number): number {
   return (degrees > 180 ? degrees - 360 : degrees <= -180 ? degrees + 360 : degrees) + 0;
 }
 
-/** The distance sensor's hit, with the distance that the sensor reports. */
+/**
+ * The words on the thing ahead, with the distance that the sensor reports; `null`: nothing in range, or no such sensor.
+ */
 function aheadText({ ahead, moved }: Moment, scene: Scene): string | null {
   if (ahead === undefined || ahead === null) return null;
   const met = ahead.hitMm === null ? 'wall' : nearestSolid(ahead.hitMm, scene, moved).what;
@@ -91,7 +93,7 @@ function touchText({ pose, moved }: Moment, { scene, body }: Surroundings): stri
 const hasLines = ({ objects, background }: Scene): boolean =>
   background === null && objects.some(({ type }) => type === 'stroke');
 
-/** The sensors on the line, of all that the robot has. */
+/** The words on the sensors that are on the line. */
 function lineText(names: readonly string[], { lineSensors }: Moment, scene: Scene): string {
   const texts = hasLines(scene) ? words.line : words.dark;
   if (names.length === 0) return t(texts.none);

@@ -17,10 +17,12 @@ export interface Near {
   readonly mm: number;
 }
 
-/** How much nearer an object must be than the edge of the arena to be what a sensor meets, in mm. */
+/** An object up to this much farther away than the edge of the arena counts as what a sensor meets, in mm. */
 const LIKE_EDGE_MM = 1;
 
-/** An object's convex parts where they are now: blocks are pushed, obstacles move. None of what lies flat on the floor. */
+/**
+ * An object's convex parts where they are now: blocks are pushed, obstacles move. None of what lies flat on the floor.
+ */
 export function partsNow(object: SceneObject, moved: Readonly<Record<string, Pose>>): readonly Outline[] {
   const pose = moved[object.id];
   if (pose === undefined || !('size' in object)) return solidParts(object);
@@ -42,8 +44,9 @@ export function nearestSolid(at: Vec, scene: Scene, moved: Readonly<Record<strin
 }
 
 /**
- * The things that a robot's body touches or nearly touches. @param body convex parts in the robot's frame, at its
- * size
+ * The thing that a robot's body overlaps most, or else is nearest to.
+ *
+ * @param body convex parts in the robot's frame, at its size
  */
 export function touchedSolid(
   body: readonly Outline[],
@@ -65,7 +68,7 @@ export function touchedSolid(
   return touched;
 }
 
-/** How far an outline reaches beyond the edge of the arena, in mm; less than 0: so far it is away. */
+/** How far an outline reaches beyond the edge of the arena, in mm; negative: its distance from the edge. */
 function beyondEdge(outline: Outline, { size: [width, height] }: Scene): number {
   const { minX, minY, maxX, maxY } = boundsOfOutline(outline);
   return Math.max(-minX, -minY, maxX - width, maxY - height);
@@ -132,7 +135,7 @@ export function isOn(object: SceneObject, at: Vec): boolean {
 
 const isZone = (object: SceneObject): object is Zone => 'number' in object;
 
-/** True if a place is inside a convex outline of either turn. */
+/** True if a place is inside a convex outline, clockwise or counter-clockwise. */
 function isInside(outline: Outline, { x, y }: Vec): boolean {
   const sides = outline.map((from, i) => {
     const to = outline[(i + 1) % outline.length] ?? from;

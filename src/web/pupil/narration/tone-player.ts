@@ -8,7 +8,10 @@ const LINE_GAIN = 0.04;
 const BEEP_S = 0.06;
 const EDGE_S = 0.015;
 
-/** How often the sound system is asked for, in ms: it sleeps some seconds after the last time, and may be refused. */
+/**
+ * Interval at which the sound system is requested, in ms: it sleeps some seconds after the last request, and may be
+ * refused.
+ */
 const ASK_MS = 500;
 
 /** Plays tones into the page's sound system. */
@@ -29,7 +32,7 @@ export function createTonePlayer(output: () => SoundOutput | null): TonePlayer {
     line?.end();
     line = null;
   }
-  /** Only what is to be heard wakes the sound system. */
+  /** Plays the tones; silence does not wake the sound system. */
   function play({ beat, line: tone }: Tones, nowMs: number): void {
     if (tone === null) endLine();
     if (beat === null && tone === null) return;

@@ -10,13 +10,22 @@ export interface Tones {
 
 export const silence: Tones = { beat: null, line: null };
 
-/** From here on something ahead is heard, and from here on it is as near as can be, in mm. */
+/**
+ * Distances in mm: nearer than the first something ahead is heard, nearer than the second the beeps do not change any
+ * more.
+ */
 const FAR_MM = 500;
 const NEAR_MM = 50;
-/** Chosen: one beep in a second says that something is there; eight can still be told from one tone. */
+/**
+ * Intervals of the beeps, in ms. Chosen: one beep in a second says that something is there; eight can still be told
+ * from one tone.
+ */
 const EVERY_MS = { far: 1000, near: 120 };
 const BEAT_HZ = { far: 700, near: 1400 };
-/** Chosen: left is deeper, so that it is told from right on a tablet with one loudspeaker, too. */
+/**
+ * Pitch of the line at the left and at the right. Chosen: left is deeper, so that it differs from right on a tablet
+ * with one loudspeaker, too.
+ */
 const LINE_HZ = { left: 262, right: 392 };
 
 /** The tones of a moment. */
@@ -28,7 +37,7 @@ function beatOf({ ahead }: Moment): Tones['beat'] {
   return { everyMs: between(EVERY_MS.far, EVERY_MS.near, nearness), hz: between(BEAT_HZ.far, BEAT_HZ.near, nearness) };
 }
 
-/** In the middle of the sensors that are on the line, of all that there are. */
+/** The tone for the middle of the sensors that are on the line. */
 function lineOf({ lineSensors }: Moment): Tones['line'] {
   const places = lineSensors.flatMap(({ isDark }, i) => (isDark ? [i] : []));
   if (places.length === 0) return null;

@@ -6,7 +6,7 @@ import type { WorkParts } from '../../session/work/model/parts';
 import { createNarrator, type Narrator } from './narrator';
 import type { Surroundings } from './sentences';
 
-/** How often it is asked whether there is something to say, in ms. */
+/** Interval at which the narrator is asked for something to say, in ms. */
 const ASK_MS = 200;
 
 /** Pause of other announcements after the answer to exploring by keyboard (N, O), in ms. Chosen: ten words. */
@@ -21,7 +21,7 @@ export interface Said {
 /**
  * Announces the runs, one sentence after the other.
  *
- * @param begin what is said first
+ * @param begin the words that are said first
  */
 export function useNarration(app: Pick<RunParts, 'run'> & WorkParts, begin: () => string): Readonly<ShallowRef<Said>> {
   const { run, work } = app;

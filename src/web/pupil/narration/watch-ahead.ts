@@ -1,14 +1,23 @@
 import type { Moment } from './moment';
 import type { Watcher } from './news';
 
-/** Something ahead is told when it comes nearer than each of these, in mm. Chosen: a robot drives 20 cm in a second. */
+/**
+ * Something ahead is announced when it comes nearer than each of these, in mm. Chosen: a robot drives 20 cm in a
+ * second.
+ */
 const NEARER_MM = [500, 300, 200, 100];
 /** … and again only after it was so much farther away, in mm. Chosen: more than readings jump while a robot sways. */
 const BEYOND_MM = 50;
-/** Distance in mm beyond which the path is announced as clear again after something nearer was. */
+/**
+ * Number of the distances above within which something must have been for the path to be announced as clear again: 2,
+ * nearer than 300 mm.
+ */
 const CLEAR_FROM_STEP = 2;
 
-/** Tells of what comes nearer ahead, in steps, and when the way is clear again. What is there at the start is said then. */
+/**
+ * Finds out when something ahead comes nearer, in steps, and when the way is clear again. What is ahead at the start is
+ * no news.
+ */
 export function watchAhead(): Watcher {
   let step: number | null = null;
   return (seen) => {
@@ -22,9 +31,9 @@ export function watchAhead(): Watcher {
   };
 }
 
-/** True if something is ahead that is worth telling of. */
+/** True if something ahead is near enough to be announced. */
 export const isNear = ({ ahead }: Moment): boolean => stepAt(ahead?.mm ?? Infinity, 1) > 0;
 
-/** How many of the distances it is nearer than; those already passed hold a little longer. */
+/** Number of the distances that something is nearer than; those that it has passed count a little longer. */
 const stepAt = (mm: number, before: number): number =>
   NEARER_MM.filter((edge, at) => mm < edge + (at < before ? BEYOND_MM : 0)).length;

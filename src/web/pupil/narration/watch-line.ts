@@ -6,7 +6,10 @@ import type { Watcher } from './news';
  */
 const OFF_AFTER_MS = 600;
 
-/** Tells which sensors come onto the line, and when it is lost. At the start nothing: the words of the start say it. */
+/**
+ * Finds out which sensors come onto the line, and when it is lost. At the start there is no news: the words of the
+ * start say it.
+ */
 export function watchLine(): Watcher {
   const lastOn = new Map<string, number>();
   let before: string | null = null;

@@ -1,11 +1,11 @@
 import type { Watcher } from './news';
 
-/** Still for so long, and it has stopped, in ms. Chosen: a program waits about a second between two moves. */
+/** Rest after which the robot has stopped, in ms. Chosen: a program waits about a second between two moves. */
 const REST_AFTER_MS = 1500;
 const STILL_MM = 1;
 const STILL_RAD = 0.01;
 
-/** Tells where the robot has stopped, once after each drive. */
+/** Finds out when the robot has stopped, once after each drive. */
 export function watchRest(): Watcher {
   let last: { pathMm: number; turnedRad: number; atMs: number } | null = null;
   let hasMoved = false;

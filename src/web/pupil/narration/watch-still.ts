@@ -1,9 +1,9 @@
 import type { Moment } from './moment';
 
-/** Chosen: a car that parks falls silent, too, once it stands. */
+/** Rest after which the tones fall silent, in ms. Chosen: so does a car that parks, once it stands. */
 const STILL_AFTER_MS = 3000;
 
-/** True if nothing has changed for some seconds: neither the robot's place nor what it sees. */
+/** Makes a function that is true once nothing has changed for 3 s: neither the robot's place nor what it sees. */
 export function watchStill(): (moment: Moment) => boolean {
   let before = '';
   let sinceMs = 0;

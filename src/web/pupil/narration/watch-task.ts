@@ -3,8 +3,8 @@ import type { Moment } from './moment';
 import type { News, Watcher } from './news';
 
 /**
- * Tells what the robot touches and reaches. What decides the task it leaves to the verdict, which has words of its own
- * for it.
+ * Finds out what the robot touches and reaches. What decides the task is left to the verdict, which has words of its
+ * own for it.
  *
  * @param numbers the numbers of the course's checkpoints, in the order in which they count
  */

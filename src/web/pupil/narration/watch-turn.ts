@@ -1,16 +1,16 @@
 import type { News, Watcher } from './news';
 
 const DEGREE = Math.PI / 180;
-/** From here on a turn is told, in rad. Chosen: less is how a robot sways along a line. */
+/** Smallest turn that is announced, in rad. Chosen: less is how a robot sways along a line. */
 const LEAST_RAD = 25 * DEGREE;
 /** Angle back from which it counts as another turn, in rad. */
 const BACK_RAD = 10 * DEGREE;
-/** Less is no movement, in rad. */
+/** Smallest rotation between two moments that counts, in rad. */
 const STILL_RAD = 0.2 * DEGREE;
-/** Straight for so long, and the turn is over, in ms. */
+/** Time without rotation after which a turn is over, in ms. */
 const OVER_AFTER_MS = 500;
 
-/** Tells that the robot turns and, when it has turned, by how much. */
+/** Finds out when the robot turns and, when it has turned, by how much. */
 export function watchTurn(): Watcher {
   let turn: Turn | null = null;
   return (seen) => {

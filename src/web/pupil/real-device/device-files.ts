@@ -14,7 +14,10 @@ export interface DeviceFiles {
   readonly modules: readonly (readonly string[])[];
 }
 
-/** The Calliope mini's module has had two names: its current firmware knows only the first, our libraries use the second. */
+/**
+ * The Calliope mini's module has had two names: its current firmware knows only the first, our libraries use the
+ * second.
+ */
 const CALLIOPE = ['calliopemini', 'calliope_mini'] as const;
 const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
 

@@ -2,7 +2,9 @@
 export type PutProblem =
   /** Nothing at all comes back. */
   | { readonly kind: 'silent' }
-  /** Something comes back, but never MicroPython's prompt: the firmware is another one, or the program ignores Ctrl-C. */
+  /**
+   * Something comes back, but never MicroPython's prompt: the firmware is another one, or the program ignores Ctrl-C.
+   */
   | { readonly kind: 'no-prompt' }
   /** Another program or another tab has the line. */
   | { readonly kind: 'line-in-use' }

@@ -28,7 +28,7 @@ export interface PutWish {
   mayReplace(names: readonly string[], read: (name: string) => Promise<Uint8Array<ArrayBuffer>>): Promise<boolean>;
 }
 
-/** How far the transfer has come. */
+/** The progress of the transfer. */
 export interface PutProgress {
   readonly stage: 'greeting' | 'looking' | 'writing' | 'checking' | 'starting';
   /** The file in transfer, if any. */
@@ -37,7 +37,7 @@ export interface PutProgress {
   readonly part: number;
 }
 
-/** How the transfer ended. */
+/** The outcome of the transfer. */
 export type PutResult =
   | {
       readonly kind: 'done';
@@ -72,7 +72,7 @@ const AFTER = 0.06;
  * Puts files on a device that runs MicroPython and starts its main.py. Only what differs is written; other files on the
  * device are left alone. The port is closed at the end.
  *
- * @returns how it ended; never throws
+ * @returns the outcome; never throws a `PutError`
  */
 export async function putFiles(port: Port, wish: PutWish, around: PutSurroundings): Promise<PutResult> {
   const transfer = new Transfer(new SerialLine(port, around.timer, around.signal), wish, around);
@@ -163,7 +163,10 @@ class Transfer {
     }
   }
 
-  /** Which files differ, and which of them are on the device in another form; asks before unknown ones are replaced. */
+  /**
+   * Finds out which files differ, and which of them are on the device in another form; asks before unknown ones are
+   * replaced.
+   */
   private async look(): Promise<{ readonly changed: readonly Content[]; readonly present: ReadonlySet<string> }> {
     await this.repl.run(devicePython.prepare);
     const changed: Content[] = [];
@@ -182,7 +185,7 @@ class Transfer {
     return { changed, present };
   }
 
-  /** A question that stays unanswered once the transfer is stopped. */
+  /** Asks whether files may be replaced; false once the transfer is stopped. */
   private ask(names: readonly string[]): Promise<boolean> {
     const { signal } = this.around;
     if (signal.aborted) return Promise.resolve(false);

@@ -1,7 +1,10 @@
 import type { Port, Timer } from './port';
 import { PutError } from './problem';
 
-/** How much is sent at a time, and the pause after it: the device has no flow control and a small buffer. As microfs does. */
+/**
+ * Bytes that are sent at a time, and the pause after them: the device has no flow control and a small buffer. As
+ * microfs does.
+ */
 const PIECE_BYTES = 32;
 const PIECE_PAUSE_MS = 10;
 /** How long the computer may take to send one piece. */

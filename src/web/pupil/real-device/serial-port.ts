@@ -7,7 +7,10 @@ const BOARDS: readonly SerialPortFilter[] = [{ usbVendorId: 0x0d28, usbProductId
 /** Baud rate of MicroPython on the micro:bit and most other boards. */
 const BAUD = 115_200;
 
-/** True if this browser, here, has serial lines. */
+/**
+ * Whether the page can use serial lines. `browser`: the browser has none; `frame`: the frame around the page does not
+ * allow them.
+ */
 export type SerialAbility = 'yes' | 'browser' | 'frame';
 
 /** The page's line, when the browser has one. */
@@ -15,7 +18,7 @@ function serial(): Serial | null {
   return (navigator as { readonly serial?: Serial }).serial ?? null;
 }
 
-/** Whether the page can reach a device: the browser may not know serial lines, or the frame around the page not allow them. */
+/** Finds out whether the page can use serial lines. */
 export function serialAbility(): SerialAbility {
   if (serial() === null) return 'browser';
   const { featurePolicy } = document as { readonly featurePolicy?: { allowsFeature?(name: string): boolean } };

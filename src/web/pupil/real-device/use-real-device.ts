@@ -26,7 +26,7 @@ export type DeviceState =
   | {
       readonly kind: 'asking';
       readonly names: readonly string[];
-      /** True if they have been saved on this computer. */
+      /** Whether they have been saved on this computer. */
       readonly saved: 'no' | 'going' | 'yes';
       answer(yes: boolean): void;
       save(): void;
@@ -39,7 +39,7 @@ export interface OtherProgram {
   readonly text: string;
   /** Id of the robot that it drives. */
   readonly robot: string;
-  /** Name of the file in which all is saved. */
+  /** Name of the zip file in which all is saved. */
   readonly name: string;
 }
 

@@ -9,10 +9,10 @@ import AddDeviceForm from './AddDeviceForm.vue';
 import DeviceNameForm from './DeviceNameForm.vue';
 import words from './words';
 
-/** True if the project takes one more. */
+/** True if the project takes one more device. */
 export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devices.value.length < MOST_DEVICES;
 
-/** Asks what the new device shall be, and adds it. */
+/** Asks for the kind of a new device, and adds it. */
 export function askForDevice(app: Pick<PageParts, 'dialogs'> & WorkParts): void {
   if (hasRoom(app) && !app.work.staysAsItIs())
     app.dialogs.ask({ kind: 'form', title: () => t(words.addTitle), form: AddDeviceForm as Component });

@@ -20,7 +20,10 @@ function namesWith(parts: WorkParts): readonly string[] {
   return parts.work.hasSeveral.value ? parts.work.devices.value : [firstName(parts)];
 }
 
-/** A device with a robot like the first one's, and the first line of its program. */
+/**
+ * A device with the robot that the course's next start names, else one like the first device's, and the import of its
+ * module.
+ */
 export function newRobot(parts: WorkParts): FurtherDevice {
   const start = nextStart(parts);
   const robot = findRobot(start?.robot ?? '') ?? hardwareNow(parts, 0)?.robot ?? robotTypes[0];

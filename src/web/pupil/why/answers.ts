@@ -4,12 +4,12 @@ import type { Cause } from '#simulation/causes/causes';
 import type { CodeLine, Output } from '#simulation/causes/output';
 import words from './words';
 
-/** One thing, or two that are as they are by the same line, and since when. */
+/** The line that has set one thing, or several of a kind together, and since when. */
 export interface Answer {
   readonly key: string;
   readonly name: Texts;
   readonly nameValues: Readonly<Record<string, string | number>>;
-  /** `null`: nothing was ever done to it; `missing` says so. */
+  /** `null`: nothing has set it; `missing` says so. */
   readonly cause: Cause | null;
   readonly since: Texts | null;
   readonly sinceValues: Readonly<Record<string, string | number>>;
@@ -19,7 +19,7 @@ export interface Answer {
 const WHEELS: readonly Output[] = ['wheel-left', 'wheel-right'];
 const LIGHTS: readonly Output[] = ['light-left', 'light-right'];
 
-/** Why the robot drives or stands as it does: the line by which a wheel became so last. */
+/** The answer for the drive of the robot: the line that has last set a wheel. */
 export function robotAnswer(causes: readonly Cause[]): Answer {
   const wheels = causes.filter(({ output }) => WHEELS.includes(output));
   const [first = null, second = null] = [...wheels].sort((one, other) => other.sinceUs - one.sinceUs);
@@ -28,7 +28,7 @@ export function robotAnswer(causes: readonly Cause[]): Answer {
   return { ...answerOf('robot', words.names.robot, first), since: stands ? words.since.stands : words.since.drives };
 }
 
-/** Why one output is as it is. */
+/** The answer for one output. */
 export function outputAnswer(causes: readonly Cause[], output: Output): Answer {
   const cause = causes.find((one) => one.output === output) ?? null;
   if (cause !== null) return single(cause);
@@ -36,11 +36,15 @@ export function outputAnswer(causes: readonly Cause[], output: Output): Answer {
   return { ...missing(output, name, WHEELS.includes(output) ? words.noMotor : words.notYet), nameValues: values };
 }
 
-/** Why a line stands in the console. */
+/** The answer for a line in the console. */
 export const printedAnswer = ([cause]: readonly Cause[]): Answer =>
   cause === undefined ? missing('console', words.names.console, words.typed) : single(cause);
 
-/** All that the program has set. @param hasRobot then its motors are told of, too, if nothing has set them */
+/**
+ * All that the program has set.
+ *
+ * @param hasRobot true: its motors are among the answers, too, if nothing has set them
+ */
 export function allAnswers(causes: readonly Cause[], hasRobot: boolean): readonly Answer[] {
   const pairs = [
     { outputs: WHEELS, key: 'wheels', name: words.names.wheels },
@@ -55,10 +59,10 @@ export function allAnswers(causes: readonly Cause[], hasRobot: boolean): readonl
 
 const isColor = (output: Output): boolean => output.startsWith('color-');
 
-/** A line that sets one after the other takes some ms for it. */
+/** Longest time between the settings that one line makes, in µs: it sets one after the other. */
 const AT_ONCE_US = 50_000;
 
-/** Several of a kind are one thing while the same line has made all of them so. */
+/** The answers for several of a kind: one for all if the same line has set them together, else one for each. */
 function together(
   causes: readonly Cause[],
   outputs: readonly Output[],
@@ -115,7 +119,7 @@ function nameOf(output: Output): { readonly name: Texts; readonly values: Answer
   return { name: kind === 'chain' ? names.chain : names.pin, values: { pin: which } };
 }
 
-/** No light, no level: `0`, `0,0,0`, `off`. */
+/** True for no light and no level: `0`, `0,0,0`, `off`. */
 const isOff = (value: Cause['value']): boolean => value === 'off' || /^0*(,0+)*$/.test(String(value));
 
 function sinceOf({ output, value }: Cause): Texts {
@@ -135,7 +139,7 @@ function sinceOf({ output, value }: Cause): Texts {
   return kind === 'pin' ? since.on : since.lit;
 }
 
-/** The line to go to, and the one in the program that has called it, where that is another file. */
+/** The line to go to, and the first line that led there from another file; `null`: none. */
 export function placesOf(lines: readonly CodeLine[]): { readonly at: CodeLine | null; readonly from: CodeLine | null } {
   const [at = null] = lines;
   return { at, from: lines.find(({ file }) => file !== at?.file) ?? null };

@@ -42,7 +42,7 @@ export class ArenaThings {
     return this.block(thing)?.pose ?? null;
   }
 
-  /** The thing is at `pose` from now on; the run learns of it a moment later. */
+  /** Shows the thing at `pose` until the run has it there, too. */
   putDown(thing: HeldThing, pose: Pose): void {
     this.put = { thing, pose, before: this.sourcePose(thing), atMs: this.ports.nowMs() };
   }
@@ -63,7 +63,7 @@ export class ArenaThings {
    * Finds the thing at a point of the canvas.
    *
    * @param at in CSS px
-   * @param touch by a finger, which reaches further
+   * @param touch true for a finger, which reaches further
    * @param shown the poses at which things are shown, and the knob of the ring, in CSS px
    */
   targetAt(
@@ -87,7 +87,10 @@ export class ArenaThings {
     );
   }
 
-  /** Least distance at which a thing trails behind the pointer, in mm: about half of its size. */
+  /**
+   * Least distance at which a thing trails behind the pointer, in mm: half the robot's radius, 0.7 of a block's shorter
+   * side.
+   */
   armMm(thing: HeldThing): number {
     const robot = this.ports.robot();
     if (thing.kind === 'robot') return robot === null ? 0 : 0.5 * robotRadiusMm(robot);

@@ -10,13 +10,16 @@ export type Grip =
    * `pointMm` is the place of the pointer.
    */
   | { readonly kind: 'move'; readonly offsetMm: Vec; readonly pointMm: Vec; readonly armMm: number }
-  /** By the ring: the thing faces the pointer. `offsetRad` is the difference of its heading at the start. */
+  /**
+   * By the ring: the thing faces the pointer. `offsetRad` is its heading at the start less the direction to the
+   * pointer.
+   */
   | { readonly kind: 'turn'; readonly offsetRad: number };
 
 /** Movement of the robot per key press: mm, and with Shift. Chosen: a ruler's mark, and the smallest whole step. */
 const NUDGE_MM = { coarse: 10, fine: 1 };
 
-/** One key press turns it by this much: rad, and with Shift. */
+/** Rotation of the robot per key press: rad, and with Shift. */
 const NUDGE_RAD = { coarse: Math.PI / 12, fine: Math.PI / 180 };
 
 /**
@@ -61,8 +64,8 @@ export interface Pulled {
 
 /**
  * The pose of a thing whose body is pulled to another place: it follows like a trailer (its middle runs on a tractrix),
- * so it turns into the direction of the drag. A thing held near its middle trails behind by the grip's arm, straight
- * behind its front.
+ * so it turns into the direction of the drag. A thing held near its middle turns as if it were pulled by its front, at
+ * the end of the grip's arm.
  */
 export function pulledPose(grip: Extract<Grip, { kind: 'move' }>, pose: Pose, toMm: Vec): Pulled {
   const held = { x: -grip.offsetMm.x, y: -grip.offsetMm.y };
@@ -126,7 +129,10 @@ export function nudgedPose(pose: Pose, key: string, fine: boolean): Pose | null 
   }
 }
 
-/** Turns by a mouse wheel while the hand holds something: 15° per notch of 100 px, downward to the right. */
+/**
+ * The heading of the held thing after a turn of the mouse wheel: 15° per notch of 100 px, downward to the right, 45° at
+ * most.
+ */
 export function wheelTurnedHeading(headingRad: number, deltaPx: number): number {
   return headingRad - (Math.max(-300, Math.min(300, deltaPx)) / 100) * NUDGE_RAD.coarse;
 }

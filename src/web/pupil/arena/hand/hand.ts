@@ -42,7 +42,7 @@ interface Hold {
   readonly startPose: Pose;
   grip: Grip;
   pose: Pose;
-  /** The second finger on the floor, which turns the thing held by the first one. */
+  /** The second finger, which turns the thing held by the first one. */
   twist: { readonly pointer: number; readonly from: readonly [Vec, Vec]; readonly headingRad: number } | null;
   moved: boolean;
 }
@@ -131,7 +131,7 @@ export class Hand {
     }
   }
 
-  /** The pointer leaves the canvas. */
+  /** Handles a pointer that leaves the canvas. */
   pointerLeave(): void {
     this.hover = { kind: 'floor' };
     this.hoverRing = false;

@@ -12,7 +12,7 @@ import { wheelGesture, wheelPx } from '../view/wheel-gesture';
 export interface HandPlace {
   readonly picture: ArenaView;
   readonly arena: () => ArenaSize;
-  /** Shows all that there is. */
+  /** Shows the whole arena and everything outside of it. */
   readonly showAll: () => void;
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
@@ -143,7 +143,7 @@ function zoomKey(
   return true;
 }
 
-/** One press of a zoom button or key. */
+/** Factor of the zoom for one press of a button or key. */
 export const ZOOM_STEP = 1.25;
 
 function placeOf(event: MouseEvent): Vec {

@@ -19,8 +19,8 @@ export interface SpriteFrame {
 }
 
 /**
- * Blocks that are being pushed, each on a little canvas with room to move in. One canvas as large as the arena would have
- * to be painted for each picture, and a canvas that follows its block has the browser sort all layers of the page.
+ * Blocks that are being pushed, each on a little canvas with room to move in. One canvas as large as the arena would
+ * have to be painted for each picture, and a canvas that follows its block has the browser sort all layers of the page.
  */
 export interface BlockSprites {
   /** Shows these blocks where they are now; those shown before stay. */

@@ -5,7 +5,7 @@ import { placedBlock } from '../picture/draw-bodies';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 
-/** The picture of something that moves, an obstacle or a block: it is painted once and then only put elsewhere. */
+/** The square canvas for the picture of an obstacle or a block in any rotation. */
 export interface MoverSprite {
   /** Side of the square canvas, in CSS px. */
   readonly sidePx: number;
@@ -16,7 +16,7 @@ export interface MoverSprite {
 /** Room for the shadow, in px. */
 const RIM_PX = 8;
 
-/** The canvas for a moving obstacle, at this many px per mm. */
+/** The canvas for an obstacle or a block, at this many px per mm. */
 export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: number): MoverSprite {
   const half = Math.ceil((Math.hypot(size[0], size[1]) / 2) * pxPerMm + RIM_PX);
   return {
@@ -38,8 +38,8 @@ export function spritePlace(view: View, mover: Mover, pose: Pose | null): Sprite
 }
 
 /**
- * The part of the canvas that a moving obstacle passes, on whole pixels, as far as it is in sight. A canvas there never
- * moves: moving one makes the browser sort all layers of the page for each picture.
+ * The part of the canvas that a moving obstacle passes, from a whole pixel on, as far as it is in sight. A canvas there
+ * never moves: moving one makes the browser sort all layers of the page for each picture.
  *
  * @param ratio canvas pixels per CSS px
  */

@@ -25,7 +25,7 @@ import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-t
 export interface ShownRobot {
   readonly now: ArenaRobot;
   readonly look: RobotLook;
-  /** Compared with the real one. */
+  /** Size relative to the real robot. */
   readonly scale: number;
   readonly held: boolean;
 }
@@ -123,7 +123,7 @@ function lengthOf({ now, look, scale }: ShownRobot): Pick<LabelRow, 'frontMm' | 
   return { frontMm: frontMm * scale, backMm: -Math.min(...xs) * scale };
 }
 
-/** The tail ends under the robot, unless the hand has it. */
+/** The points up to the robot, unless the hand has it. */
 function tailOf(points: Vec[], { now, held }: ShownRobot, view: View): Vec[] {
   return points.length === 0 || held ? points : [...points, toPx(view, { x: now.pose.xMm, y: now.pose.yMm })];
 }

@@ -7,7 +7,7 @@ import { liveScene, type LiveScene } from '../picture/live-scene';
 
 /** Sources of the picture of a course and its run. */
 export interface LiveCourseSources {
-  /** As shown without a run: with the things where the hand has put them. */
+  /** The course as shown without a run: with the things where the hand has put them. */
   readonly shown: () => Scene;
   /** The document. */
   readonly course: () => Scene;
@@ -16,7 +16,7 @@ export interface LiveCourseSources {
   readonly newest: () => Snapshot | null;
 }
 
-/** The parts of the course that are in the run; the same object as long as neither of them changes. */
+/** Follows which parts of the course are in the run; the same object as long as no course changes. */
 export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene> {
   const hasRun = computed(() => sources.newest() !== null);
   return computed(() => {
@@ -28,7 +28,7 @@ export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene
 /** A robot nearer to its start than this is at its start: mm, rad. Chosen: its outline would only double its rim. */
 const NEAR = { mm: 4, rad: 0.05 };
 
-/** Start of the robot if it is elsewhere now: its outline is drawn there. */
+/** The start of the robot if it is elsewhere now: its outline is drawn there; else `null`. */
 export function startElsewhere(start: RobotStart, now: Pose | null): RobotStart | null {
   if (now === null) return null;
   const apart = Math.hypot(now.xMm - start.at[0], now.yMm - start.at[1]);

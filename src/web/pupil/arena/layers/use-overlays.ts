@@ -10,14 +10,14 @@ export interface OverlaySources {
   readonly options: () => ArenaOptions;
   readonly newest: () => Snapshot | null;
   readonly trail: () => Trail;
-  /** There only while the trail is to be seen. */
+  /** `null` while the trail is hidden. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly place: () => Pick<OverlayParts, 'view' | 'canvas' | 'ratio' | 'palette'>;
   /** Called when the code for them has been loaded. */
   readonly ready: () => void;
 }
 
-/** Puts more around the robot that is shown than its overlays. */
+/** Adds to the overlays of the robot that is shown. */
 export type AroundRobot = (overlay: OverlayPicture | null) => OverlayPicture | null;
 
 /** The overlays of a scene. Their code is loaded when the first one is wanted. */

@@ -7,7 +7,7 @@ import type { LightForm } from '../../../session/work/settings/light-wish';
 /** The drawn state of a robot, during a run or at its start. */
 export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' | 'turnedRad' | 'state'>;
 
-/** The robot type as the arena sees it: the name of its drawing and its outline. A `RobotType` fits. */
+/** The robot type as the arena sees it: the id of its drawing, its outline and its mount. A `RobotType` fits. */
 export type RobotLook = Pick<RobotType, 'id'> &
   Partial<Pick<RobotType, 'mountMm'>> & { readonly body: Pick<RobotType['body'], 'outlineMm'> };
 
@@ -17,7 +17,7 @@ export interface PlacedBlock extends Form {
   readonly pose: Pose;
 }
 
-/** The overlays. */
+/** The overlays that are switched on. */
 export interface ArenaOptions {
   /** The ultrasonic cone with its hit point and distance. */
   readonly cone: boolean;

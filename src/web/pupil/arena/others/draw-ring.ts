@@ -16,7 +16,7 @@ export interface DeviceRing {
   /** Its colour, as `deviceColor` takes it. */
   readonly color: number;
   readonly name: string;
-  /** It is the device that is shown. */
+  /** True if the device is shown. */
   readonly isShown: boolean;
 }
 

@@ -27,7 +27,7 @@ export interface Around {
   readonly radiusMm: number;
 }
 
-/** The circle around the middle of a robot's body, which is ahead of its axle. */
+/** The circle around a robot's body, about the middle of its outline. */
 export function circleAround(pose: Pose, body: RobotLook['body'], scale: number): Around {
   const { x, y, radius } = ownCircle(body);
   const [cos, sin] = [Math.cos(pose.headingRad), Math.sin(pose.headingRad)];

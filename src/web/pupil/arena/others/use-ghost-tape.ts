@@ -4,7 +4,7 @@ import { emptyTape, unpackTape, type RunTape } from '../../../session/run/unpack
 
 /** A tape that is being unpacked. */
 export interface GhostTape extends RunTape {
-  /** All of it is there. */
+  /** True once all of it is unpacked. */
   isWhole: boolean;
 }
 

@@ -15,7 +15,7 @@ export interface Tail {
 
 /** Sources of the trails. */
 export interface OtherTrailSources {
-  /** There only while trails are to be seen. */
+  /** `null` while trails are hidden. */
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly picture: () => ArenaView;
   readonly arena: () => ArenaSize;
@@ -25,7 +25,7 @@ export interface OtherTrailSources {
 }
 
 /**
- * The trails of the devices that are not shown, on one canvas. Requesting a tail repaints the canvas if it is too old.
+ * The trails of other robots and of ghosts, on one canvas. Requesting a tail repaints the canvas if it is too old.
  *
  * @returns a function that gives the tail of a device's trail
  */

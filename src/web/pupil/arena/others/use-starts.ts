@@ -4,7 +4,10 @@ import type { RobotStart } from '#scene/scene';
 import { runSetup } from '../../../session/work/run-setup';
 import type { WorkParts } from '../../../session/work/model/parts';
 
-/** Start of the robot of each device, by its place; `null` without a robot, and empty for an impossible run. */
+/**
+ * Start of the robot of each device, by its place; `null` without a robot; empty for a single device and for an
+ * impossible run.
+ */
 export type RobotStarts = readonly (RobotStart | null)[];
 
 /**

@@ -17,7 +17,7 @@ export interface Arranged {
 /** Parts that a robot may carry besides its own. */
 export type Carried = Partial<Pick<RobotState, 'attachments' | 'bumper'>>;
 
-/** The bumper of a robot that is to carry one from the start: its option `bumper` is `always`. */
+/** The bumper of a robot that carries one from the start: its option `bumper` is `always`; else `null`. */
 export function bumperAtStart(options: OptionValues): RobotState['bumper'] {
   return options['bumper'] === 'always' ? { left: false, right: false } : null;
 }

@@ -38,8 +38,9 @@ export function drawFloor(
 const SHADE_PX = 13;
 
 /**
- * The soft shade around the floor, as thin lines that fade outward: a canvas shadow of something so large takes a browser
- * without a graphics card as long as all the rest of the arena (measured: 9 of 14 ms a frame while the picture moves).
+ * The soft shade around the floor, as thin lines that fade outward: a canvas shadow of something so large takes a
+ * browser without a graphics card as long as all the rest of the arena (measured: 9 of 14 ms a frame while the picture
+ * moves).
  */
 function drawShade(context: CanvasRenderingContext2D, floor: PxBox, palette: Palette): void {
   const step = 2;

@@ -33,14 +33,17 @@ interface Pill {
   readonly width: number;
 }
 
-/** Number of cached pills. Chosen: a robot on its rounds shows that many distances, each of them repeatedly; 1 MB at most. */
+/**
+ * Number of cached pills. Chosen: a robot on its rounds shows that many distances, each of them repeatedly; 1 MB at
+ * most.
+ */
 const MOST = 120;
 
 const made = createShelf<Pill>(MOST);
 
 /**
- * A pill, painted once: words on a canvas of the page make the browser lay out styles in the middle of a frame, and this
- * one is not on the page (measured: a sixth of the script's time while driving).
+ * A pill, painted once: words on a canvas of the page make the browser lay out styles in the middle of a frame, and
+ * this one is not on the page (measured: a sixth of the script's time while driving).
  */
 function pillOf(text: string, look: PillLook, ink: string, ratio: number): Pill {
   return made([ratio, look.ground, look.height, ink, text], () => painted(text, look, ink, ratio));
@@ -51,7 +54,7 @@ const fontOf = ({ fontPx }: PillLook): string => `600 ${String(fontPx)}px ${canv
 /** Only measures. */
 const rulerOnce = once(() => document.createElement('canvas').getContext('2d'));
 
-/** With room for the round ends. */
+/** Width of a pill in px, with room for its round ends. */
 function widthOf(text: string, look: PillLook): number {
   const ruler = rulerOnce();
   if (ruler === null) return 0;

@@ -19,7 +19,7 @@ export interface StillScene {
   readonly verdict: Verdict | null;
 }
 
-/** Paints a layer of what stands still, or a picture of it that was kept. */
+/** Paints a layer of what stands still, or its cached picture. */
 export type PaintObjects = (
   context: CanvasRenderingContext2D,
   paint: PaintList<SceneObject>,

@@ -24,7 +24,7 @@ export function drawShapes(context: CanvasRenderingContext2D, view: View, shapes
   context.restore();
 }
 
-/** Draws a shape in mm, y down. `up`: of its places; -1: up is less. */
+/** Draws a shape in mm, y down. `up`: sign of the y of its place; −1 for a place with y up. */
 export function drawShape(context: CanvasRenderingContext2D, shape: Shape, up: 1 | -1 = 1): void {
   switch (shape.form) {
     case 'group':

@@ -7,7 +7,7 @@ import type { View } from '../view/view-transform';
 /** Points nearer to each other than this, in px, are drawn as one. */
 const NEAR_PX = 0.6;
 
-/** Lines are rebuilt when the zoom has changed by a factor of 2. */
+/** The step of a zoom in factors of 2: a line's path is reused within one. */
 export const pathStep = (pxPerMm: number): number => Math.ceil(Math.log2(Math.max(pxPerMm, 1 / 64)));
 
 /** Draws a line with round ends and joints. Its path is kept for the next time. */

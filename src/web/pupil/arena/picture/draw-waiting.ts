@@ -18,10 +18,13 @@ export interface Waiting {
   readonly ratio: number;
 }
 
-/** How pale what waits for the next start is. */
+/** Opacity of the objects that wait for the next start. */
 const PALE = 0.42;
 
-/** Draws what waits for the next start pale in a dashed frame; what goes then, in a dashed frame; the arena's next size; and the robot's start. */
+/**
+ * Draws the changes that wait for the next start: new objects pale in a dashed frame, those that go in a dashed frame,
+ * the arena's next size, and the robot's start.
+ */
 export function drawWaiting(context: CanvasRenderingContext2D, view: View, waiting: Waiting, palette: Palette): void {
   const { live, start, footprint, ratio } = waiting;
   context.save();

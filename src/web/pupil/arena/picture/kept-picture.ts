@@ -6,9 +6,9 @@ const SETTLE_MS = 140;
 
 /** Watches whether the view stands still. */
 export interface ViewRest {
-  /** Call it for each picture. Returns whether the view stood still since the previous one. */
+  /** Call it for each picture. Returns false from a change of the view until it has come to rest. */
   settled(frame: StillFrame): boolean;
-  /** The picture was not sharp: it is painted again as soon as the view stands still. */
+  /** Requests a repaint of a picture that was not sharp, once the view has come to rest. */
   sharpenSoon(): void;
 }
 

@@ -44,7 +44,7 @@ export function liveScene(course: Scene, started: Scene | null): LiveScene {
   };
 }
 
-/** The visible size of the arena, mm: all of the run's, and all of the one that tools already change. */
+/** The visible size of the arena, mm: the run's and the next one's, the larger along each side. */
 export function shownSize({ scene, size }: LiveScene): Scene['size'] {
   return size === null ? scene.size : [Math.max(scene.size[0], size[0]), Math.max(scene.size[1], size[1])];
 }

@@ -17,7 +17,7 @@ import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 import { zoneState } from './zone-state';
 
-/** Draws the kinds that come late, in CSS px. */
+/** Draws the kinds of objects that are loaded on demand, in CSS px. */
 export interface SceneKinds {
   background(context: CanvasRenderingContext2D, view: View, background: Background): void;
   /** The grounds of zones, under the lines. */
@@ -30,7 +30,7 @@ export interface SceneKinds {
     verdict: Verdict | null,
     palette: Palette,
   ): void;
-  /** Words and the ways of moving obstacles, over both. */
+  /** Words and the ways of moving obstacles, over zones and lines. */
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   /** Spikes, which stand like walls. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;

@@ -20,8 +20,8 @@ export type PaintList<T> = (context: CanvasRenderingContext2D, objects: readonly
 /** A picture of many objects, kept so that the same objects need not be painted again. */
 export interface StillCache<T> {
   /**
-   * Puts the picture of these objects on a canvas. New objects at the end of the list are added to it; after a change of
-   * the view it is moved and stretched until `settled` is asked for.
+   * Puts the picture of these objects on a canvas. New objects at the end of the list are added to it; after a change
+   * of the view it is moved and stretched until `settled` is true.
    *
    * @param settled whether the view stands still: then the picture is as sharp as can be
    * @returns whether the picture is the one of this view

@@ -31,7 +31,7 @@ export function partsOf(drawing: string): readonly AttachmentPart[] {
     }));
 }
 
-/** The group of a robot's drawing that a servo may turn. */
+/** Id of the group of a robot's drawing that a servo may turn. */
 const SONAR_ID = 'ultrasonic';
 
 /**

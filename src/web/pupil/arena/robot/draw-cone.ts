@@ -17,7 +17,7 @@ const ARC_STEP_MM = 28;
 /** One breath of the arcs in µs of simulated time. */
 const BREATH_US = 1_600_000;
 
-/** The distance as the program reads it: whole cm. */
+/** The measured distance in whole cm. */
 export function distanceLabel(distanceMm: number): string {
   return `${String(Math.round(distanceMm / 10))} cm`;
 }

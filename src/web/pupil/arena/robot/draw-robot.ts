@@ -32,7 +32,10 @@ export function paintedRadiusMm(drawing: RobotDrawing): number {
 /** Ratio of the radius of the light on the floor to the light's circle in the drawing. */
 const UNDERGLOW_REACH = 1.75;
 
-/** Draws the robot: shadow, light on the floor, body, its lights, and the treads of its wheels. */
+/**
+ * Draws the robot: shadow, light on the floor, body, its lights, the treads of its wheels, and attachments over its
+ * front.
+ */
 export function drawRobot(
   context: CanvasRenderingContext2D,
   view: View,

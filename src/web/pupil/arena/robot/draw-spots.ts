@@ -24,13 +24,16 @@ const LEAST_SPOT_PX = 3;
 /** Size of a reading's label, and its distance from the end of the robot, in px. */
 const LABEL = { perDigit: 7, rim: 8, height: 19, gap: 3, away: 10.5 };
 
-/** A row of readings may be as wide as this on the floor, in mm of the real robot: else it would bury the robot. Chosen: three robots. */
+/**
+ * A row of readings may be as wide as this on the floor, in mm of the real robot: else it would bury the robot. Chosen:
+ * three robots.
+ */
 const WIDEST_ROW_MM = 330;
 
 /** The edge of the picture may push readings this much nearer to the robot, in px. */
 const NEARER_PX = 6;
 
-/** Distance of the label from an obstacle that the distance sensor sees, in px. */
+/** Least distance of readings ahead from the hit of the distance sensor, in px: its label is there. */
 const HIT_PX = 66;
 
 /** A reading beside its sensor, px. */
@@ -49,13 +52,13 @@ export interface LabelRow {
   readonly backMm: number;
   /** The visible area, px: readings outside it would be lost. */
   readonly sight: PxBox;
-  /** Place of the label of a distance, px: readings ahead must not be covered by it. `null`: there is none. */
+  /** The hit of the distance sensor, px: its label must not cover readings ahead. `null`: there is none. */
   readonly hit: Vec | null;
 }
 
 /**
  * Places the readings in a row ahead of the robot, in the order of the sensors from left to right and far enough from
- * each other to be read; behind it if there is no room ahead, and nowhere if the picture is too small.
+ * each other to be read; behind it if there is no room ahead, and nowhere at a zoom at which they would bury the robot.
  *
  * @param scale size of the robot compared with the real one
  */
@@ -143,7 +146,7 @@ export function spotsBoxes(
 
 /**
  * Shows the floor under each line sensor through the robot, with the spot that the sensor sees: light with a dark rim
- * or dark with a light one. Readings are ahead of the robot, each at the end of a thin line.
+ * or dark with a light one. Each reading is at the end of a thin line.
  *
  * @param context of a canvas above the floor with only moving things on it: holes are cut into it
  */

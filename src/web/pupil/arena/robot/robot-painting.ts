@@ -15,5 +15,5 @@ export interface RobotPainting {
   readonly redraw: () => void;
 }
 
-/** The robot looks larger while it is lifted. */
+/** Factor by which the robot looks larger in the hand. */
 export const HELD_SIZE = 1.04;

@@ -23,7 +23,7 @@ const SAME_RAD = 0.002;
 export class TurnedBody {
   private last: BodyLook | null = null;
   private kept: HTMLCanvasElement | null = null;
-  /** Frames that it has looked the same. */
+  /** Number of frames in which it has looked the same. */
   private frames = 0;
 
   /**
@@ -33,9 +33,11 @@ export class TurnedBody {
   constructor(private readonly patience = 0) {}
 
   /**
+   * Draws the body.
+   *
    * @param at the robot's place
    * @param reachPx how far `paint` reaches from there
-   * @param paint draws them in CSS px around the robot's place
+   * @param paint draws the body in CSS px around the robot's place
    */
   draw(
     context: CanvasRenderingContext2D,

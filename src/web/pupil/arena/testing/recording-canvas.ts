@@ -14,7 +14,7 @@ export interface Painted {
   readonly bottom: number;
   /** Width of the line in px. */
   readonly line: number;
-  /** In dashes. */
+  /** True if the line is dashed. */
   readonly dashed: boolean;
   /** The words, for `text`. */
   readonly text: string;
@@ -59,7 +59,7 @@ export class RecordingCanvas {
   private readonly stack: State[] = [];
   private path: Vec[] = [];
 
-  /** As the drawing functions want it. */
+  /** The canvas as a context for the drawing functions. */
   get context(): CanvasRenderingContext2D {
     return new Proxy(this, {
       get: (canvas, name) => {

@@ -17,7 +17,7 @@ export interface ArenaKeys {
   /** Returns whether the key was used. */
   keyDown(event: KeyboardEvent): boolean;
   keyUp(event: KeyboardEvent): void;
-  /** The arena got the keyboard by the keyboard. */
+  /** Handles focus that the arena has got by the keyboard. */
   focus(): void;
   blur(): void;
 }

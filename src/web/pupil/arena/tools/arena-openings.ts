@@ -12,7 +12,10 @@ import type { MenuWish } from './tool-pointers';
 /** Everything that opens over the arena: the menu for things, the text of a label, the points of a line or polygon. */
 export interface ArenaOpenings {
   readonly open: (opened: Opened) => void;
-  /** Opens the menu for the things there; `rests`: requested by a resting finger, which only the select tool allows. */
+  /**
+   * Opens the menu for the things there; `rests`: requested by a resting finger, which only the select tool allows.
+   * Returns whether it opens.
+   */
   menu(wish: MenuWish, reachMm: number, rests: boolean): boolean;
   /** Opens the menu for the selection, or for the thing under the crosshair. */
   menuByKeys(crosshair: Vec | null): true;
@@ -45,7 +48,10 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     editor.menu.value = { xPx, yPx, atMm, on, host: host(), fit: () => picture.fit() };
   }
 
-  /** Selects the topmost thing at a place, locked or not, unless it is selected already. */
+  /**
+   * Selects the topmost thing at a place, locked or not, unless one there is selected already. Returns what the menu is
+   * for.
+   */
   function take(atMm: Vec, reachMm: number): 'things' | 'floor' {
     const selection = editor.selection.value;
     const things = thingsAt(sources.course(), atMm, reachMm, sources.footprint(), () => true);

@@ -49,7 +49,7 @@ export interface ToolSources {
   readonly palette: () => Palette;
   /** The canvas for long lines. */
   readonly inkCanvas: () => HTMLCanvasElement | null;
-  /** Has the editor's layer drawn. */
+  /** Requests a repaint of the editor's layer. */
   readonly redraw: () => void;
   readonly showGhost: (ghost: Ghost) => void;
   /** Announces something to screen readers. */
@@ -58,9 +58,9 @@ export interface ToolSources {
 
 /** The tools over one arena. */
 export interface ArenaTools extends ToolPointers, ArenaKeys {
-  /** Another tool is chosen. */
+  /** Call it after another tool is chosen. */
   toolChanged(): void;
-  /** The course has changed: a gesture begun on the old one is dropped. */
+  /** Call it after the course has changed: drops a gesture begun on the old one. */
   courseChanged(): void;
   readonly cursor: () => string;
   /** Zooms in on the selection. Returns false if there is none. */
@@ -152,7 +152,7 @@ const unfinishedOf =
     return edit === null || editProblem(course(), edit) !== null ? null : applyEdit(course(), edit);
   };
 
-/** The course as the keys and the pointers change it. */
+/** The ports through which keys and pointers read and change the course. */
 function portsOf(
   sources: ToolSources,
   context: () => ToolContext,
@@ -250,7 +250,7 @@ interface Looked {
   readonly now: SurfacePicture;
   readonly after: Scene | null;
   readonly ghost: Scene['objects'];
-  /** Length of the ink that the large canvas shows. */
+  /** Number of the ink's places that the large canvas shows. */
   readonly drawn: number;
   readonly surface: ToolSurface;
 }

@@ -6,7 +6,7 @@ import { unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 import type { MarkFrame } from './mark-frame';
 
-/** The frame in which many things are painted. */
+/** The frame in which carried things are painted. */
 export interface CarriedFrame extends MarkFrame {
   /** Canvas pixels per CSS px. */
   readonly ratio: number;

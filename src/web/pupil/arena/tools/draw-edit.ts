@@ -28,7 +28,7 @@ export interface EditPicture {
   readonly marks: readonly Mark[];
   /** The newest piece of the line that is drawn, from one of its places on. */
   readonly ink: { readonly ink: Ink; readonly from: number } | null;
-  /** The pen's tip where nothing is pressed. */
+  /** The pen's tip, under a pointer that is not pressed. */
   readonly tip: { readonly at: Vec; readonly width: number; readonly color: string } | null;
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
   /** Figures, or the field in which they are typed, and their place in CSS px. */
@@ -99,7 +99,7 @@ function markBox(view: View, mark: Mark): PxBox {
   return { left: 0, top: 0, width: 0, height: 0 };
 }
 
-/** On a pill; typed figures are larger, on blue. */
+/** Draws the figures on a pill; typed ones are larger, on blue. */
 function drawReading(
   context: CanvasRenderingContext2D,
   { canvas, palette }: EditFrame,

@@ -96,7 +96,7 @@ function drawMeasure(context: CanvasRenderingContext2D, frame: MarkFrame, fromMm
   });
 }
 
-/** A point of a line: a full ring; where one can be drawn out a small pale one. */
+/** Draws a point of a line as a ring; a small pale one where a new point can be drawn out. */
 function drawPoint(context: CanvasRenderingContext2D, at: Vec, isNew: boolean, palette: Palette): void {
   context.globalAlpha = isNew ? 0.75 : 1;
   context.fillStyle = palette.handGround;
@@ -107,7 +107,7 @@ function drawPoint(context: CanvasRenderingContext2D, at: Vec, isNew: boolean, p
   context.stroke();
 }
 
-/** The grid of a maze around the pointer, and the edge that a tap changes. */
+/** Draws the corners of the grid of a maze all over the arena, and the edge that a tap changes. */
 function drawGrid(context: CanvasRenderingContext2D, frame: MarkFrame, mark: Extract<Mark, { type: 'grid' }>): void {
   const { view, arena, palette } = frame;
   const { cellMm, edge } = mark;
@@ -174,7 +174,10 @@ export function drawSelected(context: CanvasRenderingContext2D, frame: MarkFrame
 /** Half the side of a drawn handle, in px. Its target is larger: see the tools' reach. */
 const HANDLE_PX = 6;
 
-/** Draws a handle of a selected thing: squares at ends and corners, a round one that turns. */
+/**
+ * Draws a handle of a selected thing: a square for its size, a circle for an end or a point, larger ones to turn it and
+ * to add a point.
+ */
 export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, handle: Handle): void {
   const { view, palette } = frame;
   const at = toPx(view, handle.at);
@@ -214,7 +217,7 @@ export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, 
 
 const rotateIcon = once(() => new Path2D(mdiRotateRight));
 
-/** Draws the crosshair of the keyboard; `isDown`: it draws. */
+/** Draws the crosshair of the keyboard; `isDown`: while it draws. */
 export function drawCrosshair(context: CanvasRenderingContext2D, frame: MarkFrame, atMm: Vec, isDown: boolean): void {
   const at = toPx(frame.view, atMm);
   const color = isDown ? frame.palette.hand : frame.palette.pill;

@@ -11,7 +11,7 @@ export interface EarlyPointers {
   forget(): void;
 }
 
-/** More than a minute of drawing; later events are dropped. */
+/** Most events that are recorded: more than a minute of drawing. Later ones are dropped. */
 const MOST = 10_000;
 
 export function createEarlyPointers(): EarlyPointers {
@@ -33,7 +33,7 @@ export function createEarlyPointers(): EarlyPointers {
   };
 }
 
-/** An event's own figures change when it is over: not every browser preserves the place in its target. */
+/** Copies an event, whose figures change once it is over: not every browser preserves the place in its target. */
 function copyOf(event: PointerEvent): PointerNews {
   const { pointerId, pointerType, button, altKey, shiftKey, ctrlKey, metaKey, timeStamp } = event;
   const { offsetX, offsetY, clientX, clientY } = event;

@@ -50,14 +50,14 @@ export interface Gesture {
   readonly adds: boolean;
   keeps: boolean;
   alt: boolean;
-  /** It began where and shortly after a tap ended. */
+  /** True if it began at the place of a tap that had ended shortly before. */
   readonly isSecond: boolean;
   edit: SceneEdit | null;
   after: Scene | null;
   figures: Figures;
   /** The numbers typed during the gesture; empty: none. */
   typed: string;
-  /** The path has grown since the last call of the tool. */
+  /** True if the gesture has changed since the last call of the tool. */
   isStale: boolean;
 }
 
@@ -113,7 +113,7 @@ export const heldBy = ({ free, keeps, alt }: HeldKeys, isFree: boolean) => ({
   alt: alt === true,
 });
 
-/** The initial values that are the same for each gesture. */
+/** The initial values of a gesture, whatever its tool. */
 export const begun = (
   press: Pick<SurfacePress, 'kind' | 'free' | 'adds' | 'keeps' | 'alt'>,
   at: Vec,

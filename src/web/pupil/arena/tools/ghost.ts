@@ -7,7 +7,7 @@ export interface Ghost {
   readonly start: RobotStart | null;
 }
 
-/** No tool has anything of the course. */
+/** The ghost while no tool holds anything. */
 export const noGhost: Ghost = { hidden: new Set(), start: null };
 
 /** True if both ghosts are the same. */

@@ -14,15 +14,15 @@ export interface SurfacePorts extends PicturePorts {
   /** The chosen tool, or `null` for none. */
   readonly tool: () => Tool | null;
   readonly context: () => ToolContext;
-  /** The switch that turns snapping off. */
+  /** True if snapping is switched off. */
   readonly isFree: () => boolean;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly select: (selection: Selection) => void;
-  /** A gesture has changed the course, to these figures. */
+  /** Called with the figures of a gesture that has changed the course. */
   readonly done: (reading: Reading) => void;
-  /** A double tap opens the contents of a thing. */
+  /** Opens the contents of a thing after a double tap. */
   readonly open: (opened: Opened) => void;
-  /** Something looks different now. */
+  /** Called when the picture has changed. */
   readonly changed: () => void;
 }
 
@@ -43,7 +43,7 @@ export interface SurfacePicture {
   readonly hover: Vec | null;
 }
 
-/** Nothing is to be seen. */
+/** The empty picture. */
 export const NOTHING: SurfacePicture = {
   edit: null,
   after: null,

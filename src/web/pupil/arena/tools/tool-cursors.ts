@@ -36,8 +36,8 @@ const SIDE = 32;
 const HOT = 9;
 
 /**
- * The CSS cursor of a tool: a crosshair with the tool's sign beside it. The pen and the eraser point with their tip;
- * `select` and `points` are the usual arrow, which people know.
+ * The CSS cursor of a tool: a crosshair with the tool's sign beside it. `select` and `points` have the usual arrow,
+ * which people know.
  */
 export function toolCursor(tool: ToolId): string {
   if (tool === 'select' || tool === 'points') return 'default';

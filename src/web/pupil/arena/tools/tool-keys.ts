@@ -32,7 +32,7 @@ export interface SelectionKeyPorts {
   readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'group' | 'ungroup' | 'remove' | 'turn'>;
   /** Place of the mouse or of the keyboard's crosshair, and the distance that counts as on a handle; `null`: none. */
   readonly pointed: () => { readonly at: Vec; readonly reachMm: number } | null;
-  /** Something looks different now. */
+  /** Called when the picture has changed. */
   readonly changed: () => void;
 }
 

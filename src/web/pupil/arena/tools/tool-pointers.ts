@@ -23,7 +23,7 @@ export type PointerNews = Pick<
 > &
   Partial<Pick<PointerEvent, 'getCoalescedEvents'>>;
 
-/** The browser's events over the arena, led to a tool. */
+/** Handlers that pass the browser's events over the arena to a tool. */
 export interface ToolPointers {
   pointerdown(event: PointerNews): void;
   pointermove(event: PointerNews): void;
@@ -150,7 +150,7 @@ class MenuPress {
   }
 }
 
-/** Movement of the picture after which a place is at least this far from both of its edges. */
+/** Movement of the picture along one axis, in px, after which a place is at least `RIM_PX` from both of its edges. */
 export function pushed(at: number, side: number): number {
   if (at < RIM_PX) return Math.round(RIM_PX - at);
   if (at > side - RIM_PX) return Math.round(side - RIM_PX - at);

@@ -115,7 +115,7 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** A pointer moves, pressed or not, over these places (CSS px, oldest first). */
+  /** Handles a pointer that moves, pressed or not, over these places (CSS px, oldest first). */
   pointerMove(id: number, places: readonly Vec[], keys: HeldKeys): void {
     const last = places[places.length - 1];
     const pointer = this.pointers.get(id);
@@ -154,7 +154,7 @@ export class ToolSurface {
     this.pointerUp(id, -Infinity);
   }
 
-  /** The pointer leaves the arena. */
+  /** Handles a pointer that leaves the arena. */
   pointerLeave(): void {
     this.hover = null;
     if (this.gesture?.pointer === 'none') backToCorners(this.gesture);
@@ -185,7 +185,7 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** Forgets everything: another tool is chosen, or another course is open. */
+  /** Finishes what the keyboard or set corners have drawn, and forgets everything else: another tool is chosen. */
   reset(): void {
     this.endKeys();
     this.endChain();
@@ -195,7 +195,10 @@ export class ToolSurface {
     this.ports.changed();
   }
 
-  /** Moves the crosshair of the keyboard by mm; the first time it shows, it shows where it is. Returns where it is now. */
+  /**
+   * Moves the crosshair of the keyboard, world mm. While it is hidden, shows it at the whole cm nearest to `middle`
+   * instead. Returns its place.
+   */
   moveCrosshair(by: Vec, middle: Vec, fine: boolean): Vec {
     const from = this.keyAt;
     const to = intoArena(from ? plus(from, by) : { x: tens(middle.x), y: tens(middle.y) }, this.ports.arena());
@@ -244,7 +247,7 @@ export class ToolSurface {
     return this.gesture !== null;
   }
 
-  /** The crosshair shows only as long as the arena has the keyboard. */
+  /** Hides the crosshair, which shows only as long as the arena has the keyboard. */
   blur(): void {
     this.hideCrosshair();
     this.ports.changed();
@@ -292,7 +295,7 @@ export class ToolSurface {
     Object.assign(gesture, heldBy(keys, this.ports.isFree()), { isStale: true });
   }
 
-  /** A pointer was released, or Enter pressed: the gesture is finished, or continues from the next corner. */
+  /** Finishes a gesture after a release or Enter, or continues it from a corner there. */
   private release(gesture: Gesture, nowMs?: number): void {
     if (!setCorner(gesture)) this.finish(gesture, nowMs);
   }
@@ -347,9 +350,7 @@ export class ToolSurface {
     this.pinched = false;
   }
 
-  /**
-   * A drawing by the keyboard is finished: only Escape drops it. A line corner by corner can be continued with clicks.
-   */
+  /** Finishes a drawing by the keyboard: only Escape drops it. A line corner by corner can be continued with clicks. */
   private endKeys(): void {
     if (this.gesture?.pointer !== null) return;
     if (this.isChaining) backToCorners(this.gesture);

@@ -19,7 +19,7 @@ export interface ToolSurfaceSources extends Omit<ToolSources, 'editor' | 'inkCan
 
 /** The tools over the arena, as soon as their code is loaded. */
 export interface ToolLayer {
-  /** A tool is chosen, not the hand. */
+  /** True if a tool other than the hand is chosen. */
   readonly isUsed: ComputedRef<boolean>;
   readonly cursor: Readonly<ShallowRef<string>>;
   /** Text to announce to screen readers. */

@@ -42,9 +42,9 @@ export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts
     state,
     sharing: computed(() => scene.value.task.robots),
     goals: computed(() => goalsOf(verdict.value)),
-    /** Whole seconds that the task leaves; `null`: as many as one likes. */
+    /** Whole seconds that the task leaves; `null` without a limit. */
     left: computed(() => secondsLeft(scene.value.task.seconds, run.snapshot.value?.timeUs ?? 0)),
-    /** The program is over and the task is not done; a robot that rolls on may still do it. */
+    /** True if all programs are over and the task is still open; a robot that rolls on may still do it. */
     isOver: computed(() => state.value === 'open' && run.hasEnded.value),
     /** Time of the decision, in s. */
     seconds: computed(() => numberText((verdict.value.atMs ?? 0) / 1000, shownLanguage(), 1)),

@@ -60,8 +60,8 @@ export function secondsLeft(seconds: number | null, timeUs: number): number | nu
 }
 
 /**
- * Place of the cause of a verdict, in world mm; `null` if nothing is known of it. A touch is shown where the robot was:
- * on a wall and on the edge at the nearest point, otherwise in the middle.
+ * Place of the cause of a failed verdict or of a zone reached too early, in world mm; `null` if there is none to show.
+ * On a wall and on the arena's edge it is the point nearest to the robot, on any other thing its middle.
  */
 export function placeToShow({ objects, size }: Pick<Scene, 'objects' | 'size'>, verdict: Verdict): Vec | null {
   const { state, reason, by, place, early } = verdict;

@@ -5,7 +5,7 @@ import type { Stop } from '#core/stop';
 /** Time for which a place is pointed out, in ms. */
 const FLASH_MS = 2600;
 
-/** Rings that converge on a place, three times; a still ring for users who prefer less motion. */
+/** One pulse of the ring, which converges on the place; users who prefer less motion see a still ring. */
 const PULSE: Keyframe[] = [
   { transform: 'translate(-50%, -50%) scale(2.4)', opacity: 0 },
   { transform: 'translate(-50%, -50%) scale(1)', opacity: 1, offset: 0.45 },

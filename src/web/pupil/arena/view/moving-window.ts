@@ -88,8 +88,8 @@ function windowSide(needed: number, canvasSide: number, before: number, mayShrin
 const PATIENCE = 30;
 
 /**
- * A window that shrinks late: who jumps through time sees a long cone and a short one in turn, and a canvas that changes
- * its size each time costs more than all that is painted on it.
+ * A window that shrinks late: while somebody jumps through time, a long cone and a short one take turns, and a canvas
+ * that changes its size each time costs more than all that is painted on it.
  */
 export function patientWindow(): typeof movingWindow {
   let tooLarge = 0;

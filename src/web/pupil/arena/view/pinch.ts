@@ -10,9 +10,9 @@ export interface PicturePorts {
 const LEAST_SPREAD_PX = 10;
 
 /**
- * A pointer that moves the picture has gone on: alone it pans, beside another one it pinches.
+ * Moves the picture by a pointer that has moved: alone it pans, beside another one it pinches.
  *
- * @param other where the second pointer is, if there is one; all places in CSS px
+ * @param other place of the second pointer, if there is one; all places in CSS px
  */
 export function movePicture({ pan, zoom }: PicturePorts, before: Vec, at: Vec, other: Vec | undefined): void {
   const [dx, dy] = [at.x - before.x, at.y - before.y];

@@ -32,7 +32,7 @@ export interface ArenaView {
   readonly percent: ComputedRef<number>;
   /** Zooms around a place in CSS px, by default the middle. */
   zoomBy(factor: number, aroundPx?: Vec): void;
-  /** Moves the picture by hand. */
+  /** Moves the picture by hand; does nothing while the whole arena is shown. */
   panBy(byPx: Vec): void;
   /** Shows the whole arena. */
   fit(): void;

@@ -5,7 +5,7 @@ import { toPx } from './view-transform';
 
 /** After a rest the first step is as long as that of one frame, in ms. */
 const FRAME_MS = 16;
-/** A page that was out of sight does not jump, in ms. */
+/** Longest step, in ms: after a page was out of sight the picture must not jump. */
 const LONGEST_MS = 100;
 
 /** Zoom when following begins: with the whole arena in sight there is nothing to follow. Chosen by eye. */

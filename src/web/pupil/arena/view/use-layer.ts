@@ -47,7 +47,7 @@ interface Put {
   at: string;
 }
 
-/** Writing and even reading its style costs where nothing changes. */
+/** Puts a canvas at its place if that has changed: writing and even reading its style is slow. */
 function put(on: Put, { left, top, width, height }: PxBox, ratio: number): void {
   const at = [left, top, width, height, ratio].join();
   if (at === on.at) return;

@@ -28,7 +28,7 @@ export function toMm(view: View, at: Vec): Vec {
   return { x: (at.x - view.leftPx) / view.pxPerMm, y: (view.bottomPx - at.y) / view.pxPerMm };
 }
 
-/** Room for the rulers and the floor's shadow; less where space is short. */
+/** Room for the rulers and the floor's shadow, in px; less on a narrow canvas. */
 export function marginsPx(canvas: CanvasSize): { left: number; right: number; top: number; bottom: number } {
   const narrow = canvas.widthPx < 480; // chosen: a phone held upright
   return narrow ? { left: 30, right: 14, top: 12, bottom: 28 } : { left: 42, right: 26, top: 18, bottom: 36 };
@@ -93,8 +93,8 @@ export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, aft
 }
 
 /**
- * The view in which a place is to be seen: the same when it shows already, else with the place in its middle; zoomed out
- * for a place outside of the arena.
+ * The view in which a place is to be seen: the same when it shows already, else with the place in its middle; zoomed
+ * out for a place outside of the arena.
  */
 export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasSize): View {
   const px = toPx(view, at);

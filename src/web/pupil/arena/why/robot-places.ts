@@ -17,8 +17,7 @@ export interface DrawnRobot {
 }
 
 /**
- * Finds the part of a robot at a place: the light or wheel within reach, the nearest of several, its display, else the
- * robot.
+ * Finds the part of a robot at a place: the nearest light, wheel or display within reach, else the robot.
  *
  * @param reachMm distance that counts as on it
  * @returns `null`: the robot is elsewhere

@@ -8,7 +8,7 @@ export interface BoardDrawing {
   readonly face: Component;
 }
 
-/** How often the request for a drawing is repeated when the network fails, and after how many ms. */
+/** Most requests for a drawing when the network fails, and the time before the next one, in ms. */
 const TRIES = 4;
 const RETRY_MS = 1500; // chosen: a wireless network in a classroom comes back after a second or two
 

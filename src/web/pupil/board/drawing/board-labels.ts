@@ -11,16 +11,16 @@ export interface BoardLabels extends Readonly<Record<BoardKey, string>> {
   readonly both: string;
   /** The 5 × 5 lights; their levels are added row by row. */
   readonly display: string;
-  /** The light that says that the microphone listens. */
+  /** The light that shows that the microphone listens. */
   readonly microphone: string;
   /** The coloured lights of the board; their levels are added. */
   readonly rgb: string;
   /** The motor outputs; names and percentages are added. */
   readonly motors: string;
-  /** That the loudspeaker plays. */
+  /** The loudspeaker while it plays. */
   readonly speaker: string;
-  /** That the board sleeps. */
+  /** Added while the board sleeps. */
   readonly asleep: string;
-  /** That the board has switched itself off. */
+  /** Added once the board has switched itself off. */
   readonly off: string;
 }

@@ -1,7 +1,7 @@
 /**
- * The places of the Calliope mini 3's parts in our drawing, in units of a star whose tips are 100 from its middle at
- * 130, 122. What is where follows the device (calliope-edu/micropython-simulator, src/CM_V3_Platine_plain.svg); places
- * and sizes are ours, so that fingers find them.
+ * The places of the Calliope mini 3's parts in our drawing, in units in which the rings at the star's tips are 100 from
+ * its middle at 130, 122. The arrangement follows the device (calliope-edu/micropython-simulator,
+ * src/CM_V3_Platine_plain.svg); places and sizes are ours, so that fingers find them.
  */
 
 /** The outline: six tips of a soft star. */

@@ -26,7 +26,7 @@ export const CONTACTS = [42.5, 94.5, 146.5, 198.5].flatMap((start) => [0, 1, 2, 
 
 /**
  * The pads that feel a finger, and the upper left corner of what takes it: that of pin 0 begins beyond the edge, and
- * those of 0 and 1 are shifted to the left, so that none covers another pad.
+ * those of 1 and 2 are shifted to the right, so that none covers another.
  */
 export const PINS = [
   { key: 'pin0', x: 26, y: 185, hitX: -14, hitY: 158 },

@@ -28,22 +28,22 @@ export class Presses {
 
   constructor(private readonly listener: PressListener) {}
 
-  /** True if anyone holds this key. */
+  /** True if any holder holds this key. */
   isDown(key: BoardKey): boolean {
     return [...this.holds.values()].some((keys) => keys.includes(key));
   }
 
-  /** Someone takes these keys, instead of those it held before. */
+  /** A holder presses these keys, instead of those it held before. */
   hold(holder: string, keys: readonly BoardKey[]): void {
     this.change(() => this.holds.set(holder, keys));
   }
 
-  /** Someone lets go of what it holds. Nothing happens when it holds nothing. */
+  /** A holder releases all its keys. Nothing happens if it holds none. */
   letGo(holder: string): void {
     this.change(() => this.holds.delete(holder));
   }
 
-  /** All let go: the window has lost the keyboard, or the board goes away. */
+  /** All keys are released: the window has lost the keyboard, or the board goes away. */
   letGoAll(): void {
     this.change(() => this.holds.clear());
   }

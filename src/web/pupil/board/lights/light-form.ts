@@ -1,6 +1,9 @@
 import { usualForm, type LightForm, type LightPlace, type LightWish } from '../../../session/work/settings/light-wish';
 
-/** The form of a chain of this many lights: as chosen, otherwise the usual one. Without a robot none lies on it. */
+/**
+ * Form and place of a chain of this many lights: as chosen, otherwise the usual form beside the board. Without a robot
+ * none lies on it.
+ */
 export function shownAs(
   count: number,
   wish: LightWish | undefined,
@@ -50,14 +53,14 @@ function ring(count: number): LightLayout {
   return { form: 'ring', places, halfWidth: radius + 0.6, halfHeight: radius + 0.6, radius };
 }
 
-/** Chosen: short sticks have 8 lights or up to 10; longer strips are wrapped so that they stay wider than high. */
+/** Chosen: short sticks have 8 lights or up to 10; longer strips are wrapped. */
 function stripColumns(count: number): number {
   if (count <= 10) return Math.max(1, count);
   if (count % 8 === 0 && count <= 64) return 8;
   return count <= 100 ? 10 : count <= 400 ? 20 : 32;
 }
 
-/** The two factors nearest to each other, the larger one across. More than 3 : 1 is not a matrix: then 8 across. */
+/** The two factors nearest to each other, the larger one across. More than 4 : 1 is not a matrix: then 8 across. */
 function matrixColumns(count: number): number {
   let height = Math.max(1, Math.floor(Math.sqrt(count)));
   while (count % height !== 0) height -= 1;

@@ -13,7 +13,7 @@ export interface SensorValues {
   number(id: string): number;
   set(id: string, value: number): void;
   reset(): void;
-  /** Something was set by hand. */
+  /** True if a value was set by hand. */
   readonly isChanged: ComputedRef<boolean>;
 }
 

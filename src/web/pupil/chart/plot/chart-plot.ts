@@ -26,7 +26,7 @@ const AT_RIGHT = { side: 1, grid: { show: false } };
 const BELOW = 24;
 const BESIDE = 52;
 
-/** The curves on a canvas, with the place of a time over them. */
+/** Draws curves on a canvas and marks a time over them. */
 export class ChartPlot {
   private plot: uPlot | null = null;
   private curves: readonly Curve[] = [];
@@ -44,7 +44,7 @@ export class ChartPlot {
     this.line.className = 'at-line';
   }
 
-  /** Draws curves over a stretch. Their units are two at most: the first at the left, the other at the right. */
+  /** Draws curves over a stretch. They have two units at most: the first at the left, the other at the right. */
   draw(curves: readonly Curve[], span: Span): void {
     const [widthPx, heightPx] = [this.host.clientWidth, this.host.clientHeight];
     if (widthPx < 60 || heightPx < 40) return;
@@ -77,7 +77,9 @@ export class ChartPlot {
     this.placeMarks();
   }
 
-  /** The value across at a place of the window. */
+  /**
+   * The value on the horizontal axis at a place of the window, kept within the plot; `null` before anything is drawn.
+   */
   acrossAt(clientX: number): number | null {
     if (this.plot === null) return null;
     const box = this.plot.over.getBoundingClientRect();

@@ -1,4 +1,7 @@
-/** How the curves are told apart: by colour, dashes and the shape of their points, in the order in which they are chosen. */
+/**
+ * The look of a curve: colour, dashes and the shape of its points tell it apart. Given in the order in which curves are
+ * chosen.
+ */
 export interface Look {
   /** The custom property of its colour: `chart.css`. */
   readonly colour: string;
@@ -15,7 +18,7 @@ export const looks: readonly Look[] = [
   { colour: '--curve-4', dash: [12, 4, 2.5, 4], point: 'M0-5L4.8 3.6H-4.8Z' },
 ];
 
-/** More curves than these nobody tells apart. */
+/** Most curves that are drawn at once: more could not be told apart. */
 export const MOST_CURVES = looks.length;
 
 export const lookAt = (place: number): Look => looks[place % looks.length] ?? (looks[0] as Look);

@@ -5,15 +5,15 @@ export interface PlotActs {
   /** The stretch that is shown, and the whole. */
   span(): Span;
   whole(): Span;
-  /** The value across at a place of the window. */
+  /** The value on the horizontal axis at a place of the window; `null`: there is none. */
   acrossAt(clientX: number): number | null;
   /** Shows another stretch; `null`: the whole. */
   zoom(span: Span | null): void;
-  /** A place was chosen. */
+  /** Chooses a place. */
   seek(across: number): void;
-  /** A place is pointed at; `null`: no longer. */
+  /** Notes the place that is pointed at; `null`: none any more. */
   hover(across: number | null): void;
-  /** A stretch is being drawn up, in px of the area; `null`: no longer. */
+  /** Shows the stretch that is being selected, in px of the area; `null`: none any more. */
   select(px: Span | null): void;
 }
 
@@ -21,8 +21,8 @@ export interface PlotActs {
 const DRAG_PX = 6;
 
 /**
- * A mouse chooses a time by a click and a stretch by a drag; a finger takes the time along, two fingers spread and move the
- * stretch; the wheel shows more or less.
+ * A mouse chooses a time by a click and a stretch by a drag; a finger takes the time along, two fingers spread and move
+ * the stretch; the wheel shows more or less.
  */
 export class PlotPointers {
   private readonly down = new Map<number, { readonly startX: number; clientX: number }>();

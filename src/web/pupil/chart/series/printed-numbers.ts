@@ -19,8 +19,9 @@ const UNIT =
   /\s?(?:°C|°|%|cm\/s|mm\/s|m\/s|mm|cm|ms|us|µs|mV|Hz|mg|nT|uT|µT|grad|deg|[msVg](?!\s+[-+.\d]))(?![\p{L}\p{N}_])(?!\s*[:=])/uy;
 
 /**
- * The numbers of a line that is meant to be plotted, or `null` for any other: as Mu takes them, `(1, 2)`, as MakeCode does,
- * `name:value`, and as pupils print them, `distance 23 cm` or `left 1 right 0`. A line of prose has words that are no names.
+ * The numbers of a line that is meant to be plotted, or `null` for any other: as Mu takes them, `(1, 2)`, as MakeCode
+ * does, `name:value`, and as pupils print them, `distance 23 cm` or `left 1 right 0`. In a line of prose a word is
+ * followed by another one, not by a number.
  */
 export function printedNumbers(line: string): readonly Printed[] | null {
   const text = line.trim();

@@ -11,7 +11,10 @@ interface Curve {
   readonly values: number[];
 }
 
-/** The numbers that the program of a device prints, a curve for each name; those without a name by their place in the line. */
+/**
+ * The numbers that the program of a device prints, a curve for each name; those without a name by their place in the
+ * line.
+ */
 export class PrintedSource implements SeriesSource {
   private readonly curves = new Map<string, Curve>();
   private line = '';
@@ -20,7 +23,7 @@ export class PrintedSource implements SeriesSource {
 
   /**
    * @param printed what was printed so far
-   * @param unnamed what a number without a name is called; `place` is 0 where it stands alone, else from 1
+   * @param unnamed gives the name of a number without one; `place` is 0 where it stands alone, else from 1
    */
   constructor(
     readonly title: () => string,

@@ -10,9 +10,9 @@ import type { Series } from './series';
 export interface Reading extends Series {
   /** Its paths in a device's snapshot. */
   readonly paths: readonly (readonly Key[])[];
-  /** Its value, of what stands there. */
+  /** Its value, from the leaves at its paths; `null`: it has none. */
   value(leaves: readonly (Leaf | undefined)[]): number | null;
-  /** The curve is how fast that grows, in a second. */
+  /** True if the curve shows how fast the value grows, per second. */
   readonly isRate: boolean;
 }
 
@@ -27,7 +27,7 @@ const numberOf = (leaf: Leaf | undefined): number | null => {
   return typeof leaf === 'number' ? leaf : null;
 };
 
-/** A reading at one path, id and path being the same. */
+/** A reading at one path, which is its id, too; before that of a rate is `rate`. */
 function of(name: string, path: readonly Key[], { unit = '', times = 1, isRate = false }: More = {}): Reading {
   const value = ([leaf]: readonly (Leaf | undefined)[]): number | null => {
     const number = numberOf(leaf);
@@ -48,7 +48,7 @@ export function readingsOf(device: DeviceSnapshot, type: RobotType | undefined):
   return [...(type ? robotReadings(device, type) : []), ...boardReadings(device)];
 }
 
-/** Sensors with a side are called by it, others as on the robot: `L1`. */
+/** The name of a line sensor: its side in words, else its name on the robot, `L1`. */
 function sideName(name: string): string {
   if (name === 'left' || name === 'right') return t(`arena.${name}`);
   return name === 'middle' ? t(words.middle) : name;
@@ -95,7 +95,7 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
   ];
 }
 
-/** The brightest of its three colours. */
+/** A colour light, by the brightest of its three colours in per cent. */
 function colourLight(name: string, path: readonly Key[]): Reading {
   return {
     ...{ id: path.join('/'), name, unit: '%', isStepped: true, isRate: false },

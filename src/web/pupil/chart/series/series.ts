@@ -1,11 +1,11 @@
 /** A curve that can be chosen. */
 export interface Series {
-  /** Unlike those of all others, the same in every run. */
+  /** Unique, and the same in every run. */
   readonly id: string;
   readonly name: string;
-  /** Curves of one unit have one axis. Empty for a plain number. */
+  /** Curves of one unit share an axis. Empty for a plain number, `0/1` for on or off. */
   readonly unit: string;
-  /** It jumps from value to value, as something does that is on or off. */
+  /** True if it jumps from value to value, as something does that is on or off. */
   readonly isStepped: boolean;
 }
 
@@ -23,7 +23,11 @@ export interface SeriesSource {
   readonly title: () => string;
   /** The curves there are now. */
   list(): readonly Series[];
-  /** Takes in what has come since; only the chosen curves need points. @returns whether there is more to take in */
+  /**
+   * Takes in what has come since; only the chosen curves need points.
+   *
+   * @returns whether there is more to take in
+   */
   update(chosen: ReadonlySet<string>): boolean;
   /** The points of one of the chosen curves. */
   pointsOf(id: string): Points;

@@ -9,7 +9,7 @@ import { noPoints, type Points, type Series, type SeriesSource } from './series'
 export interface TapedRun {
   /** The pieces of its tape so far. */
   readonly pieces: readonly Uint8Array[];
-  /** The run now: what no piece has yet. */
+  /** The run now, which may be later than all pieces. */
   readonly present: Snapshot | null;
 }
 
@@ -20,10 +20,12 @@ interface Curve {
 
 /** Longest stretch in which pieces are read, in ms of wall time: half a frame. */
 const SLICE_MS = 8;
-/** A speed is measured over this stretch. Chosen: five moments of the tape; what is in whole 0.1 mm then has no steps. */
+/**
+ * A speed is measured over this stretch. Chosen: five moments of the tape; what is in whole 0.1 mm then has no steps.
+ */
 const RATE_OVER_S = 0.1;
 
-/** The run's measurements, from its tape, and the missing ones from the shown moment. */
+/** The run's measurements: from its tape, and those that are not on it yet from the present moment. */
 export class TapeSource implements SeriesSource {
   private told: Told = NOTHING_TOLD;
   private from: TapedRun['pieces'] | null = null;
@@ -66,7 +68,7 @@ export class TapeSource implements SeriesSource {
     return reading.isRate ? rateOf(points) : points;
   }
 
-  /** Other curves are wanted, or the tape has other pieces: they are read from the begin of the tape. */
+  /** Other curves are wanted, or the tape has other pieces: reads them from the beginning of the tape. */
   private restart(wanted: readonly Reading[]): void {
     this.told = NOTHING_TOLD;
     this.taken = 0;

@@ -21,7 +21,7 @@ import type { Words } from './words-on';
 /** Shows a description, or none. */
 const show = StateEffect.define<Description | null>();
 
-/** Long enough for a mouse that only passes by. */
+/** Rest of the mouse before a card opens, in ms: one that only passes by opens none. */
 const HOVER_MS = 350;
 
 /**

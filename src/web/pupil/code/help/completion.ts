@@ -108,7 +108,9 @@ function optionOf({ item, weight }: Offer, place: number, inImport: boolean, wor
 const CARD_PX = 360;
 const GAP_PX = 4;
 
-/** The card stands beside the list, on the side with more room; below (or above) it on narrow screens, never over it. */
+/**
+ * The card stands beside the list, on the side with more room; below (or above) it on narrow screens, never over it.
+ */
 function placeCard(_view: EditorView, list: Rect, option: Rect, info: Rect, space: Rect): { style: string } {
   const width = Math.min(info.right - info.left, CARD_PX);
   const right = space.right - list.right - 2 * GAP_PX;

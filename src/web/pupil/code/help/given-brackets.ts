@@ -23,7 +23,10 @@ const given = StateField.define<Given | null>({
   },
 });
 
-/** Writes `label()` in place of a word, the cursor between the brackets, or behind them when nothing belongs there. */
+/**
+ * Writes `label()` in place of a word, the cursor between the brackets, or behind them when nothing belongs there.
+ * Before a bracket only the label is written.
+ */
 export function insertCall(view: EditorView, label: string, from: number, to: number, hasParameters: boolean): void {
   const picked = pickedCompletion.of({ label });
   const start = from + label.length + 1;

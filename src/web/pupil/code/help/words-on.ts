@@ -28,7 +28,7 @@ export function captionOf(item: Item): string {
   return item.home === null ? kind : `${item.home} · ${kind}`;
 }
 
-/** The firmware's note on an item; empty if it has the item. */
+/** The note that the firmware lacks an item; empty if it has it. */
 export function missingText(item: Item): string {
   if (item.missing === null) return '';
   return t(item.missing === 'absent' ? helpWords.absent : helpWords.newer);

@@ -3,14 +3,16 @@ import { EditorView, type Command } from '@codemirror/view';
 
 /** A key of the row: what it writes, or what it does. */
 export interface Key {
-  /** Under which name its words stand. */
+  /** The name of its words. */
   readonly id: KeyId;
   /** The sign on it, which it writes; `null`: it does something else. */
   readonly sign: string | null;
   readonly press: Command;
 }
 
-/** Writes a sign as if it were typed: what watches over typing (brackets given, suggestions, indentation) takes part. */
+/**
+ * Writes a sign as if it were typed: what watches over typing (brackets given, suggestions, indentation) takes part.
+ */
 export function typeInto(view: EditorView, text: string): boolean {
   const { state } = view;
   const { from, to } = state.selection.main;

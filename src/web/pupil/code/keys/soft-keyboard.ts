@@ -2,8 +2,8 @@
 const LEAST_PX = 120;
 
 /**
- * Whether the soft keyboard is up, by how much of the window is left to see. `null` while nothing tells: no keyboard was
- * seen at this width, as with one on a cable or one that floats.
+ * Whether the soft keyboard is up, by how much of the window is left to see. `null` while it is unknown: no keyboard
+ * was seen at this width, as with one on a cable or one that floats.
  */
 export interface SoftKeyboard {
   /** Takes what is seen of the page now, in px. */

@@ -10,7 +10,7 @@ export interface KeyRowState {
 }
 
 /**
- * The keys are there while a finger's cursor is in the editor and the keyboard is up, or while nothing tells whether it
+ * The keys are there while a finger's cursor is in the editor and the keyboard is up, or while it is unknown whether it
  * is: never with a mouse.
  *
  * @param box the editor and the row of keys

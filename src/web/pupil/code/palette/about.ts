@@ -11,7 +11,7 @@ function offsetOf({ code, said }: PaletteCommand, imports: string): number {
 }
 
 /**
- * The reference's text on a command, up to its first full stop; empty if there is none.
+ * The reference's text on a command, up to its first full stop, colon or semicolon; empty if there is none.
  *
  * @param imports the lines that bring the names of the command
  */

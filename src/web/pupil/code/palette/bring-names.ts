@@ -38,6 +38,6 @@ export function bringNames(
   return { code: brought, imports: [...imports] };
 }
 
-/** A module's name in the program stands before what is the module's, or for the module itself. */
+/** The code with a name put after the name of its module in the program; for the module itself, that name. */
 const called = (code: string, name: string, alias: string, module: string): string =>
   code.replace(new RegExp(`(^|[^\\w.])${name}\\b`, 'g'), `$1${name === module ? alias : `${alias}.${name}`}`);

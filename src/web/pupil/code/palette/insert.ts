@@ -14,9 +14,9 @@ export interface Drop {
 }
 
 /**
- * A command on a line of its own: below the cursor's line, or where it was dropped; one step further in after a colon; in
- * an empty line, that line. Missing imports come along, and no command comes to stand above the imports. The first place
- * to type over is marked, Tab goes on to the next. All this is one step to undo.
+ * A command on a line of its own: below the cursor's line, or where it was dropped; one step further in after a colon;
+ * in an empty line, that line. Missing imports come along, and no command comes to stand above the imports. The first
+ * place to type over is marked, Tab goes on to the next. All this is one step to undo.
  */
 export function insertion(state: EditorState, { code, imports }: Brought, drop: Drop | null = null): TransactionSpec {
   let now = state;

@@ -30,7 +30,7 @@ export function adviceFor(failure: Failure, source: Source | null = null, table:
   return table === null ? advice : { ...advice, ...atTable(advice, table) };
 }
 
-/** Why no robot or chip answers, seen from what is plugged in. */
+/** The reason why no robot or chip answers, from what is plugged in; other advice is unchanged. */
 function atTable({ key, values }: Advice, { robot, fault }: OnTable): Pick<Advice, 'key' | 'values'> {
   const isRobot = key === 'error.noRobot';
   if (!isRobot && key !== 'error.noDevice') return { key, values };

@@ -6,7 +6,10 @@ import type { Advice, adviceFor as AdviceFor, ErrorReport } from './error-advice
 /** The knowledge about errors. It is fetched with the first run, not when the page opens. */
 const advice = arrival<typeof AdviceFor>();
 
-/** Fetches what explains errors, unless it is there. Never rejects: without a connection errors stay unexplained. */
+/**
+ * Fetches the code and words that explain errors, unless they are there. Never rejects: without a connection errors
+ * stay unexplained.
+ */
 export function fetchAdvice(): Promise<void> {
   return fetchOnce().catch(() => undefined); // the next error asks again
 }
@@ -16,8 +19,8 @@ const fetchOnce = fetchedOnce(async () => {
 });
 
 /**
- * The explanation of an exception for pupils (see `adviceFor`). Until that is fetched, only that there was one, in the
- * device's words. Read in templates, it is followed when more is known.
+ * The explanation of an exception for pupils (see `adviceFor`). Until that is fetched, only the device's words. A
+ * template that reads it is rendered again then.
  */
 export function explain({ failure, source, table }: ErrorReport): Advice {
   if (advice.value !== null) return advice.value(failure, source, table);

@@ -32,7 +32,10 @@ export function importLine(name: string, reference: Reference, { own, foreign }:
   return only !== undefined && others.length === 1 ? { module: only, code: `from ${only} import ${name}` } : null;
 }
 
-/** The program with an import more: below its others, or below its first comment and text, above all that it does. */
+/**
+ * The program with an import more: below its others, or below its first comment and text, above all that it does. An
+ * import of everything goes above imports of single names.
+ */
 export function withImport(program: PythonText, code: string): string {
   const { text } = program;
   const statements = childrenOf(program.tree.topNode).filter(({ name }) => name !== 'Comment');

@@ -31,7 +31,7 @@ export function lateAdvice(failure: Failure, source: Source, written: Written): 
 const unknownName = ({ type, message }: Failure): string | null =>
   type === 'NameError' ? (/^name '(\w+)' (?:isn't|is not) defined/.exec(message)?.[1] ?? null) : null;
 
-/** A name that a module has, or that the program has elsewhere. */
+/** Advice on a name that a module has, or that the program has elsewhere; `null`: none. */
 function nameLate(name: string, source: Source, written: Written): SyntaxAdvice | null {
   const program = readPython(source.text);
   const { bindings, root } = namesOf(program);
@@ -78,7 +78,7 @@ function renamed({ message }: Failure, meant: string, { text, line }: Source): S
 const CALL_REFUSED =
   /takes \d+ positional|missing \d+ required|missing required positional|argument required|expected at most \d+ arguments|extra (?:positional|keyword)|argument num/;
 
-/** A call with too many or too few values: what its function wants. */
+/** Advice on a call with too many or too few values: the parameters of its function. `null`: none. */
 function callAdvice({ type, message }: Failure, source: Source, written: Written): SyntaxAdvice | null {
   if (type !== 'TypeError' || !CALL_REFUSED.test(message)) return null; // prettier-ignore
   const named = /^(\w+)\(\)/.exec(message)?.[1] ?? null;
@@ -103,7 +103,7 @@ function callAdvice({ type, message }: Failure, source: Source, written: Written
     : { key: 'error.wantsThis', values: { code: `${name}(${wanted.join(', ')})` } };
 }
 
-/** A call of a function with one known signature. */
+/** A call of a function with one known signature; `null` for any other. */
 function knownCall(program: PythonText, reader: Reader, call: SyntaxNode) {
   const callee = call.firstChild;
   if (callee === null) return null;

@@ -3,10 +3,12 @@ import type { OnTable } from '../../../session/work/hardware/misplugged';
 import type { ErrorReport, Failure } from '../advice/error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
-/** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
+/**
+ * A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program.
+ */
 export type TextTone = 'plain' | 'error' | 'quiet';
 
-/** One thing in the console, oldest first. `id` is stable while it is shown. */
+/** One thing in the console. `id` is stable while it is shown. */
 export type ConsoleEntry =
   | { readonly id: number; readonly kind: 'run'; readonly number: number }
   | {
@@ -74,12 +76,14 @@ export class ConsoleLog {
     return this.kept;
   }
 
-  /** Older output has been dropped. */
+  /** True if older output has been dropped. */
   get isCut(): boolean {
     return this.cut;
   }
 
-  /** Adds output of the program as a terminal shows it: line editing changes the last line, over-long lines are broken. */
+  /**
+   * Adds output of the program as a terminal shows it: line editing changes the last line, over-long lines are broken.
+   */
   write(text: string): void {
     let entries = this.kept.slice();
     for (const piece of this.reader.read(text)) {
@@ -118,7 +122,7 @@ export class ConsoleLog {
     this.forget();
   }
 
-  /** All text that is kept, as the program wrote it. */
+  /** All output that is kept, as the console shows it. */
   toText(): string {
     return this.kept.map((entry) => (entry.kind === 'text' ? entry.text : '')).join('');
   }

@@ -4,8 +4,8 @@ import type { ConsoleEntry } from './console-log';
 const GREETING = /^MicroPython v[^\n]*\nType "help\(\)" for more information\.\n(?:>>> )?/;
 
 /**
- * The entries that the console shows: without the greeting with which the REPL follows each program, until somebody goes to the
- * REPL of that run. Only the picture is shorter: the log keeps all that the device sent.
+ * The entries that the console shows: without the greeting with which the REPL follows each program, until somebody
+ * goes to the REPL of that run. Only the picture is shorter: the log keeps all that the device sent.
  *
  * @param visited numbers of the runs at whose REPL somebody was
  * @param current number of the last run: entries whose heading is gone are its

@@ -4,7 +4,7 @@ const LINES = 50; // chosen: more than anyone goes back
 /** The lines that were sent, to be called up again with the arrow keys; what was being typed comes back at the end. */
 export class InputHistory {
   private lines: readonly string[] = [];
-  /** Which line is shown; `lines.length`: what is being typed. */
+  /** Index of the shown line; `lines.length`: the one that is being typed. */
   private place = 0;
   private draft = '';
 

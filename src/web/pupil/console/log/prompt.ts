@@ -1,6 +1,8 @@
 import type { ConsoleEntry } from './console-log';
 
-/** MicroPython's prompts (shared/runtime/pyexec.c) that a field for lines shows: the next line of a block, or a new one. */
+/**
+ * MicroPython's prompts (shared/runtime/pyexec.c) that a field for lines shows: the next line of a block, or a new one.
+ */
 export type Prompt = '>>>' | '...';
 
 /** The prompt at which the REPL waits, by the last line it wrote. */

@@ -44,7 +44,7 @@ export class SharedLines {
     }
   }
 
-  /** Lets the page see what has come since. A line that has not ended yet is not shown. */
+  /** Shows the page the lines that have come since. A line that has not ended yet is not shown. */
   show(): void {
     if (!this.hasNew) return;
     this.hasNew = false;

@@ -17,8 +17,9 @@ const CONTROL = /[\x00-\x08\x0b-\x1f\x7f]/;
 const ESCAPE = /^\x1b(?:\[([0-9;?]*)([@-~])|[^[])/;
 
 /**
- * Reads the text of a serial line as a terminal does: carriage return, backspace, and the escape sequences of VT100 with which
- * MicroPython's line editor moves and erases (micropython, shared/readline/readline.c). Colours and the like are left out.
+ * Reads the text of a serial line as a terminal does: carriage return, backspace, and the escape sequences of VT100
+ * with which MicroPython's line editor moves and erases (micropython, shared/readline/readline.c). Colours and the like
+ * are left out.
  */
 export class TerminalReader {
   private rest = '';

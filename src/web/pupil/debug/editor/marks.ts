@@ -13,7 +13,7 @@ import { showTapped, values } from './values';
 
 /** The lines with break points, counted from 1. */
 const setPoints = StateEffect.define<readonly number[]>();
-/** The line where the program stands, counted from 1; `null`: it stands in none of this file. */
+/** The line where the program is halted, counted from 1; `null`: none of this file. */
 const setStanding = StateEffect.define<number | null>();
 
 class PointMark extends GutterMarker {
@@ -134,7 +134,7 @@ const look = EditorView.theme({
  * The debugger's marks in an editor.
  *
  * @param onMove hears the break points' lines whenever an edit has moved some
- * @param valueOf the value of a name while the program stands
+ * @param valueOf the value of a name while the program is halted
  */
 export const stopMarks = (
   onMove: (lines: readonly number[]) => void,
@@ -159,7 +159,10 @@ export function pointLines(state: EditorState): readonly number[] {
   return marks === undefined ? [] : linesOf(marks, state.doc);
 }
 
-/** Shortest time between two changes of the marks, in ms: who drags through time sees no more lines, and each costs. */
+/**
+ * Shortest time between two changes of the marks, in ms: nobody sees more lines while dragging through time, and each
+ * costs.
+ */
 const CALM_MS = 200;
 
 /** Shows marks of an editor, five times a second at most; the last ones always. */
@@ -199,7 +202,7 @@ type Marks = [lines: readonly number[], line: number | null, isNew?: boolean];
 /**
  * Shows break points and where the program stands.
  *
- * @param isNew the program has come to stand there: the line is brought into view
+ * @param isNew true if the program has just been halted there: the line is brought into view
  */
 export function showStops(view: EditorView, lines: readonly number[], line: number | null, isNew = true): void {
   const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];

@@ -30,7 +30,7 @@ const tapped = StateField.define<Tooltip | null>({
 /**
  * Shows the value of the name that the mouse points at or a finger taps.
  *
- * @param valueOf `null`: nothing is known by that name now
+ * @param valueOf the value of a name; `null`: it has none now
  */
 export function values(valueOf: (name: string) => Shown | null): Extension {
   let isFinger = false;

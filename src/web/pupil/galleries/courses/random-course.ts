@@ -13,7 +13,7 @@ import {
 } from '../../../session/work/catalogue/random-wish';
 import courseGalleryWords from '../words/courses';
 
-/** Whose programs a random course is opened and solved with: ids of ready courses. */
+/** Ids of the ready courses whose programs a random course is opened and solved with. */
 const models: Readonly<Record<RandomKind, string>> = { maze: 'large-maze', track: 's-bends' };
 
 /** Chosen: small ones fit beside the program on a tablet; in large ones a robot drives for minutes. */
@@ -33,7 +33,7 @@ const levels: Readonly<Record<RandomKind, Readonly<Record<RandomSize, CourseLeve
  * The course that a number stands for.
  *
  * @param language of its name and description, which go into the file
- * @param courses the ready courses: some of them supply its programs
+ * @param courses the ready courses: one of them supplies its programs
  */
 export function randomCourse(wish: RandomWish, language: Language, courses: readonly Course[]): Course {
   const { kind, size } = wish;

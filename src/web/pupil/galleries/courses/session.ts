@@ -6,9 +6,9 @@ import { newSeed, type RandomKind, type RandomWish } from '../../../session/work
 
 export type Filter = CourseKind | 'all' | 'random';
 
-/** How the gallery was left, as long as the page is open. */
+/** The state in which the gallery was left, as long as the page is open. */
 export const gallerySession = lateModel(() => ({
-  /** Which courses it shows. */
+  /** The courses it shows. */
   filter: shallowRef<Filter>('all'),
   /** The random course of each kind that was last looked at, so that coming back shows the same one. */
   lastRandom: shallowRef<Readonly<Record<RandomKind, RandomWish>>>({

@@ -9,7 +9,7 @@ import { useLayout } from '../../../session/layout/parts';
 import { useCourses } from '../../../session/work/use-courses';
 import { solved, type Course } from '#catalogue/course';
 
-/** Name of the robot that a course and its program are made for. */
+/** Name of the robot that a course and its solution are made for; empty if there is none. */
 export function robotName({ scene, solution }: Course): string {
   const imports = new Set(importedModules(solution.en));
   const hardware = chooseHardware({ scene, imports, robot: AUTO, board: AUTO });
@@ -30,7 +30,7 @@ export function useCourseOpening() {
     openSolved(course: Course): void {
       if (!app.work.locks.refuses('solution')) open(solved(course), true);
     },
-    /** It is the one in the arena, changed or not. */
+    /** True if it is the one in the arena, changed or not; false for a random course. */
     isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,
   };
 }

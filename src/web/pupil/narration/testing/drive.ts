@@ -76,7 +76,7 @@ export const courseWith = (...objects: readonly SceneObject[]): Scene => ({ ...d
 
 /**
  * The announcements of a drive: `[ms, differences from the start]` one after the other, each holding until the next.
- * The sentences have their time: `2000 Wand 12 cm voraus.`
+ * Each sentence begins with its time in ms: `2000 Wand 12 cm voraus.`
  */
 export function told(
   scene: Scene,

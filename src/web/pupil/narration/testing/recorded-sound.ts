@@ -1,15 +1,15 @@
 import type { SoundOutput } from '../../../session/run/sound/sound-player';
 
-/** A sound system that plays nothing and writes down what it is asked for. */
+/** A sound system that plays nothing and records the requests. */
 export interface RecordedSound {
   readonly output: SoundOutput;
-  /** The sounds started and stopped: `beep 700`, `line 327 at 0`, `line ends`. */
+  /** The sounds started, changed and stopped: `beep 700`, `line 327`, `pan 0`, `line ends`. */
   readonly heard: string[];
-  /** The time of the sound system goes on. */
+  /** Advances the time of the sound system, in s. */
   readonly pass: (s: number) => void;
 }
 
-/** Node and Happy DOM have no Web Audio. */
+/** Makes a recorded sound system, as Node and Happy DOM have no Web Audio. */
 export function recordedSound(): RecordedSound {
   const heard: string[] = [];
   const clock = { currentTime: 0 };
