@@ -7,8 +7,8 @@ import { useDebug } from '../debug/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 
 /**
- * Break points beside the line numbers, and the line where the program stands. A press on a number sets one, F9 at the
- * cursor; the code for them is loaded with the first.
+ * Break points beside the line numbers, and the line where the program is halted. A press on a number sets one, F9 at
+ * the cursor; the code for them is loaded with the first.
  *
  * @returns the column of line numbers for a file, and a function to call when another file is shown
  */

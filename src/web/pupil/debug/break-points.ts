@@ -6,7 +6,7 @@ const KEY = 'parcours.break-points';
 /** Lines by the file that they are in, as `fileKey` names it. */
 export type LinesByFile = Readonly<Record<string, readonly number[]>>;
 
-/** The break points of the work that is open; the browser's tab keeps them. */
+/** The break points of the work that is open, stored for the browser's tab. */
 export class BreakPoints {
   readonly lines: ShallowRef<LinesByFile>;
 

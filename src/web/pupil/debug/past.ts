@@ -32,7 +32,7 @@ export class Past {
   /** Number of steps and jumps that are under way. */
   private goings = 0;
 
-  /** @param tell hears the variables of the moment that is shown */
+  /** @param tell called with the variables of the moment that is shown */
   constructor(
     private readonly app: PastParts,
     private readonly tell: (device: number, variables: Variables) => void,

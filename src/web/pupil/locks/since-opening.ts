@@ -10,7 +10,7 @@ import words from './words';
 import { mainText } from './main-text';
 
 /**
- * Takes back what a task locks and what was changed all the same, before the locks came.
+ * Takes back changes of what a task locks that were made before its locks were loaded.
  *
  * @param opened the project with which it was opened
  */

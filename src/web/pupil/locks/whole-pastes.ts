@@ -32,7 +32,7 @@ function pastedIn(done: Transaction): string {
   return texts.join('\n').trim();
 }
 
-/** More than half of what is written, and some lines of it. */
+/** True if a text is more than half of the program and has enough lines. */
 function isMost(text: string, program: string): boolean {
   const lines = text.split('\n').filter((line) => line.trim() !== '').length;
   const written = (of: string): number => of.replaceAll(/\s/g, '').length;

@@ -107,7 +107,7 @@ const unpackingOf = (of: Recording): Unpacked => ({
 function useRows(run: RunModel, onOthers: () => void) {
   let next = unpackingOf(run.recording.value);
   let shown = next;
-  /** Counts what has come, so that a rest can tell that it was for something older. */
+  /** Counts the calls of `unpack`: after a rest an older one finds that a newer one has begun. */
   let turn = 0;
   const endUs = shallowRef(run.nowUs.value);
   const marks = shallowRef<readonly Mark[]>([]);

@@ -88,14 +88,14 @@ export function edgeNear(at: Vec, { size: [width, height] }: Scene): Near {
   return { what: 'edge', id: null, atMm, mm: mmTo(atMm) };
 }
 
-/** The place of several outlines, or of what is inside them, that is nearest. */
+/** The nearest place on or inside several convex outlines. */
 export function nearestOnParts(parts: readonly Outline[], at: Vec): Vec {
   const places = parts.map((part) => nearestOn(part, at));
   const mmTo = (to: Vec): number => lengthOf(to.x - at.x, to.y - at.y);
   return places.reduce((nearest, one) => (mmTo(one) < mmTo(nearest) ? one : nearest));
 }
 
-/** The place of a convex outline, or of what is inside it, that is nearest. */
+/** The nearest place on or inside a convex outline. */
 export function nearestOn(outline: Outline, at: Vec): Vec {
   return isInside(outline, at) ? at : nearestOfLine([...outline, ...outline.slice(0, 1)], at);
 }

@@ -35,7 +35,7 @@ const aside = (view: View, [x, y]: readonly [number, number]): View => ({
   bottomPx: view.bottomPx + y,
 });
 
-/** Draws what lies somewhere now: its shadow, then itself. */
+/** Draws a thing at a pose: its shadow, then itself. */
 export function drawBody(
   context: CanvasRenderingContext2D,
   view: View,
@@ -62,7 +62,7 @@ export function drawMovableBlock(
   drawBody(context, view, { ...block.pose, held }, movableOutline(block), shapes);
 }
 
-/** Draws what stands where it starts: its shadow, then itself. */
+/** Draws a thing that is still at its start: its shadow, then itself. */
 export function drawStanding<O extends SceneObject>(
   context: CanvasRenderingContext2D,
   view: View,

@@ -37,8 +37,8 @@ export interface RulerLabel {
 const GAP_PX = 6;
 
 /**
- * The numbers of a ruler that are to be seen between `from` and `to` (px along it), in the order of the ticks. The last
- * one carries the unit. Numbers are pushed in from the ends rather than cut off, and what would then touch is left out.
+ * The visible numbers of a ruler between `from` and `to` (px along it), in the order of the ticks. The last one carries
+ * the unit. Numbers are pushed in from the ends rather than cut off, and what would then touch is left out.
  */
 export function rulerLabels(
   ticks: readonly Tick[],

@@ -72,7 +72,7 @@ function drawLines(
   for (const object of objects) if (object.type === 'stroke') drawStroke(context, view, object, palette);
 }
 
-/** Draws words and ways on the floor, then what stands and stays: walls, fixed blocks, spikes. */
+/** Draws words and ways on the floor, then what stands on it and never moves: walls, fixed blocks, spikes. */
 function drawWhatStands(
   context: CanvasRenderingContext2D,
   view: View,

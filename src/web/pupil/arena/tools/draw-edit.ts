@@ -16,7 +16,7 @@ import { toolSigns } from './tool-cursors';
 import type { Ink } from './gesture';
 import { toPx, type View } from '../view/view-transform';
 
-/** Everything that is to be seen of the editor over the arena at one moment. */
+/** The picture of the editor over the arena at one moment. */
 export interface EditPicture {
   /** Objects as they would be. */
   readonly ghost: readonly SceneObject[];

@@ -93,8 +93,8 @@ export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, aft
 }
 
 /**
- * The view in which a place is to be seen: the same when it shows already, else with the place in its middle; zoomed
- * out for a place outside of the arena.
+ * The view in which a place is visible: the same if it is already, else with the place in its middle; zoomed out for a
+ * place outside of the arena.
  */
 export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasSize): View {
   const px = toPx(view, at);

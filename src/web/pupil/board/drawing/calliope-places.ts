@@ -11,13 +11,13 @@ export const STAR =
 /** Side of the square around each key that takes the finger: 44 px on a board 180 px wide. */
 export const HIT = 62;
 
-/** The two buttons, by the middle of their caps, and the upper left corner of what takes the finger. */
+/** The two buttons, by the middle of their caps, and the upper left corner of the square that takes the finger. */
 export const BUTTONS = [
   { key: 'a', letter: 'A', x: 69, y: 122, hitX: 48, hitY: 91, color: '#1f6fd1', edge: '#0f3f7c' },
   { key: 'b', letter: 'B', x: 191, y: 122, hitX: 150, hitY: 91, color: '#d23c35', edge: '#7c1b17' },
 ] as const;
 
-/** The pad that stands for the touch logo, and the upper left corner of what takes the finger. */
+/** The pad in place of the touch logo, and the upper left corner of the square that takes the finger. */
 export const LOGO = { key: 'pinLogo', x: 130, y: 58, hitX: 99, hitY: 15 } as const;
 
 /** The rings at the tips that only bring power. */
@@ -26,7 +26,9 @@ export const POWER_RINGS = [
   { name: '+', x: 180.2, y: 35, textX: 167, textY: 58 },
 ] as const;
 
-/** The rings that feel a finger, where their name is, and the upper left corner of what takes the finger. */
+/**
+ * The rings that feel a finger, the place of their name, and the upper left corner of the square that takes the finger.
+ */
 export const PINS = [
   { key: 'pin0', name: 'P0', x: 29.6, y: 122, textX: 46, textY: 152, hitX: -14, hitY: 91 },
   { key: 'pin1', name: 'P1', x: 79.8, y: 209, textX: 105, textY: 204, hitX: 49, hitY: 176 },

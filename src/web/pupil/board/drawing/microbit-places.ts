@@ -3,13 +3,13 @@
 /** Side of the square around each key that takes the finger: 44 px on a board 180 px wide. */
 export const HIT = 64;
 
-/** The two buttons, by the middle of their caps, and the upper left corner of what takes the finger. */
+/** The two buttons, by the middle of their caps, and the upper left corner of the square that takes the finger. */
 export const BUTTONS = [
   { key: 'a', letter: 'A', x: 36, y: 107, hitX: 4, hitY: 88 },
   { key: 'b', letter: 'B', x: 224, y: 107, hitX: 192, hitY: 88 },
 ] as const;
 
-/** The touch logo, and the upper left corner of what takes the finger. */
+/** The touch logo, and the upper left corner of the square that takes the finger. */
 export const LOGO = { key: 'pinLogo', x: 130, y: 31, hitX: 98, hitY: -6 } as const;
 
 /** The large pads of the edge connector. */
@@ -25,8 +25,8 @@ export const PADS = [
 export const CONTACTS = [42.5, 94.5, 146.5, 198.5].flatMap((start) => [0, 1, 2, 3, 4, 5].map((i) => start + i * 2.75));
 
 /**
- * The pads that feel a finger, and the upper left corner of what takes it: that of pin 0 begins beyond the edge, and
- * those of 1 and 2 are shifted to the right, so that none covers another.
+ * The pads that feel a finger, and the upper left corner of the square that takes it: that of pin 0 begins beyond the
+ * edge, and those of 1 and 2 are shifted to the right, so that none covers another.
  */
 export const PINS = [
   { key: 'pin0', x: 26, y: 185, hitX: -14, hitY: 158 },

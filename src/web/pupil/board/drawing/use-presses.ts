@@ -1,7 +1,7 @@
 import { onBeforeUnmount, onMounted, shallowRef, type ShallowRef } from 'vue';
 import { Presses, type BoardKey, type PressListener } from './presses';
 
-/** How long a press shows that comes as a mere click, from a screen reader or a switch, in ms. Chosen: to be seen. */
+/** Time for which a mere click, from a screen reader or a switch, holds a key, in ms. Chosen: to be seen. */
 const CLICK_MS = 200;
 
 /** Handlers for one thing that can be pressed; for `v-on`. */

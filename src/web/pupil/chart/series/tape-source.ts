@@ -21,7 +21,8 @@ interface Curve {
 /** Longest stretch in which pieces are read, in ms of wall time: half a frame. */
 const SLICE_MS = 8;
 /**
- * A speed is measured over this stretch. Chosen: five moments of the tape; what is in whole 0.1 mm then has no steps.
+ * Stretch over which a speed is measured, in s. Chosen: five moments of the tape; what is in whole 0.1 mm then has no
+ * steps.
  */
 const RATE_OVER_S = 0.1;
 

@@ -3,7 +3,7 @@ import type { Item } from '#reference/item';
 import { resultOf } from '#reference/meaning';
 import { captionOf, missingText, wordsOn, type Words } from './words-on';
 
-/** An element with a class and what is in it. */
+/** Makes an element with a class and its contents. */
 export function element(tag: string, className: string, ...inside: (Node | string)[]): HTMLElement {
   const made = document.createElement(tag);
   made.className = className;

@@ -6,7 +6,7 @@ const LEAST_PX = 120;
  * was seen at this width, as with one on a cable or one that floats.
  */
 export interface SoftKeyboard {
-  /** Takes what is seen of the page now, in px. */
+  /** Takes the visible size of the page now, in px. */
   see(width: number, height: number): void;
   readonly isUp: boolean | null;
 }

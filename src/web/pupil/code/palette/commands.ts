@@ -28,7 +28,7 @@ const when = (condition: string, said: string) => ({
   said,
 });
 
-/** Keeps a value under a name. */
+/** Assigns the result of a call to a name. */
 const keep = (name: string, said: string) => ({
   code: `${name} = ${said}()`,
   needs: [said.split('.')[0] ?? ''],
@@ -101,7 +101,7 @@ const table = {
   define: own(`def \${1:dance}():${BODY}`),
 } as const;
 
-/** The name of a command; its words stand under it. */
+/** The name of a command, by which its texts are found. */
 export type CommandId = keyof typeof table;
 
 export const commandNamed = (id: CommandId): PaletteCommand => ({ id, ...table[id] });

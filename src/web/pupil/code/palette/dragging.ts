@@ -4,10 +4,10 @@ import { EditorView } from '@codemirror/view';
 import type { Brought } from './bring-names';
 import { insertion } from './insert';
 
-/** The kind of what is dragged: no other page and no other program takes it for something else. */
+/** The media type of a dragged command: no other page and no other program takes it for something else. */
 const KIND = 'application/x-parcours-command';
 
-/** Puts a command into what is being dragged. */
+/** Puts a command into the data of a drag. */
 export function takeAlong(data: DataTransfer, brought: Brought): void {
   data.setData(KIND, JSON.stringify(brought));
   data.effectAllowed = 'copy';

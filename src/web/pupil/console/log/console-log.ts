@@ -38,7 +38,7 @@ export const CONSOLE_LIMITS = {
 } as const;
 
 const TRACEBACK = 'Traceback (most recent call last):';
-/** Stands in the traceback of what was typed at the REPL. */
+/** Mark in the traceback of a line typed at the REPL. */
 const TYPED = 'File "<stdin>"';
 
 type NewEntry =

@@ -133,7 +133,7 @@ const look = EditorView.theme({
 /**
  * The debugger's marks in an editor.
  *
- * @param onMove hears the break points' lines whenever an edit has moved some
+ * @param onMove called with the break points' lines whenever an edit has moved some
  * @param valueOf the value of a name while the program is halted
  */
 export const stopMarks = (
@@ -196,11 +196,11 @@ const calmStops = ViewPlugin.fromClass(CalmStops);
 /** The same as `showStops`, but five times a second at most; the last one always comes. */
 export const showStopsCalmly = (view: EditorView, ...marks: Marks): void => view.plugin(calmStops)?.show(...marks);
 
-/** The lines with break points, the one where the program stands, and whether it has just come there. */
+/** The lines with break points, the one where the program is halted, and whether it has just been halted there. */
 type Marks = [lines: readonly number[], line: number | null, isNew?: boolean];
 
 /**
- * Shows break points and where the program stands.
+ * Shows break points and the line where the program is halted.
  *
  * @param isNew true if the program has just been halted there: the line is brought into view
  */
