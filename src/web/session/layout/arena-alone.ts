@@ -1,12 +1,12 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-/** True if the arena has the whole screen, as for a projector. */
+/** The arena alone on the screen, as for a projector: whether it is, and the ways in and out. */
 export class ArenaAlone {
   private readonly alone = shallowRef(false);
   readonly isAlone: Readonly<ShallowRef<boolean>> = this.alone;
-  /** Task and timer stand beside it: the projector view. */
+  /** True in the projector view: task and timer stand beside the arena. */
   readonly hasSide = shallowRef(false);
-  /** How many controls in the arena's pane could lead back. */
+  /** Number of controls in the arena's pane that can lead back. */
   private users = 0;
 
   constructor() {
@@ -21,7 +21,7 @@ export class ArenaAlone {
     );
   }
 
-  /** Fills the screen; the window only, where the browser does not give the screen away. */
+  /** Shows the arena alone: on the whole screen, or in the window if the browser refuses full screen. */
   readonly enter = (): void => {
     import('./arena-alone.css').catch(() => undefined); // without it the page stays as it is
     this.alone.value = true;
@@ -58,12 +58,14 @@ export class ArenaAlone {
     }
   }
 
-  /** The browser itself leads back with Escape: nothing is left to do but to follow. */
+  /** Follows when the browser leaves full screen, as it does for Escape. */
   private readonly onChange = (): void => {
     if (document.fullscreenElement === null) this.alone.value = false;
   };
 
-  /** Without the screen it is the page that has to listen to Escape, unless a menu, a dialog or a gesture has used it. */
+  /**
+   * Leaves on Escape where the browser is not in full screen, unless a menu, a dialog or a gesture has used the key.
+   */
   private readonly onKey = (event: KeyboardEvent): void => {
     if (event.key !== 'Escape' || event.defaultPrevented || !this.alone.value) return;
     if (document.querySelector('.page-overlay--active') === null) this.leave();

@@ -10,7 +10,10 @@ import showWords from './words';
 
 const words = showWords.ghost;
 
-/** Whose ghosts can drive along on the course as it is now, with the robots that are on it. */
+/**
+ * The earlier runs that can be shown as ghosts on the course of the run (without one: on the course as it is now), with
+ * the robots that are on it.
+ */
 export function ghostChoices(
   app: Pick<RunParts, 'run'> & WorkParts,
 ): ComputedRef<Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>>> {
@@ -20,7 +23,7 @@ export function ghostChoices(
   return computed(() => run.earlier.value?.choices({ scene: scene.value, robots: robots.value }) ?? {});
 }
 
-/** Which run it was and how long it took, in simulated time. */
+/** The number of a run and its duration in simulated seconds; for an opened run the duration only. */
 export function ghostLabel({ isOpened, number, tookUs }: EarlierRun): string {
   const seconds = numberText(tookUs / 1_000_000, shownLanguage(), 1);
   return t(isOpened ? words.openedRun : words.run, { number, seconds });

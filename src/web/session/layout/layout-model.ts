@@ -11,14 +11,14 @@ import type { SettingsModel } from '../work/settings/settings-model';
  */
 export type LayoutKind = 'wide' | 'medium' | 'narrow' | 'phone';
 
-/** Whether panes are stacked or behind tabs, so that an error shows its explanation first. */
+/** True if panes are stacked or behind tabs; an error then shows its explanation first. */
 export const hasLittleRoom = (kind: LayoutKind): boolean => kind === 'narrow' || kind === 'phone';
 
 /** The four panes. */
 export const PANES = ['code', 'board', 'arena', 'console'] as const;
 export type Pane = (typeof PANES)[number];
 
-/** The models that the panes' places depend on. */
+/** The arrangement of the panes: which are shown, where, and how large. */
 export interface LayoutModel {
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
   /** The arrangement of the shown panes; equals `kind`, except for a pair that has room in a small frame. */
@@ -28,15 +28,15 @@ export interface LayoutModel {
   /** The panes that a phone has tabs for. */
   readonly tabs: ComputedRef<readonly Pane[]>;
   readonly isShown: ComputedRef<Readonly<Record<Pane, boolean>>>;
-  /** Everything that there is on this page, behind tabs or not. */
+  /** The parts chosen by the host, or else by the pupil's settings. A pupil's phone has tabs for all panes, too. */
   readonly parts: ComputedRef<readonly Part[]>;
   /** Sizes of the panes in px. */
   readonly sizes: ComputedRef<PaneSizes>;
-  /** The console has nothing to say, and shows its head alone. The console itself decides it. */
+  /** True if the console has nothing to show and may be folded to its head. The console itself sets it. */
   readonly isConsoleFolded: ShallowRef<boolean>;
-  /** Height that something else in the console needs, in px; 0: there is nothing. The greeting of a first visit sets it. */
+  /** Least height of the console, in px; 0: no demand. The greeting of a first visit sets it. */
   readonly leastConsolePx: ShallowRef<number>;
-  /** True if there is a reason to fold it: where panes lie beside the arena. */
+  /** True where folding the console gains room: where panes lie beside the arena. */
   readonly canFold: ComputedRef<boolean>;
   /** A phone held across: its panes are wide and low. */
   readonly isAcross: Readonly<ShallowRef<boolean>>;
@@ -83,7 +83,7 @@ const SUGGESTED: Readonly<Record<LayoutKind, Sizes>> = {
   phone: { code: 0, board: 0, console: 0, top: 0, below: 0 },
 };
 
-/** More for program and board where the arena's height leaves it: the arena stays as large. In px, chosen by eye. */
+/** Larger sizes for wide windows, whose height limits the arena: it stays as large. In px, chosen by eye. */
 const ROOMY: readonly [Partial<Sizes>, string][] = [
   [{ code: 560, board: 256, console: 232 }, '(min-width: 1680px) and (min-height: 800px)'],
   [{ code: 416, board: 232 }, '(min-width: 1440px) and (min-height: 440px)'],
@@ -100,7 +100,10 @@ const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 4
 /** True if the window is a phone's now, before there is a layout. */
 export const isPhoneNow = (): boolean => !QUERIES.some(([, query]) => matchMedia(query).matches);
 
-/** Follows the window's width and the pupil's wishes. @param isHelpShown whether the help takes its share of the page */
+/**
+ * Creates the layout, which follows the window's size, the host's parts and the pupil's settings.
+ * @param isHelpShown whether the help takes its share of the page
+ */
 export function createLayout(
   { current }: Pick<SettingsModel, 'current'>,
   host: Pick<HostView, 'parts'>,
@@ -123,7 +126,9 @@ export function createLayout(
     return isSmall && host.parts.value !== null && tabs.value.join() === 'board,arena' ? pair.value : kind.value;
   });
   const besideHelp = useFirstMatch(HELP, 'some');
-  /** Beside the help, and while the arena is to be watched, program and arena come first. */
+  /**
+   * True if the board is hidden: beside the help in a narrow window, and in the wide layout while the arena is watched.
+   */
   const isBoardAway = computed(() => {
     const isTight = isHelpShown.value && besideHelp.value === 'some';
     return (isTight || (current.value.cinema && kind.value === 'wide')) && parts.value.includes('arena');
@@ -143,7 +148,7 @@ export function createLayout(
 
 type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;
 
-/** How much the console shows of itself. */
+/** The state of the console's pane: not folded, no least height. */
 function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
   return {
     isConsoleFolded: shallowRef(false),
@@ -178,7 +183,7 @@ function useSizes(
   });
 }
 
-/** The name of the first query that matches the window, now and from now on. */
+/** The value of the first query that matches the window, now and from now on; `other` if none does. */
 function useFirstMatch<K>(queries: readonly [K, string][], other: K): Readonly<ShallowRef<K>> {
   const lists = queries.map(([kind, query]) => [kind, matchMedia(query)] as const);
   const measure = (): K => lists.find(([, list]) => list.matches)?.[0] ?? other;

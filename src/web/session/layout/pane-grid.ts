@@ -3,7 +3,7 @@ import type { LayoutKind, Pane, PaneSizes } from './layout-model';
 /** The bars between panes, by the size they set. */
 export type SplitterId = 'code' | 'board' | 'console' | 'top' | 'below';
 
-/** The grid of the panes in CSS's words, and where its splitters are. */
+/** The grid of the panes in CSS's words, and its splitters. */
 export interface PaneGrid {
   readonly columns: string;
   readonly rows: string;
@@ -36,7 +36,10 @@ const BARS_PX = 60 + 8 + 8;
 /** Height of the board below the program while something is unfolded in it. Chosen by eye. */
 const BELOW_UNFOLDED_PX = 330;
 
-/** The wished sizes, with more height for the board if something is unfolded below it and no height was set. */
+/**
+ * The wished sizes, with more height for the board if something is unfolded below it: `top` if no height was set,
+ * `below` at least `BELOW_UNFOLDED_PX`.
+ */
 export function withRoomForPanel(wished: PaneSizes, isUnfolded: boolean): PaneSizes {
   if (!isUnfolded) return wished;
   const top = wished.top === 0 ? TOP_UNFOLDED_PX : wished.top;
@@ -49,7 +52,7 @@ export function withLargeArena(wished: PaneSizes, { widthPx, heightPx }: Room): 
   return { ...wished, code: left(widthPx) - 16, top: Math.max(LEAST.top, left(heightPx - BARS_PX) - FOLDED_PX - 16) };
 }
 
-/** How small and how large a splitter lets its pane be in this room. */
+/** The limits within which a splitter can size its pane in this room. */
 export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: number; maxPx: number } {
   const minPx = LEAST[id];
   const most = {
@@ -102,7 +105,7 @@ const REST = 'minmax(0, 1fr)';
 
 type Columns = Pick<PaneGrid, 'columns' | 'splitters'> & { readonly areas: readonly string[] };
 
-/** Panes side by side. The one that shows most has the rest of the room, the others the size that was chosen. */
+/** Panes side by side. The arena, or else the first pane, has the rest of the room, the others their chosen size. */
 function columnsOf(panes: readonly ('code' | 'board' | 'arena')[], fit: (id: SplitterId) => number): Columns {
   const rest = panes.includes('arena') ? 'arena' : panes[0];
   const columns: string[] = [];

@@ -1,4 +1,4 @@
-/** The elements under the arena. */
+/** The readings under the arena, as far as they need room. */
 export interface ReadingsParts {
   /** Number of line sensors, and digits of their longest reading. */
   readonly count: number;
@@ -11,7 +11,7 @@ export interface ReadingsParts {
 /** Widths in CSS px, measured in the page with Liberation Sans (as wide as Arial) of 14 px, with the space around. */
 const WIDTHS = { distance: 123, line: 48, sensor: 24, digit: 7.8, bumper: 104 };
 
-/** How much room the readings need with the numbers of all line sensors, in CSS px. */
+/** Width that the readings need with the numbers of all line sensors, in CSS px. */
 export function readingsPx({ count, digits, distance, bumper }: ReadingsParts): number {
   const line = count === 0 ? 0 : WIDTHS.line + count * (WIDTHS.sensor + WIDTHS.digit * Math.max(3, digits));
   return (distance ? WIDTHS.distance : 0) + line + (bumper ? WIDTHS.bumper : 0);

@@ -40,11 +40,11 @@ export function pageAt(hash: string, pages: readonly FeaturePage[]): OpenPage | 
   return { name, id: id === '' ? null : id };
 }
 
-/** Follows and writes the address of the browser. */
+/** Creates a router that follows and writes the browser's address. */
 export function createRouter(pages: readonly FeaturePage[]): Router {
   const page = shallowRef(pageAt(location.hash, pages));
   const began = page.value === null ? null : location.hash;
-  /** The page that the visit began with is no longer wanted either. */
+  /** True while `close` goes back in the history: a page that the visit began with is then not wanted either. */
   let isLeaving = false;
   const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
   const follow = (): void => {

@@ -3,7 +3,7 @@ import { onScopeDispose } from 'vue';
 import type { ArenaAlone } from './arena-alone';
 import { useLayout } from './parts';
 
-/** For controls in the arena's pane. */
+/** The full-screen arena, for a control in its pane that can lead back. It counts until its scope ends. */
 export function useArenaAlone(): Pick<ArenaAlone, 'isAlone' | 'hasSide' | 'enter' | 'leave'> {
   const { alone } = useLayout();
   onScopeDispose(alone.attach());

@@ -9,7 +9,7 @@ export interface VisibleRows {
 /** Rows drawn beyond the edges, so that quick scrolling shows no gaps. */
 const MARGIN = 8;
 
-/** Finds them from the place of the scroll bar. All rows have the same height. */
+/** Finds them from the position of the scroll bar. All rows have the same height. */
 export function visibleRows(count: number, rowPx: number, scrollPx: number, heightPx: number): VisibleRows {
   const first = Math.max(0, Math.min(count, Math.floor(scrollPx / rowPx) - MARGIN));
   const last = Math.max(first, Math.min(count, Math.ceil((scrollPx + heightPx) / rowPx) + MARGIN));

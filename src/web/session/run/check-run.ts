@@ -20,9 +20,9 @@ export interface CheckPorts {
 /** Threads in workers of their own. */
 const inWorkers: CheckPorts = { starter: async (task) => startThread(task, await compileFirmware()), every };
 
-/** Checks one project as a hand-in of a task, again whenever it changes: a model solution, or a pupil's own work. */
+/** Checks one project at a time as a hand-in of a task: a model solution, or a pupil's own work. */
 export class CheckRun {
-  /** `null`: nothing is checked, or it is not over yet. */
+  /** Result of the last check; `null`: nothing was checked, or the check is not over or has failed. */
   readonly result: ShallowRef<CheckResult | null> = shallowRef(null);
   readonly isRunning = shallowRef(false);
   /** Reason for which nothing can be checked: there is no VM, or no worker; `null`: checking is possible. */
@@ -32,7 +32,10 @@ export class CheckRun {
 
   constructor(private readonly ports: CheckPorts = inWorkers) {}
 
-  /** Checks a project; `null`: there is none. A check in progress is dropped. */
+  /**
+   * Checks a project and drops a check in progress. Without a project, or with one that is no hand-in, there is no
+   * result.
+   */
   async run(task: ClassTask, project: Project | null): Promise<void> {
     this.stop();
     this.result.value = null;

@@ -33,7 +33,7 @@ export const startThread =
     };
   };
 
-/** The page's clock, for lanes. */
+/** Calls a function every `ms` of wall time, for lanes. */
 export const every: Every = (ms, act) => {
   const timer = setInterval(act, ms);
   return () => clearInterval(timer);

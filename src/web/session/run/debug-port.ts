@@ -41,7 +41,7 @@ export class DebugPort {
     this.run.send({ type: 'inspect', device });
   }
 
-  /** A run begins. */
+  /** A run begins: forgets the last stop and answer, and sends the breakpoints if there are any. */
   begin(): void {
     this.held.value = this.told.value = null;
     if (this.points.some(({ length }) => length > 0)) this.tellPoints();

@@ -49,7 +49,7 @@ export class EarlierRuns {
   readonly wish: ShallowRef<GhostWish> = shallowRef('none');
   private last: Snapshot | null = null;
 
-  /** @param number that of the run which is being left, when it is */
+  /** @param number returns the number of the run that is being left; called when it is left */
   constructor(
     private readonly run: RunNow,
     private readonly number: () => number,
@@ -98,12 +98,12 @@ const arenaOf = ({ size, background, objects, robot: { at, heading, scale } }: S
   ...[at, heading, scale],
 ];
 
-/** The run that passed fastest, or else got farthest; `undefined` if there is no task. */
+/** The best of the runs with a task, by `meritOf`; of equals, the first. `undefined`: there is none. */
 function bestOf(runs: readonly EarlierRun[]): EarlierRun | undefined {
   return runs.filter(({ verdict }) => verdict !== null).reduce<EarlierRun | undefined>(better, undefined);
 }
 
-/** The first of equals stays: it is the one to be beaten. */
+/** The better of two runs; of equals, the first: it is the one to be beaten. */
 function better(one: EarlierRun | undefined, other: EarlierRun): EarlierRun {
   if (one === undefined) return other;
   const [of, to] = [meritOf(one), meritOf(other)];
@@ -120,7 +120,10 @@ function meritOf({ verdict, tookUs }: EarlierRun): readonly number[] {
   return [Number(isPassed), stars ?? 0, done, isPassed ? -tookUs : 0];
 }
 
-/** Removes the oldest runs if there are too many: the best on each course and the last opened one are removed last. */
+/**
+ * Removes the oldest runs if there are too many. The newest, the last opened one and the best on each course are
+ * removed last.
+ */
 function fewer(runs: readonly EarlierRun[]): readonly EarlierRun[] {
   let kept = runs;
   while (kept.length > 1 && (kept.length > MOST_RUNS || bytesOf(kept) > MOST_BYTES)) {

@@ -8,18 +8,21 @@ const MOST_WAITING = 2;
 
 /** A film in the making, in a worker of its own. */
 export interface FilmClient {
-  /** Adds a picture, when there is room for it. @throws Error (as a rejection) when it failed */
+  /**
+   * Adds a picture, whose buffer is moved to the worker. Resolves when there is room for the next.
+   * @throws Error (as a rejection) when it failed
+   */
   add(pixels: Pixels, staysMs: number): Promise<void>;
-  /** The whole film. @throws Error (as a rejection) when it failed */
+  /** Ends the film and returns all of it. @throws Error (as a rejection) when it failed */
   finish(): Promise<Blob>;
-  /** Gives it up, and the worker back. */
+  /** Ends the worker; an unfinished film is given up. */
   end(): void;
 }
 
 /**
  * Begins a film.
  *
- * @param samples some of its pictures, from which its colours are chosen
+ * @param samples some of its pictures, from which its colours are chosen; their buffers are moved to the worker
  * @throws Error where the browser allows no workers
  */
 export function beginFilm(width: number, height: number, samples: readonly Pixels[]): FilmClient {
@@ -41,7 +44,7 @@ export function beginFilm(width: number, height: number, samples: readonly Pixel
   worker.onerror = ({ message }) => fail(message);
   const send = (message: ToFilm, moved: readonly Pixels[]): void =>
     worker.postMessage(message, { transfer: moved.map(({ buffer }) => buffer) });
-  /** Until something is so. */
+  /** Waits until a condition holds. @throws Error when the film has failed */
   async function until(isSo: () => boolean): Promise<void> {
     while (!isSo() && fault === null) await new Promise<void>((resolve) => (wake = resolve));
     if (fault !== null) throw fault;

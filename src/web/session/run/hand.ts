@@ -18,7 +18,7 @@ export function createHand() {
       pose.value = null;
       blocks.value = {};
     },
-    /** Everything that was changed in the course returns to its pose there. */
+    /** Discards the poses of everything that a step has changed in the course. */
     letGo: (step: Step): void => {
       const { objects, robot } = touchedBy(step);
       if (robot) pose.value = null;

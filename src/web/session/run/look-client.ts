@@ -11,7 +11,7 @@ type LookPort = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerro
 export interface LookClientOptions {
   readonly createWorker: () => LookPort;
   readonly firmware: () => Promise<WebAssembly.Module>;
-  /** The run that has been, with all that was done to it. */
+  /** Set-up of the past run, with all its inputs. */
   readonly setup: RunSetup;
 }
 
@@ -21,7 +21,7 @@ interface Waiting {
   readonly settle: (found: FromLooker | null) => void;
 }
 
-/** Inspects a past run, in a worker of its own. The newest request wins. */
+/** Inspects a past run, in a worker of its own. The newest request of each kind wins. */
 export class LookClient {
   private readonly worker: Promise<LookPort>;
   private readonly waiting = new Map<'look' | 'why', Waiting>();
@@ -61,7 +61,7 @@ export class LookClient {
     return answer;
   }
 
-  /** Gives the worker and its memory back. */
+  /** Ends the worker. Pending requests are answered with `null`. */
   end(): void {
     this.giveUp();
     this.worker.then(

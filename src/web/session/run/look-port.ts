@@ -16,7 +16,7 @@ export class LookPort {
     private readonly hold: () => void,
   ) {}
 
-  /** Looks back, at first at now. */
+  /** Pauses the run and looks back, at first at the present. */
   back(): void {
     this.hold();
     this.moment.value ??= this.run.present.value;

@@ -1,4 +1,4 @@
-/** The surroundings of the requests. */
+/** The functions that the requests use. */
 export interface RequestPorts {
   readonly isActive: () => boolean;
   /** Requests a picture. */
@@ -7,7 +7,7 @@ export interface RequestPorts {
   readonly onFrame: () => void;
 }
 
-/** Requests one picture per animation frame, as long as something happens in a run. */
+/** Requests at most one picture per animation frame, and only while something happens in a run. */
 export class PictureRequests {
   private isAsked = false;
   private rests = false;
@@ -15,7 +15,7 @@ export class PictureRequests {
 
   constructor(private readonly ports: RequestPorts) {}
 
-  /** Another run is about to begin. */
+  /** Another run is about to begin: a requested picture is no longer awaited. */
   reset(): void {
     this.isAsked = this.rests = false;
   }
@@ -39,7 +39,7 @@ export class PictureRequests {
     this.isAsked = false;
   }
 
-  /** While nothing happens in the run, none are requested. */
+  /** Stops the requests while nothing happens in the run, or resumes them. */
   rest(rests: boolean): void {
     if (rests === this.rests) return;
     this.rests = rests;

@@ -5,7 +5,7 @@ import type { RadioPacket } from '#simulation/outlets';
 
 import type { RunModel } from './run-model';
 
-/** One packet in the list, oldest first. */
+/** One packet in the list. */
 export interface RadioEntry {
   readonly id: number;
   /** Simulated time. */
@@ -17,7 +17,7 @@ export interface RadioEntry {
   /** Its text, or its bytes as hexadecimal digits if it has none. */
   readonly text: string;
   readonly isText: boolean;
-  /** Sent by hand while the program's radio was off: it was not received. */
+  /** Sent by hand while the radio of the device that is shown was off: it was not received there. */
   readonly isLost?: true;
 }
 
@@ -32,7 +32,7 @@ export const USUAL_TEXT_BYTES = 29;
 /** The same for `radio.config(length=251)`, the longest there is. */
 export const MOST_TEXT_BYTES = 248;
 
-/** The radio traffic of this run: packets sent by the program, and those sent to it by hand. */
+/** The radio traffic of this run, oldest packet first: sent by the programs, and by hand to them. */
 export class RadioModel {
   readonly entries: ShallowRef<readonly RadioEntry[]> = shallowRef([]);
   /** Older packets have been dropped. */
@@ -48,7 +48,7 @@ export class RadioModel {
     this.add(packets.map(({ timeUs, bytes }) => ({ timeUs, from: 'program' as const, device, ...readable(bytes) })));
   }
 
-  /** Sends a text to the program. @param heard whether its radio is on */
+  /** Sends a text to all programs. @param heard whether the radio of the device that is shown is on */
   send(text: string, heard = true): void {
     this.run.input({ type: 'radio', text });
     const sent = { timeUs: this.run.nowUs.value, from: 'hand', device: 0, text, isText: true } as const;

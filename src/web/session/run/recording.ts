@@ -39,11 +39,11 @@ export class Recording {
   told = { pieces: 0, untilUs: 0 };
   /** The output of the programs, oldest first, as it arrived; when there is too much, the oldest half is dropped. */
   output: readonly Output[] = [];
-  /** Missing moments are being made; `null`: they are not. */
+  /** The work of adding missing moments; `null`: none is in progress. */
   filling: Promise<void> | null = null;
-  /** Until when they were to be made, where somebody gave that up. */
+  /** End of a gap whose moments were given up; `null`: none was. */
   givenUpUs: number | null = null;
-  /** Pieces of output that are gone. */
+  /** Number of pieces of output that were dropped. */
   outputGone = 0;
   private readonly asking: ShallowRef<Asked | null> = shallowRef(null);
   /** The requested moment, which the time line goes to. `null`: it has arrived there. */
@@ -54,7 +54,7 @@ export class Recording {
   /** All inputs to the run up to the last request for the tape; `null`: they were never reported. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
   private readonly leftRun: ShallowRef<Recording | null>;
-  /** The run that this one branched off from: its events after the branching moment. `null`: none. */
+  /** The run that this one branched off from, shown as a ghost; `null`: none, or it is hidden. */
   readonly ghost: Readonly<ShallowRef<Recording | null>>;
 
   /**
@@ -73,10 +73,10 @@ export class Recording {
     for (const piece of brought?.pieces ?? []) this.add(piece, null);
   }
   readonly isBrought: boolean;
-  /** As it was brought; `null`: it was not. */
+  /** The tape of a run recorded earlier, also when it has been repeated; `null`: this is a new run. */
   readonly as: BroughtTape | null;
 
-  /** The run can be run again. */
+  /** True if the run can be run again. */
   get canGoOn(): boolean {
     return this.setup !== null && this.inputs.value !== null;
   }
@@ -91,7 +91,7 @@ export class Recording {
     this.question.value = question;
   }
 
-  /** Takes the run that was left out of sight. */
+  /** Hides the ghost of the run that was left. */
   hideGhost(): void {
     this.leftRun.value = null;
   }

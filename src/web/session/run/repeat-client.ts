@@ -7,7 +7,7 @@ export type { Repeated } from './worker/look/repeat';
 export type RepeatWish = Pick<RepeatRequest, 'setup' | 'untilUs' | 'untilProgramEnds' | 'momentsSinceUs'>;
 
 /**
- * Repeats a recorded run to its end, in a worker of its own.
+ * Repeats a recorded run to a time or its end, in a worker of its own.
  *
  * @param tell receives the progress, as simulated time, about ten times a second
  * @param signal ends the worker

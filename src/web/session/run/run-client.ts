@@ -169,7 +169,7 @@ export class RunClient {
     worker.postMessage({ type: 'tape' });
   }
 
-  /** Ends the run immediately, without notifying anyone. */
+  /** Ends the run immediately. Nobody is notified, but a pending `stop` resolves. */
   drop(): void {
     const worker = this.current;
     this.current = null;

@@ -46,7 +46,7 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onEvents(events: RunEvents, device: number): void;
   /** The VM could not be loaded. @param why see `troubleOf` */
   onUnavailable(why: unknown): void;
-  /** The VM lets wait for itself. */
+  /** The VM takes long to load. */
   onSlow?(): void;
   onFailed(message: string): void;
   /** The run rejected an input and continues without it. */
@@ -54,7 +54,7 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onKilled(): void;
 }
 
-/** The start of a run. */
+/** The options of a start. */
 export interface Beginning {
   /** Set-up of an earlier run that is to be repeated; left out: a new one. */
   readonly kept?: RunSetup;
@@ -63,7 +63,7 @@ export interface Beginning {
   readonly catchUpUs?: number;
   /** The run that is left for this one. */
   readonly left?: Recording | null;
-  /** A recorded tape: once the run has reached its end, it is shown from its beginning. */
+  /** The tape of a run recorded earlier: the page looks back at it while the run is repeated. */
   readonly brought?: BroughtTape | null;
   /** The moment that is shown until the run has caught up. */
   readonly shown?: Snapshot | null;
@@ -76,9 +76,9 @@ export interface Beginning {
  */
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
-  /** The run now. */
+  /** The newest picture of the run; `null`: there is none. */
   readonly present: ShallowRef<Snapshot | null> = shallowRef(null);
-  /** Its moments that have been. */
+  /** Looking back at the past moments of the run. */
   readonly look = new LookPort(this, () => {
     this.pause();
     this.client.send({ type: 'tape' });
@@ -87,7 +87,7 @@ export class RunModel {
   readonly past = this.look.past;
   /** The visible state: the present of the run, or a past moment. */
   readonly snapshot: ComputedRef<Snapshot | null> = computed(() => this.past.value ?? this.present.value);
-  /** The same as the device that is shown has it: its board, its program and its robot in the first one's place. */
+  /** The same with the board, program and robot of the device that is shown in the first one's place. */
   readonly shown: ComputedRef<Snapshot | null> = computed(() => {
     const snapshot = this.snapshot.value;
     const device = this.deviceNow(this.device);
@@ -272,7 +272,8 @@ export class RunModel {
   }
 
   /**
-   * Sends an input to the run; if the run is still starting, at its first moment. Without a run nothing happens.
+   * Sends an input to the run; if the run is still starting, at its first moment. Without a run only the host hears of
+   * it.
    *
    * @param device its place; left out: the one that is shown, and for a radio packet all of them
    * @returns whether the action is allowed at all
@@ -298,7 +299,7 @@ export class RunModel {
   get device(): number {
     return this.host.device?.() ?? 0;
   }
-  /** The devices of the run, as it calls them. */
+  /** Names of the run's devices, by their place. */
   private names: readonly string[] = [];
 
   private hear(message: FromWorker): void {
@@ -361,7 +362,9 @@ export class RunModel {
     }
   }
 
-  /** The run has reached the moment from which it was to continue: from now on it is shown and heard. */
+  /**
+   * Ends catching up once the run has reached its moment: now it is heard, and shown unless it was recorded earlier.
+   */
   private endCatchingUp(nowUs: number): void {
     if (this.catchUpUs === 0 || nowUs < this.catchUpUs) return;
     this.catchUpUs = 0;
@@ -373,7 +376,7 @@ export class RunModel {
     this.endings.value = this.endings.value.map((before, place) => (place === device ? ended : before));
   }
 
-  /** Something is done to the run, which may wake it. @returns whether it was sent */
+  /** Sends a message to the run, which may wake it. @returns whether it was sent */
   private send(message: ToRun): boolean {
     this.pictures.rest(false);
     return this.client.send(message);

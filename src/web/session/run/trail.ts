@@ -8,7 +8,7 @@ export class Trail {
   /** x and y in mm alternately; two `NaN` where the hand lifted the robot. Only the first 2 · `count` are to be seen. */
   xyMm = new Float32Array(512);
   count = 0;
-  /** Changes whenever points were dropped: drawings made from them are then outdated. */
+  /** Changes whenever points were dropped or hidden: drawings made from them are then outdated. */
   generation = 0;
   /** Number of points, those that are not to be seen included. */
   private kept = 0;

@@ -13,6 +13,6 @@ export interface WhyAsked {
   readonly timeUs: number;
   /** Place on the page that was pointed at, in CSS px; left out: none. */
   readonly atPx?: { readonly x: number; readonly y: number };
-  /** Distance to its sides at which the answer must be, in CSS px. */
+  /** Distance to the left or right of `atPx` at which the answer is shown, in CSS px. */
   readonly besidePx?: number;
 }

@@ -30,7 +30,10 @@ export interface AroundCard {
 const GAP_PX = 8;
 /** Least room for reading. Chosen by eye. */
 const LEAST = { width: 280, height: 200 } as const;
-/** Width of the card where the arena makes room for it, and its share of the height below the arena. Chosen by eye. */
+/**
+ * Largest width of the card beside the arena, its largest share of the width there, and its share of the height below
+ * the arena. Chosen by eye.
+ */
 const BESIDE_PX = 420;
 const BESIDE_SHARE = 0.46;
 const SHEET_SHARE = 0.6;

@@ -7,7 +7,7 @@ import type { Project } from '#project/project';
 import { shownLanguage, t } from '../../kit/i18n';
 import taskWords from './words';
 
-/** The checks of a project besides the goals of its course, in the language of the page, with their points. */
+/** A check of a task, besides the goals of its course, in the language of the page, with its points. */
 export interface CheckInWords {
   readonly id: string;
   readonly text: string;
@@ -24,7 +24,7 @@ export function checksInWords(project: Project): readonly CheckInWords[] {
   return inWords('task' in read ? read.task.checks : []);
 }
 
-/** The same of checks that have been read. */
+/** The same for the checks of a task that has been read. */
 export function inWords(all: readonly Check[]): readonly CheckInWords[] {
   return all.flatMap((check) => {
     if (check.type === 'goals') return [];

@@ -3,7 +3,7 @@ import { isSpiked } from '#simulation/kinds';
 import { briefOf } from '#simulation/task/task-brief';
 import type { Verdict } from '#simulation/task/verdict';
 
-/** Which sentence says a goal. */
+/** Name of the sentence for a goal. */
 export type GoalWords =
   | 'checkpoint'
   | 'checkpointsInOrder'
@@ -18,7 +18,7 @@ export type GoalWords =
   | 'catch'
   | 'holdOut';
 
-/** Something to reach, in words made from the course, and how far it has come. */
+/** A goal, in words made from the course, and the progress towards it. */
 export interface TaskGoal {
   readonly words: GoalWords;
   readonly values: Readonly<Record<string, number>>;
@@ -26,7 +26,7 @@ export interface TaskGoal {
   readonly of: number;
 }
 
-/** Something to keep to; `broken`: that is why the task was failed. */
+/** A rule of the task, in words. `isBroken`: it is the reason why the task was failed, or did not count. */
 export interface TaskRule {
   readonly words:
     | 'all'

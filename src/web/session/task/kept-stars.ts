@@ -6,13 +6,13 @@ export type Stars = Readonly<Record<string, number>>;
 /** Stars that were won in this browser. They stay when the program is changed or the page is closed. */
 export interface KeptStars {
   readonly all: Readonly<Ref<Stars>>;
-  /** Keeps a result where it is better than those before. @param stars 1 to 3 */
+  /** Stores a result if it is better than those before. @param stars 1 to 3 */
   keep(id: string, stars: number): void;
 }
 
 const KEY = 'parcours.stars';
 
-/** @param store where they are kept; `null`: as long as the page is open */
+/** Loads the stars. @param store storage for them; `null`: they last as long as the page is open */
 export function createKeptStars(store: Storage | null): KeptStars {
   const all = shallowRef(read(store));
   // What another tab has won shows here, too.

@@ -13,7 +13,7 @@ export interface Span {
 /** A line or a list entry. */
 export type Line = readonly Span[];
 
-/** A paragraph with its lines, a list with its entries, or the place of the picture with what it shows. */
+/** A paragraph with its lines, a list with its entries, or the place of the picture with its description. */
 export type Block =
   | { readonly kind: 'text' | 'list' | 'numbers'; readonly lines: readonly Line[] }
   | { readonly kind: 'picture'; readonly words: string };
@@ -22,7 +22,7 @@ const BULLET = /^\s*[-*•] +/;
 const NUMBER = /^\s*\d{1,3}[.)] +/;
 const PICTURE = /^!\[([^\]]*)\]\(picture\)$/;
 
-/** Reads a text; any text is one. */
+/** Reads a text. No text is wrong. */
 export function blocksOf(text: string): readonly Block[] {
   const blocks: Block[] = [];
   /** The lines of the last block, which grow: a text may have thousands. */

@@ -19,24 +19,24 @@ export interface TaskModel {
   /** True if there is anything to read: then there is a card. */
   readonly hasText: ComputedRef<boolean>;
   readonly isOpen: Readonly<Ref<boolean>>;
-  /** How many hints have been asked for since the course was opened. */
+  /** Number of hints asked for since the course was opened. */
   readonly hints: ShallowRef<number>;
   /** The ready course that is open, changed or not. */
   readonly ready: ComputedRef<Course | null>;
   /** The best results in this browser. */
   readonly stars: KeptStars;
-  /** The teacher's checks besides the goals of its course; `null`: not read yet. */
+  /** The state of the teacher's checks besides the goals of the course; `null`: nothing has shown it yet. */
   readonly checked: ShallowRef<Checked | null>;
   open(): void;
   close(): void;
 }
 
 /**
- * Makes the card's model. The card opens with each other course that has something to read, and goes when a run starts:
- * the program is what is looked at then.
+ * Makes the card's model. The card opens with each newly opened course that has a text, a ready one only if it has
+ * goals, and closes when a run starts: then the program counts.
  *
- * @param isOwnPage whether nobody else tells the task: in the frame of another page the card waits to be asked for
- * @param store where stars are kept; `null`: as long as the page is open
+ * @param isOwnPage false in the frame of another page: there the card opens only on request
+ * @param store storage for the stars; `null`: they last as long as the page is open
  */
 export function createTask(
   { work, run }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'>,
@@ -51,7 +51,7 @@ export function createTask(
   });
   const text = computed(() => taskText(work.scene.value, ready.value, shownLanguage()));
   const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
-  /** A ready course without a goal asks for nothing: it has a text for whoever wants to know. */
+  /** True if the course has goals; without one, the card of a ready course opens only on request. */
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
   watch([work.openings, work.arrivals], () => {
     hints.value = 0;
@@ -76,8 +76,8 @@ export function createTask(
 }
 
 /**
- * Keeps what a run has won, in a ready course as it comes and with the robot of its mission: what was made easier counts
- * not, nor does a run out of a file.
+ * Stores the stars that a run has won and its program, in a ready course that is unchanged and with the robot of its
+ * mission. A run out of a file does not count.
  */
 function keepStars(
   run: RunParts['run'],

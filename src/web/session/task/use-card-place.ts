@@ -51,7 +51,7 @@ function makeRoom({ classList, style }: HTMLElement, place: CardPlace | null): v
 
 const wholeWindow = (): Area => ({ left: 0, top: 0, right: innerWidth, bottom: innerHeight });
 
-/** Without the space above the panes. */
+/** The area of an element without its padding at the top; `null`: it is not shown. */
 function areaInside(css: string): Area | null {
   const area = areaOf(css);
   const host = document.querySelector(css);

@@ -68,7 +68,7 @@ function partsIn(given: URLSearchParams, ofPage: string | undefined): readonly P
   return isBare || isFull ? (asked ?? PARTS).filter((part) => part !== 'bar') : asked;
 }
 
-/** `board,arena`, or `all`. */
+/** Reads a list such as `board,arena`, or `all`; `undefined`: it names no part. */
 function partsOf(list: string): readonly Part[] | undefined {
   const names: readonly string[] = isShort(list) ? list.split(/[\s,]+/) : [];
   const parts = names.includes('all') ? PARTS : PARTS.filter((part) => names.includes(part));
@@ -77,7 +77,10 @@ function partsOf(list: string): readonly Part[] | undefined {
 
 const DIALECTS = ['microbit', 'webtigerpython', 'none'] as const;
 
-/** The first of the names that is one; without any, pages made for WebTigerPython find what they wait for. */
+/**
+ * The first known dialect among the names, `null` for `none`; without any it is WebTigerPython's, whose pages do not
+ * ask.
+ */
 function dialectOf(...names: readonly (string | null | undefined)[]): HostWish['dialect'] {
   const [first = 'webtigerpython'] = names.flatMap((name) => DIALECTS.filter((one) => one === name));
   return first === 'none' ? null : first;
@@ -102,7 +105,7 @@ export function urlOf(text: string, base?: string): URL | null {
   }
 }
 
-/** Only what was given: a setting that is there is held, whatever its value. */
+/** The settings without those that are `undefined`: any other one is held, whatever its value. */
 function defined<T extends object>(settings: T): { [Name in keyof T]?: Exclude<T[Name], undefined> } {
   const given = Object.entries(settings).filter(([, value]) => value !== undefined);
   return Object.fromEntries(given) as { [Name in keyof T]?: Exclude<T[Name], undefined> };

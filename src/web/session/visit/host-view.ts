@@ -28,7 +28,7 @@ export const noHost: HostWish = {
   flags: [],
 };
 
-/** The changes that a host has made to the page, and its listener. */
+/** The changes that a host has made to the page, and its listeners. */
 export class HostView {
   /** The parts that are shown; `null`: as the pupil has chosen. */
   readonly parts: ShallowRef<readonly Part[] | null>;

@@ -15,7 +15,7 @@ import type { WorkParts } from './model/parts';
  * The set-up of a run that starts now: the present work on the chosen devices. What the hand has moved is back at its
  * place.
  *
- * @param sensed what was set on the sensors of the device at a place and holds from the start
+ * @param sensed inputs that set the sensors of the device at a place from the start
  */
 export function runSetup(parts: WorkParts, sensed: (place: number) => readonly InputEvent[]): RunSetup {
   const { work, settings } = parts;

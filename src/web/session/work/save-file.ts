@@ -24,7 +24,7 @@ export function saveBlob(name: string, blob: Blob): boolean {
   return sayMayBeRefused();
 }
 
-/** Saves a text as a download, and says so. */
+/** Saves a text as a download, and shows a notice. */
 export function saveText({ notices }: Pick<PageParts, 'notices'>, name: string, text: string, type: string): void {
   const isSaid = saveBlob(name, new Blob([text], { type }));
   if (!isSaid) notices.show({ kind: 'ok', key: 'files.saved', values: { file: name } });

@@ -2,8 +2,8 @@ import { travelling } from './settings/travelling';
 import type { WorkParts } from './model/parts';
 
 /**
- * Writes into the present work what it runs on, so that it comes back with it. What a host or the address holds belongs to
- * the work that they brought: work of the pupil's own is kept with the pupil's own choice.
+ * Writes the settings that a run depends on into the present work, so that they come back with it. Work that a host or
+ * the address brought gets the current ones, the pupil's own work the pupil's own choice.
  */
 export function stampSettings({ work, settings }: WorkParts): void {
   const { project } = work.work.value;

@@ -17,12 +17,15 @@ import type { WorkModel } from './model/work-model';
 import { nameWithFile } from './work-name';
 import { isOurs } from './use-courses';
 
-/** Before the name of a tab that is open: see `keep-work.ts`. */
+/** Prefix of the lock of an open tab: see `keep-work.ts`. */
 const LOCK = 'parcours.tab.';
 
 const takingOver = lateModel((): { going?: Promise<void> } => ({}));
 
-/** Puts what closed tabs have left among the earlier works of this one, once. A page that keeps nothing takes nothing. */
+/**
+ * Adds the works that closed tabs have left to the earlier works of this one, once. A page that stores nothing takes
+ * none.
+ */
 export function takeOver(app: Pick<WorkParts, 'work'> & WithLate, nowMs: number): Promise<void> {
   const { work } = app;
   if (work.programs === null) return Promise.resolve();

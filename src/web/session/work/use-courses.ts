@@ -137,25 +137,25 @@ export function useCourses(app: Workplace) {
   return { ...whole, openCourse, openExample, openBoardProgram };
 }
 
-/** A program for one device takes the place of all. */
+/** The project with its first device only, and without what a teacher's task brought. */
 const alone = ({ devices: _, ...project }: Project): Project => withoutGiven(project);
 
-/** The robot that a course and its program are made for. */
+/** The robot that a course and its program are made for; `null`: none. */
 function robotOf({ scene, files }: Project) {
   const hardware = chooseHardware({ scene, imports: modulesImportedBy(filesByName(files)), robot: AUTO, board: AUTO });
   return 'problem' in hardware ? null : hardware.robot;
 }
 
-/** The arena that is open, with this program. */
+/** The open project, with this program as its only file. */
 const withProgram = ({ work }: Pick<WorkParts, 'work'>, source: string): Project => ({
   ...work.work.value.project,
   files: [{ name: MAIN, text: source }],
 });
 
-/** Nothing of the pupil's own is in it: not in the files, not in the arena. */
+/** True if nothing of the pupil's own is in a project: not in the files, not in the arena. */
 export const isOurs = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
 
-/** Nothing of the pupil's own is in the files. */
+/** True if nothing of the pupil's own is in the files. */
 const isOurProgram = (project: Project): boolean =>
   isUntouched(project) ||
   isAsOpened(project) ||

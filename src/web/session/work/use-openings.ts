@@ -9,7 +9,7 @@ import { stampSettings } from './stamp-settings';
 import { useDevice } from './hardware/use-device';
 import { nameWithFile, workName } from './work-name';
 
-/** Replaces the present project, and brings it back. */
+/** Functions that replace the present project, and bring an earlier one back. */
 export function useOpenings(app: Workplace) {
   const { work, notices } = app;
   const device = useDevice(app);

@@ -7,7 +7,7 @@ export function workName({ work }: Pick<WorkParts, 'work'>): string {
   return nameWithFile(courseName(scene, course), work.work.value.file);
 }
 
-/** A teacher opens many files of one course: the file says whose it is. */
+/** The name of a work after that of its file: a teacher opens many files of one course. */
 export const nameWithFile = (name: string, file: string | undefined): string =>
   file === undefined || file === name ? name : `${file} – ${name}`;
 

@@ -34,11 +34,11 @@ function wishFor({ setup, inputs: { value: inputs } }: Recording, { sinceUs, unt
   return { setup: { ...setup, inputs }, untilUs, untilProgramEnds: false, momentsSinceUs: sinceUs };
 }
 
-/** Does so without a word. */
+/** Adds the missing moments without showing the progress. */
 export const fillInSilently = (recording: Recording, { engine }: Pick<RunModel, 'engine'>): Promise<void> =>
   fillIn(recording, (wish) => repeatInWorker(engine, wish, () => undefined, new AbortController().signal));
 
-/** For as long as the component lives, the tape is filled in each time that all that was done to its run is known. */
+/** For the component's life, fills in the tape whenever all inputs to its run have been reported. */
 export function useFilled(recording: () => Recording | null, fill: (recording: Recording) => Promise<void>): void {
   watch(
     [recording, () => recording()?.inputs.value],

@@ -1,6 +1,6 @@
 import type { Recording } from '../recording';
 
-/** A stretch of a run, after the first time and up to the second, that is not on its tape whole. */
+/** A stretch of a run, after the first time and up to the second, of which moments are missing on its tape. */
 export interface Gap {
   readonly sinceUs: number;
   readonly untilUs: number;

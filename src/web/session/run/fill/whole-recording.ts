@@ -5,8 +5,8 @@ import type { Recording } from '../recording';
 import type { RunModel } from '../run-model';
 
 /**
- * Starts looking back, and waits for the newest moments of the run and all its inputs: those of a run in progress
- * arrive a moment later.
+ * Fetches the recording of the run. For a run in progress it starts looking back, and waits for the newest moments and
+ * all inputs, which arrive a moment later.
  *
  * @param wants `all moments`: also those that a run at full speed has left out, which may take seconds
  * @returns the recording; `null`: the run is gone, or was never recorded

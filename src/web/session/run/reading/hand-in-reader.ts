@@ -37,7 +37,7 @@ interface Batch {
   readonly added: readonly AddedFile[];
 }
 
-/** The contents of a class's files. */
+/** The hand-ins in a class's files, and the series if there is one. */
 export interface OpenedHandIns {
   readonly series: SeriesAmong['document'] | null;
   readonly sources: readonly Source[];

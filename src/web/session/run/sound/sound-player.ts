@@ -85,7 +85,10 @@ export class SoundPlayer {
     if (!this.muted) this.open();
   }
 
-  /** For other sounds of the page: where to play now, awake for some seconds; `null` while it is muted or being fetched. */
+  /**
+   * The output for the page's other sounds, awake for some seconds; `null` if muted, not loaded yet, or without sound
+   * hardware.
+   */
   output(): SoundOutput | null {
     const system = this.muted ? null : this.open();
     if (system !== null && system.mixer === null) void this.load();

@@ -4,12 +4,12 @@ import type { SoundEvent } from '#board/sound/sound-event';
 export const LOUDNESS = 0.4;
 /** Gain of speech. Fitted to "hello world": its highest peaks reach −4 dB; more would be clipped. */
 export const SPEECH_GAIN = 1.7;
-/** Samples of a program are seldom as loud as a full square wave. Chosen. */
+/** Gain of a program's samples, which are seldom as loud as a full square wave. Chosen. */
 const SAMPLES_GAIN = 1.25;
 /** Fade-in and fade-out time of a tone, in s: without it every note clicks. */
 export const EDGE_S = 0.003;
 
-/** Something that sounds until it is stopped. */
+/** A playing sound that can be ended. */
 export interface Voice {
   readonly endS: number;
   end(atS: number): void;

@@ -1,7 +1,7 @@
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { DeviceOutlets, RadioPacket, RunOutlets, TimedLogEvent } from '#simulation/outlets';
 
-/** The events of a run since the last call, oldest first. */
+/** The events of a device since the last call, oldest first. */
 export interface RunEvents {
   readonly sound: readonly SoundEvent[];
   readonly radio: readonly RadioPacket[];
@@ -19,12 +19,14 @@ export interface EventBox {
   take(): RunEvents | null;
 }
 
-/** Maximum number of packets in one batch. Chosen: more than a page shows at a time. */
+/**
+ * Number of newest packets that remain when twice as many have gathered. Chosen: as many as the page shows at a time.
+ */
 const MAX_PACKETS = 200;
-/** Maximum of sound events per batch (a frame): at 1 × a melody makes one, at full speed sound does not matter. */
+/** The same for sound events (a batch is a frame): at 1 × a melody makes one, at full speed sound does not matter. */
 const MAX_SOUNDS = 500;
 
-/** Maximum number of path points per batch, for instance while the page is hidden. Chosen: 60 m. */
+/** The same for points of the path, which gather for instance while the page is hidden. Chosen: 60 m. */
 const MAX_POINTS = 15_000;
 
 /**

@@ -27,7 +27,7 @@ export type FromFilm =
 /** A GIF has 256 colours; one of them means unchanged since the previous picture. */
 const MOST_COLOURS = 255;
 
-/** Every seventh pixel of a sample is used. Chosen: an odd number hits all columns. */
+/** Every seventh pixel of a sample is used. Chosen: a prime hits all columns of most widths. */
 const SAMPLED = 7;
 
 /** Takes pictures of one size, and writes only the changes into each. */

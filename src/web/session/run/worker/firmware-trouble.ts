@@ -6,7 +6,7 @@ import type { TextKey } from '../../../kit/i18n';
  */
 export type FirmwareTrouble = 'absent' | 'foreign' | 'forbidden';
 
-/** The VM cannot be had. */
+/** The VM could not be loaded or compiled. */
 export class FirmwareError extends Error {
   constructor(
     readonly trouble: FirmwareTrouble,
@@ -23,14 +23,14 @@ const SAID = {
   forbidden: 'notice.firmwarePolicy',
 } as const satisfies Readonly<Record<FirmwareTrouble, TextKey>>;
 
-/** The texts of why there is no VM. */
+/** Key of a text that says why there is no VM. */
 export type TroubleKey = (typeof SAID)[FirmwareTrouble];
 
 /** Reason for which a run could not get its VM, as far as it is known. */
 export const troubleOf = (error: unknown): FirmwareTrouble =>
   error instanceof FirmwareError ? error.trouble : 'absent';
 
-/** The same for the page. */
+/** The key of the page's text for it. */
 export const troubleKey = (error: unknown): TroubleKey => SAID[troubleOf(error)];
 
 /** "\0asm" and the version: how every compiled file begins, and the shortest one. */

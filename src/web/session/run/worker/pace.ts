@@ -6,7 +6,8 @@ import { STEP_PRESS_US, type ToWorker } from './protocol';
 export type PaceMessage = Extract<ToWorker, { type: 'pause' | 'resume' | 'step' | 'step-line' | 'speed' }>;
 
 /**
- * The time that a run may have reached by now: the wall clock times the speed, a pause, or the moment to catch up with.
+ * The pace of a run: how far it may go by now, by the wall clock times the speed, a pause, or the moment to catch up
+ * with.
  */
 export class Pace {
   paused = false;

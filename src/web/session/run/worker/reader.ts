@@ -51,7 +51,7 @@ export class Reader {
   }
 }
 
-/** A zip in a folder is opened later. */
+/** Opens a file that was added by itself; one in a folder is left closed, a zip there is opened later. */
 const openedAtTop = async (file: TreeFile): Promise<Opened> =>
   file.path.includes('/') ? { file, zip: null } : openGiven(file);
 

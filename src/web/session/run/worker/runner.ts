@@ -220,7 +220,9 @@ export class Runner {
     });
   }
 
-  /** True if the program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
+  /**
+   * True if all programs have ended, and nothing happens any more: then time need not pass, and the machine can rest.
+   */
   private mayRest(run: Run): boolean {
     const isIdle = !this.pace.paused && this.hasToldEnd && run.isIdle && this.outbox.isEmpty;
     return isIdle ? this.stillness.look(run.snapshot()) : this.stillness.forget();

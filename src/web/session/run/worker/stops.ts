@@ -24,7 +24,7 @@ export class Stops {
     for (const device of new Set([...before.keys(), ...points.keys()])) this.apply(run, device);
   }
 
-  /** The device makes a step; it ends where the run stops, be it elsewhere. */
+  /** Begins a step of a device. It ends at the next stop of the run, whatever caused it. */
   begin(step: LineStep, device: number, run: Debugged): void {
     this.end(run);
     this.step = { device, step };

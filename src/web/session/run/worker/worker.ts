@@ -1,7 +1,7 @@
 /**
- * The module worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks
- * hand-ins (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). It sends and receives the messages
- * of `protocol.ts`; all of its logic is in `runner.ts`.
+ * The worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks hand-ins
+ * (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). A run exchanges the messages of
+ * `protocol.ts`; its logic is in `runner.ts`.
  */
 import '../../../kit/oldest/fill';
 
@@ -66,7 +66,7 @@ const isForLooker = (data: Asked): data is ToLooker =>
 let reader: Promise<Reader> | null = null;
 const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
 
-/** And this. */
+/** Loaded on demand as well. */
 let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
 const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
   (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));

@@ -11,8 +11,8 @@ import type { RunParts } from '../../run/parts';
 import type { WorkParts } from '../../work/model/parts';
 
 /**
- * How it stands with a task that asks for more than the goals of its course. `live`: nothing is to be said but what the
- * run's own verdict says; `checking`: the goals are reached, the rest is not known yet; `lacking`: something is missing.
+ * State of a task that asks for more than the goals of its course. `live`: only the run's own verdict is shown;
+ * `checking`: the run has come far enough, but the check is not over; `lacking`: something is missing.
  */
 export type CheckedState = 'live' | 'checking' | 'passed' | 'lacking';
 
@@ -28,8 +28,8 @@ export interface Checked {
 }
 
 /**
- * Checks the program again from the start of each run, in a worker of its own, and tells the result when the run itself
- * has come so far: with it the course's goals count as reached only where all the rest holds, too.
+ * Checks the program again from the start of each run, in a worker of its own, and shows the result when the run itself
+ * has come as far. The goals of the course then count as reached only if all other checks are met.
  */
 export function createChecked(
   { work, run }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'>,
@@ -53,7 +53,10 @@ export function createChecked(
 
   const live = computed(() => run.snapshot.value?.verdict?.state ?? 'open');
   const found = check.result;
-  /** Goals are reached on the page; all else shows when the run has come as far as its check, or is over. */
+  /**
+   * True if the result may be shown: the run has reached the goals or, without goals, the time of the check, or is
+   * over.
+   */
   const isTime = computed(() => {
     if (live.value === 'passed' || run.hasEnded.value) return true;
     if (hasTask(work.scene.value) || run.present.value === null) return false;

@@ -8,12 +8,12 @@ import type { SeriesPlace } from './series-place';
 /** The tasks done in this browser, of all series: `series/task` → stars, 0 if the task gives none. */
 export type Done = Readonly<Record<string, number>>;
 
-/** Which tasks are done. The signs stay when the program is changed or the page is closed. */
+/** The marks of tasks that are done. They stay when the program is changed or the page is closed. */
 export interface DoneMarks {
   readonly all: Readonly<Ref<Done>>;
   /** Marks a task, and keeps the most stars. */
   mark(place: SeriesPlace, stars: number): void;
-  /** Takes a mark away. */
+  /** Removes a mark. */
   clear(place: SeriesPlace): void;
 }
 
@@ -23,7 +23,7 @@ const MOST = 2000;
 
 export const keyOf = ({ series, task }: SeriesPlace): string => `${series}/${task}`;
 
-/** @param store where they are kept; `null`: as long as the page is open */
+/** Loads the marks. @param store storage for them; `null`: they last as long as the page is open */
 export function createDoneMarks(store: Storage | null): DoneMarks {
   const all = shallowRef(read(store));
   if (store !== null)

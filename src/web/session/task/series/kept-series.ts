@@ -11,21 +11,21 @@ import { entriesIn, inStore, type Entry } from '../../work/storage/database';
 const SERIES = 'series.of.';
 const DRAFT = 'series.draft';
 
-/** Those that were opened since the page was loaded: a browser without a database has them, too. */
+/** The series opened since the page was loaded: a browser without a database has them, too. */
 const openedSeries = lateModel(() => new Map<string, Series>());
 
 /**
- * Keeps a series that was opened, so that the way back to it is there after a reload and without a network. It goes when nobody
- * has opened it for sixty days, as other pieces of work do.
+ * Stores a series that was opened, so that the way back to it works after a reload and without a network. It is removed
+ * when nobody has opened it for sixty days, as other pieces of work are.
  *
- * @param address where it was fetched from; left out: it was in a link or a file
+ * @param address its address, if it was fetched; left out: it was in a link or a file
  */
 export async function keepSeries(app: WithLate, series: Series, address?: string): Promise<void> {
   openedSeries(app).set(series.id, series);
   await put(SERIES + series.id, { text: seriesToText(series), ...(address !== undefined && { address }) }, Date.now());
 }
 
-/** A series that was kept; `null`: this browser has none of that id. */
+/** A series that was stored; `null`: this browser has none of that id. */
 export async function keptSeries(app: WithLate, id: string): Promise<Series | null> {
   const known = openedSeries(app).get(id);
   if (known !== undefined) return known;
@@ -36,13 +36,13 @@ export async function keptSeries(app: WithLate, id: string): Promise<Series | nu
   return series;
 }
 
-/** The series that was last fetched from this address. */
+/** A stored series that was fetched from this address; `null`: there is none. */
 export async function seriesFrom(address: string): Promise<Series | null> {
   const entries = await entriesAt(() => IDBKeyRange.bound(SERIES, `${SERIES}~`));
   return seriesIn(entries.find((entry) => valueIn(entry)?.['address'] === address));
 }
 
-/** Keeps the series that a teacher is making, with solutions and all, until another takes its place. */
+/** Stores the series that a teacher is making, solutions included, until another replaces it. */
 export const keepDraft = (series: Series): Promise<void> => put(DRAFT, { text: seriesToText(series) }, Infinity);
 
 /** The series that was being made when the page was left. */
@@ -50,7 +50,7 @@ export const keptDraft = async (): Promise<Series | null> => seriesIn(await entr
 
 const entryOf = async (name: string): Promise<Entry | undefined> => (await entriesAt(() => name))[0];
 
-/** A browser without a database keeps nothing: what is open works all the same. */
+/** Stored entries; none in a browser without a database. */
 async function entriesAt(names: () => string | IDBKeyRange): Promise<readonly Entry[]> {
   try {
     return await entriesIn(names());

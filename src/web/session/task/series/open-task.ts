@@ -53,7 +53,7 @@ export function openTask(app: SeriesApp, series: Series, task: SeriesTask, anew 
   work.arrivals.value += 1;
 }
 
-/** Nothing of the pupil's own is in it: it is a task of the series just as it was opened. */
+/** True if a project is a task of the series just as it was opened, with nothing of the pupil's own. */
 function isAsOpened(project: Project, series: Series): boolean {
   const task = taskOfWork(project, series);
   if (task === null || !isAsGiven(project, task)) return false;
@@ -63,7 +63,7 @@ function isAsOpened(project: Project, series: Series): boolean {
   return given !== null && isSame(given.files, project.files) && isSame(given.devices, project.devices);
 }
 
-/** The task after the one that the work is; `null`: it is the last one that can be opened. */
+/** The next task that can be opened; `null`: there is none. */
 export function taskAfter(series: Series, task: SeriesTask): SeriesTask | null {
   const after = series.tasks.slice(series.tasks.indexOf(task) + 1);
   return after.find(({ from }) => from.kind === 'course' || from.kind === 'project') ?? null;

@@ -6,7 +6,7 @@ import { readyCourse } from '../../work/catalogue/ready-courses';
 import { isHandedOut } from '../../work/model/task-locks';
 import { placeOf } from './series-place';
 
-/** The task of the series that the work still is: another course may have been opened under its program. */
+/** The task of the series that the work belongs to; `null`: none, or another course was opened under its program. */
 export function taskOfWork(project: Project, series: Series): SeriesTask | null {
   const place = placeOf(project);
   const task = place?.series === series.id ? series.tasks.find(({ id }) => id === place.task) : undefined;
@@ -18,13 +18,13 @@ export function taskOfWork(project: Project, series: Series): SeriesTask | null 
   return isIt ? task : null;
 }
 
-/** The task as it is opened; `null`: it cannot be, because it is not read or its course is unknown here. */
+/** The course of a task as it is opened; `null`: the task is not read, or its course is unknown here. */
 export function sceneOf({ from }: SeriesTask): Project['scene'] | null {
   if (from.kind === 'course') return readyCourse(from.course)?.scene ?? null;
   return from.kind === 'project' ? from.project.scene : null;
 }
 
-/** True if the work is in the course as it was handed out: only there it counts. */
+/** True if the work's course is as it was handed out: only then it counts. */
 export function isAsGiven(project: Project, task: SeriesTask): boolean {
   const scene = sceneOf(task);
   return scene !== null && isSameArena(scene, project.scene);

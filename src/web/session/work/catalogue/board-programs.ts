@@ -33,6 +33,6 @@ export const boardPrograms: readonly BoardProgram[] = lessons.map((program) => (
   board: program === calliope ? 'calliope-mini-3' : null,
 }));
 
-/** A text is one of ours, untouched by a pupil. */
+/** True if a text is one of these programs in any language, unchanged. */
 export const isBoardProgram = (text: string): boolean =>
   boardPrograms.some(({ source }) => Object.values(source).includes(text));

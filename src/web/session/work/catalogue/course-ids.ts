@@ -5,7 +5,7 @@ const missions = import.meta.glob('../../../../../courses/missions/*/mission.jso
 const namesIn = (files: Readonly<Record<string, unknown>>): string[] =>
   Object.keys(files).flatMap((path) => path.split('/').slice(-2, -1));
 
-/** Ids of the ready courses, without the courses themselves, which come late. */
+/** Ids of the ready courses, without the courses themselves, which are loaded later. */
 export const courseIds: readonly string[] = [
   ...namesIn(folders),
   ...namesIn(missions).flatMap((name) => missionRobots.map((robot) => missionId(name.replace(/^\d+-/, ''), robot))),

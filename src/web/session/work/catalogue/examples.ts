@@ -21,7 +21,7 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
   return (sheet?.examples ?? []).map((example) => ({ robot, example }));
 }
 
-/** Those of all robots, in their order. */
+/** The sample programs of all robots, in the order of the robots. */
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
 /** Programs that come with courses and examples. Solutions are left out: a pupil who wrote the same has written it. */
@@ -47,14 +47,16 @@ function withOptions({ scene }: Course, { options }: RobotExample): Scene {
   return { ...scene, robot: { ...scene.robot, options: { ...scene.robot.options, ...options } } };
 }
 
-/** The arena is just as a ready course has it: nothing of the pupil's own is in it. */
+/**
+ * True if the arena is just as a ready course has it, but for the robot's options: nothing of the pupil's own is in it.
+ */
 export function isReadyArena(scene: Scene): boolean {
   return readyCourses.some(
     (course) => course.scene.objects.length === scene.objects.length && isSameArena(course.scene, scene),
   );
 }
 
-/** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
+/** True if the files are just as some course or example brought them: nothing of the pupil's own is in them. */
 export function isUntouched({ files, course, devices }: Project): boolean {
   if (devices === undefined) return isBrought(files);
   // A device that the pupil has added is their own, whatever it runs.

@@ -44,7 +44,7 @@ export function courseName(scene: Scene, id: string | null): string {
   return course?.texts[shownLanguage()].name ?? (scene.name || t('course.unnamed'));
 }
 
-/** The files are just as a first visit finds them, in whatever language. */
+/** True if the files are just as a first visit finds them, in whatever language. */
 export function isAsFound({ files: [main, ...others] }: Project): boolean {
   return main?.name === MAIN && others.length === 0 && isFirstProgram(main.text);
 }

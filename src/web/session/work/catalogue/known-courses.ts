@@ -2,5 +2,5 @@ import type { Course } from '#catalogue/course';
 
 import { arrival } from '../../../kit/state/arrival';
 
-/** The courses whose names are here: they come with ready-courses.ts. */
+/** The ready courses; `null` until `ready-courses.ts` is loaded. */
 export const knownCourses = arrival<readonly Course[]>();

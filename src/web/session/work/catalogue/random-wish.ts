@@ -8,7 +8,7 @@ export type RandomSize = (typeof randomSizes)[number];
 export interface RandomWish {
   readonly kind: RandomKind;
   readonly size: RandomSize;
-  /** `seedRange`. */
+  /** Within `seedRange`. */
   readonly seed: number;
 }
 

@@ -1,7 +1,7 @@
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
-/** Nothing differs but what examples themselves change: the options of the robot. */
+/** True if two scenes differ in nothing but the options of the robot, which examples change. */
 export function isSameArena(one: Scene, other: Scene): boolean {
   const text = (scene: Scene): string => serializeScene({ ...scene, robot: { ...scene.robot, options: {} } });
   return one === other || text(one) === text(other);

@@ -13,8 +13,8 @@ export interface ShownText {
 }
 
 /**
- * The task in the reader's language. One that is missing is replaced by the language in which the task was written; a
- * ready course has its words in all of them.
+ * The task in the reader's language. A missing translation is replaced by the text as the task was written; a ready
+ * course has its words in all languages.
  *
  * @param ready the ready course that is open, as far as its words are known
  */

@@ -5,8 +5,8 @@ import type { WorkParts } from '../model/parts';
 import { hardwareNow } from './use-hardware';
 
 /**
- * The colour of each device by its place, as its number among `robotColors`: that of its robot's start in the course, or
- * the one that has its own number.
+ * The colour of each device by its place, as an index of `robotColors`: that of its robot's start in the course, or
+ * else its own place.
  */
 export function colorsOfDevices(parts: WorkParts): readonly number[] {
   const { robot, objects } = parts.work.scene.value;

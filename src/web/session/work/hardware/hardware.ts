@@ -8,7 +8,7 @@ import { chooseHardware, type Hardware } from '#simulation/hardware';
 import { AUTO_DEVICE, AUTO_ROBOT, boardWish, firmwareOf } from '../settings/devices';
 import type { Settings } from '../settings/settings';
 
-/** Those that make another run: a change ends the one that is there. */
+/** The settings that a run depends on: a change of one ends the run. */
 export const deviceSettings = (settings: Settings): readonly unknown[] => {
   const { device, firmware, robot, robotOptions, reality } = settings;
   return [device, firmware, robot, robotOptions, reality, seedOf(settings)];
@@ -43,8 +43,8 @@ export function startOptions(robot: RobotType, scene: Scene): OptionValues {
 }
 
 /**
- * The settings with another choice for a robot's option. What is as it would be anyway is not kept: it follows the
- * course.
+ * The settings with another choice for a robot's option. A choice equal to the start option is not stored: it follows
+ * the course.
  */
 export function withOption(
   settings: HardwareSettings,
@@ -57,7 +57,7 @@ export function withOption(
   return withOptions(settings, robot, changed.filter(([id, value]) => start[id] !== value)); // prettier-ignore
 }
 
-/** The settings without what was changed about a robot that the course itself sets: opening a course sets it up. */
+/** The settings without the changes to those options of a robot that the course sets: opening a course sets it up. */
 export function withCourseOptions(
   settings: HardwareSettings,
   robot: RobotType,

@@ -8,7 +8,7 @@ import { Overtaken, Replays, type Bench } from './replays';
 
 /** Time before a moment at which its line may have begun, in µs: tried one after the other, then from the start. */
 const BEFORE_US = [500_000, 5_000_000, 50_000_000] as const;
-/** Number of lines before a moment whose variables are cached. Chosen: no one steps back further line by line. */
+/** Number of lines before a moment that are remembered at least. Chosen: no one steps back further line by line. */
 const MOST_SEEN = 256;
 /** Longest time for reading the variables of lines that may never be requested, in ms of wall time. */
 const READING_MS = 120;
@@ -16,7 +16,7 @@ const READING_MS = 120;
 const LAST_US = 20_000;
 /** A line that began this long ago, in µs, still counts as current. Chosen: too short to see a robot move. */
 const NEAR_US = 100_000;
-/** As long, in µs, may one device be before another. */
+/** Largest lead of one device's clock over another's, in µs. */
 const APART_US = 2 * STEP_US;
 
 /** A part of a run that can no longer change: its lines from one moment to another. */
@@ -38,7 +38,7 @@ interface Seen extends Pick<LineEvent, 'file' | 'line'> {
 export class Looker {
   private replays: Replays | null = null;
   private stretch: Stretch | null = null;
-  /** Looking and asking do not overtake each other. */
+  /** Number of the newest request of each kind; requests of one kind do not overtake those of the other. */
   private readonly newest = { look: 0, why: 0 };
   private working: Promise<void> = Promise.resolve();
 
@@ -168,7 +168,7 @@ async function lookAt(replays: Replays, at: Instant, mayGoOn: () => boolean): Pr
   return { ...at, snapshot: run.snapshot(), variables: readerOf(run, at.device)() };
 }
 
-/** Destination of a step from a moment. */
+/** The moment at which a step from a moment ends; `null`: not before `untilUs`. */
 async function lookAfter(
   replays: Replays,
   { at, step, untilUs }: Extract<LookWish, { kind: 'step' }>,
@@ -212,7 +212,10 @@ async function standAt(replays: Replays, at: Instant, mayGoOn: () => boolean): P
   return run;
 }
 
-/** All lines that begin between two moments, the latest with their variables. */
+/**
+ * The latest lines that begin between two moments. Their variables are read for `READING_MS` of wall time, and in the
+ * last `LAST_US` regardless.
+ */
 async function readStretch(
   replays: Replays,
   { device, fromUs, toUs }: Omit<Stretch, 'lines'>,

@@ -38,7 +38,7 @@ export interface WhyWish {
   readonly printed?: number;
 }
 
-/** A moment as it was. */
+/** A moment of a run, with its picture and the device's variables. */
 export interface Look extends Instant {
   readonly snapshot: Snapshot;
   readonly variables: Variables;

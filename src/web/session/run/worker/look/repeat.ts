@@ -1,4 +1,4 @@
-/** Repeats a recorded run to its end, in a worker of its own: its result is the proof. */
+/** Repeats a recorded run to a time or its end, in a worker of its own. */
 import type { RunOutlets } from '#simulation/outlets';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
@@ -30,7 +30,7 @@ export interface Repeated {
   readonly pieces: readonly Uint8Array[];
 }
 
-/** To the page: how far it is, again and again; then one of the others. */
+/** To the page: the simulated time reached, every `TELL_MS`; at the end one of the others. */
 export type RepeatAnswer =
   | { readonly type: 'repeating'; readonly nowUs: number }
   | { readonly type: 'repeated'; readonly repeated: Repeated }

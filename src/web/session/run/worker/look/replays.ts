@@ -28,7 +28,7 @@ interface Parked {
   readonly at: Instant | null;
 }
 
-/** The same run, again and again: brought to any moment, in slices, and parked there for the next wish. */
+/** The same run, again and again: brought to any moment, in slices, and parked there for the next request. */
 export class Replays {
   /** The lines that caused each output, up to the farthest point of any run. */
   readonly causes = new Causes();
@@ -86,14 +86,14 @@ export class Replays {
     }
   }
 
-  /** The run that has been parked at a moment, or `null`. */
+  /** Takes out the run that is parked at a moment; `null`: there is none. */
   standing({ device, timeUs, isLine }: Instant): Simulation | null {
     const found = this.parked.find(({ at }) => at?.device === device && at.timeUs === timeUs && at.isLine === isLine);
     this.parked = this.parked.filter((other) => other !== found);
     return found?.run ?? null;
   }
 
-  /** Parks a run to continue from, and drops the oldest. @param at the moment it is at */
+  /** Parks a run to continue from, and drops the oldest if there are too many. @param at the moment it is at */
   park(run: Simulation, at: Instant | null = null): void {
     for (const device of run.endings.keys()) run.watch(null, device);
     const all = [...this.parked, { run, at }];
