@@ -137,7 +137,7 @@ export function useCourses(app: Workplace) {
   return { ...whole, openCourse, openExample, openBoardProgram };
 }
 
-/** The project with its first device only, and without what a teacher's task brought. */
+/** The project with its first device only, and without a task that was handed out. */
 const alone = ({ devices: _, ...project }: Project): Project => withoutGiven(project);
 
 /** The robot that a course and its program are made for; `null`: none. */

@@ -9,18 +9,18 @@ import { hardwareOf, settingsFor } from './hardware';
 import type { Settings } from '../settings/settings';
 import type { Notice } from '../../../kit/notices';
 
-/** The connected hardware, as far as it can cause an error. */
+/** The robot, as far as it can cause an error. */
 export interface OnTable {
   /** Name of the robot; `null`: none. */
   readonly robot: string | null;
-  /** Why it cannot answer, if that is known. */
+  /** The reason why it cannot answer; `null`: it can, or the reason is unknown. */
   readonly fault: { readonly key: TextKey; readonly values: TextValues } | null;
 }
 
 /**
- * The fault if the program is written for another robot, or when the robot stands on a microcomputer that it does
- * not fit, and the way out; otherwise `null`. Nothing of the robot answers then, as in reality. The program's error
- * says only that, if there is an error at all, so the page says what does not fit.
+ * A notice with the way out if the program is written for another robot, or the robot stands on a microcomputer that it
+ * does not fit; otherwise `null`. Nothing of the robot answers then, as in reality. The program's error says only that,
+ * if there is an error at all, so the page says what does not fit.
  */
 export function mispluggedNotice(
   project: Project,

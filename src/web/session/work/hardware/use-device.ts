@@ -15,7 +15,7 @@ import { useHardware } from './use-hardware';
 import type { Workplace } from '../model/parts';
 import type { Notice } from '../../../kit/notices';
 
-/** Choosing what the program runs on. */
+/** The choice of the hardware that the program runs on. */
 export interface DeviceModel {
   readonly hardware: ComputedRef<Hardware | null>;
   /** The choice for the device that is shown. */
@@ -24,9 +24,9 @@ export interface DeviceModel {
   readonly name: ComputedRef<string>;
   readonly chooseDevice: (id: string) => void;
   readonly chooseFirmware: (id: string) => void;
-  /** The bare board needs no arena; a robot brings it back. */
+  /** Chooses a robot. For the first device the arena is hidden with `none`, and shown again with a robot. */
   readonly chooseRobot: (id: string) => void;
-  /** A course has a robot, whatever was chosen for the programs without one. */
+  /** Ends the choice of no robot: a course has one. */
   readonly allowRobot: () => void;
   /** The open program came with this robot: it, its board and these options are chosen, as far as they are not already. */
   readonly bringRobot: (robot: RobotType, options?: OptionValues) => void;
@@ -39,7 +39,7 @@ export interface DeviceModel {
   readonly chooseReality: (reality: number) => void;
   /** Takes the used robot with this number; an invalid number changes nothing. */
   readonly chooseSeed: (seed: number) => void;
-  /** Takes the next one, after the last the first. */
+  /** Takes the used robot with the next number, after the last the first. */
   readonly nextSeed: () => void;
   /** The mismatch of robot and board, or of robot and program, with a remedy; otherwise `null`. */
   readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
@@ -123,7 +123,10 @@ function wishOf(device: FurtherDevice | null): HardwareWish | null {
   return { device: id, firmware, robot, robotOptions };
 }
 
-/** Changes settings. Another device ends the run: that must not look like an accident, and there is none while looking back. */
+/**
+ * Returns a function that changes settings. Another device ends the run, so a notice says so; while course and devices
+ * must stay as they are, it is refused.
+ */
 function changing(app: Parts) {
   const { settings, run, notices, work } = app;
   return (wish: Partial<Settings>, own = wish): void => {
@@ -141,7 +144,7 @@ function changing(app: Parts) {
   };
 }
 
-/** The hardware is the further device's own; the rest holds for all. */
+/** Changes settings for a further device: the hardware is its own, the rest holds for all. */
 function changeFurther(
   { settings, work }: Parts,
   { device, firmware, robot, robotOptions, ...rest }: Partial<Settings>,

@@ -17,7 +17,7 @@ import type { WorkModel } from './work-model';
 /** Longest time from a change until the work is saved, in ms, even while more changes follow. */
 const SAVE_AFTER_MS = 400; // chosen: a crash costs less than a second, also if the page is busy and a copy has to be written
 
-/** How long the page waits for the copy on the disk when it opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
+/** Longest wait for the copy on the disk when the page opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
 const PATIENCE_MS = 2000;
 
 /** The state that a page opens with. */
@@ -137,7 +137,7 @@ export function keepWork(
   });
 }
 
-/** Begins with the time, so that sorting names sorts by age. */
+/** A new name for a tab. It begins with the time, so that sorting names sorts by age. */
 function newTabName(): string {
   return `${Date.now().toString(36).padStart(9, '0')}-${Math.floor(Math.random() * 1e9).toString(36)}`;
 }
@@ -145,6 +145,8 @@ function newTabName(): string {
 /**
  * Holds a lock in this tab's name as long as the page lives. A duplicated tab has the same name in its copied session
  * store, finds the lock taken and must take another name; so two tabs never write the same copy.
+ *
+ * @returns false if another tab holds it
  */
 function holdsName(name: string): Promise<boolean> {
   // Web Locks are missing on plain http: duplicated tabs then share their copy, but their sessions still stay apart.

@@ -74,10 +74,10 @@ export class WorkLocks implements Omit<TaskLocks, 'locks'> {
   }
 }
 
-/** Whether its task is a pupil's: then the page keeps what it locks. */
+/** True if the project's task was handed out to a pupil: then the page enforces its locks. */
 export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
 
-/** The project for something else: a task that was handed out belongs to its own course and program. */
+/** The project without a task that was handed out, which belongs to its own course and program. */
 export function withoutGiven(project: Project): Project {
   const { task: _, ...others } = project;
   return isHandedOut(project) ? others : project;

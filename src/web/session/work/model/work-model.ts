@@ -61,7 +61,7 @@ export class WorkModel {
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
   private readonly listeners = new Set<(step: CourseStep) => void>();
-  /** The opened course. If its name or its task changes, it is no longer a ready course. */
+  /** The opened project. If the name or description of its course changes, it is no longer a ready course. */
   private origin: Project;
 
   constructor(

@@ -1,6 +1,6 @@
 /**
- * The pupil's own programs of the ready courses, kept in the browser beside the stars: the one that they had last, and the
- * one that has won most. A course's arena needs no keeping, it comes with the page.
+ * The pupil's own programs of the ready courses, stored in the browser beside the stars: the last one, and the one that
+ * has won most. A course's arena is not stored, it comes with the page.
  */
 import { MAIN, type Project, type SourceFile } from '#project/project';
 import { isRecord } from '#core/record';
@@ -27,7 +27,7 @@ export interface OwnPrograms {
   readonly best?: OwnProgram;
 }
 
-/** Before the id of the course. */
+/** Before the id of the course, in the name of an entry. */
 const KEY = 'parcours.program.';
 
 type Kept = Pick<WorkModel, 'programs'>;
@@ -44,21 +44,21 @@ export function programsOf({ programs }: Kept, course: string): OwnPrograms {
   }
 }
 
-/** Keeps the program that is open as the last one of its course; one of a teacher's task belongs to that task. */
+/** Stores the open program as the last one of its course, unless it is as it came, or belongs to a teacher's task. */
 export function leaveProgram(work: Kept & Pick<WorkModel, 'work'>, atMs: number): void {
   const { project } = work.work.value;
   if (project.course === null || project.task !== undefined || isAsOpened(project)) return;
   keepLast(work, project.course, { atMs, files: filesOf(project) });
 }
 
-/** Keeps a program as the last one of a course, unless a later one is. */
+/** Stores a program as the last one of a course, unless a later one is stored. */
 export function keepLast(work: Kept, course: string, last: OwnProgram): void {
   const kept = programsOf(work, course);
   if ((kept.last?.atMs ?? 0) <= last.atMs) write(work, course, { ...kept, last });
 }
 
 /**
- * Keeps a program that has won, where none before has won more, or as much in less time.
+ * Stores a program that has won, unless one before has won more, or as much in no more time.
  *
  * @returns `false`: the browser has no room left
  */
@@ -88,17 +88,17 @@ export function withProgram(project: Project, { files: [first, ...others] }: Own
   return { ...project, files: first, devices: { ...devices, others: further } };
 }
 
-/** The program that is open. */
+/** The files of each device of a project, in their order. */
 export const filesOf = ({ files, devices }: Project): OwnProgram['files'] => [
   files,
   ...(devices?.others.map((device) => device.files) ?? []),
 ];
 
-/** Programs as they came with a course or its solution, by their first file: nobody has written on them. */
+/** Programs as they came with a course or its solution, by the list of the first device's files. */
 const opened = notesOn<Project['files'], Project['devices']>();
 /** Notes that a project is opened as it comes. */
 export const noteOpened = ({ files, devices }: Project): void => void opened.set(files, devices);
-/** Nobody has written on it since it was opened as it came. */
+/** True if nobody has written on a project since it was opened as it came. */
 export const isAsOpened = ({ files, devices }: Project): boolean => opened.has(files) && opened.get(files) === devices;
 
 function write({ programs }: Kept, course: string, kept: OwnPrograms): boolean {

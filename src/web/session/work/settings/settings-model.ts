@@ -18,7 +18,7 @@ export interface SettingsModel {
    * @param own what is stored, where the pupil has chosen only a part of a value whose rest is the host's
    */
   change(part: Partial<Settings>, own?: Partial<Settings>): void;
-  /** The same with what a work comes with that is being opened. */
+  /** The same with the settings of work that is being opened; nothing refuses them. */
   bring(part: Partial<Settings>, own?: Partial<Settings>): void;
   /** Sets something for this visit only, as a host or an address wishes; it holds until the pupil changes it. */
   hold(part: Partial<Settings>): void;
@@ -27,8 +27,8 @@ export interface SettingsModel {
 /**
  * Reads the stored settings and stores every change.
  *
- * @param held what this visit has otherwise
- * @param refuses whether what the pupil wants to change has to stay as it is
+ * @param held settings for this visit only
+ * @param refuses whether settings that the pupil wants to change have to stay as they are
  */
 export function createSettings(
   held: Partial<Settings> = {},

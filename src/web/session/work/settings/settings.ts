@@ -35,7 +35,7 @@ export interface Settings {
   readonly lights: LightWishes;
   readonly showBoard: boolean;
   readonly showArena: boolean;
-  /** The microcomputer of the next run: an id of `devices`. */
+  /** The microcomputer of the next run: an id of `devices`, or `auto`. */
   readonly device: string;
   /** Id of its firmware; empty, or one that the board does not have: the board's usual one. */
   readonly firmware: string;
@@ -86,10 +86,10 @@ export interface Settings {
 /** Chosen options by the robot's id. */
 export type RobotOptions = Readonly<Record<string, OptionValues>>;
 
-/** How many used robots there are to choose from. */
+/** Number of used robots to choose from. */
 export const LAST_SEED = 9999;
 
-/** The number of one of them. */
+/** True for the number of a used robot: a whole number, 1 … `LAST_SEED`. */
 export const isSeed = (value: unknown): value is number =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
 
@@ -222,7 +222,7 @@ function myRobotFrom(value: unknown): MyRobot | null {
   return reader.problems.length === 0 && robotTypes.some(({ id }) => id === mine.robot) ? mine : null;
 }
 
-/** Keeps what this version of the app knows: robots come and go, and so do their options. */
+/** Reads stored options, as far as this version of the app knows them: robots come and go, and so do their options. */
 function readRobotOptions(value: unknown): RobotOptions {
   if (!isRecord(value)) return {};
   const robots = robotTypes.map(({ id, options }): [string, OptionValues] => {

@@ -4,7 +4,7 @@
  */
 import { entriesIn } from './database';
 
-/** Before the name of the tab. The pieces, which lie in the same store, are named by figures (`pieces.ts`). */
+/** Before the name of the tab. The pieces, which lie in the same store, have other names (`pieces.ts`). */
 export const DISK_COPY = 'work.';
 
 /** All copies. */

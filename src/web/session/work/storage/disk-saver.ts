@@ -8,7 +8,10 @@ import { LargeWork } from './large-work';
 
 export { wholeWork } from './large-work';
 
-/** Work longer than this (characters) must have a picture as floor: its large parts are stored apart. */
+/**
+ * From this length of the work on (characters), its large parts are stored apart: a picture as floor, large earlier
+ * work.
+ */
 const LARGE = 100_000;
 
 /** `again`: large parts were put apart, and the rest is to be saved without them. */

@@ -4,7 +4,7 @@ import { packedText } from './stored-project';
 
 /** A piece of earlier work that was put aside for something else. */
 export interface Previous {
-  /** The name that the pupil sees: the course's. */
+  /** The name that the pupil sees: the course's, after that of the file if there is one. */
   readonly name: string;
   /** When it was put aside, in ms since 1970. */
   readonly atMs: number;
@@ -13,7 +13,7 @@ export interface Previous {
   readonly file?: string | undefined;
 }
 
-/** The newest pieces of earlier work are kept however large they are: so many. */
+/** Number of the newest pieces of earlier work that are kept however large they are. */
 export const KEPT_ANYWAY = 5;
 
 /**
@@ -48,7 +48,7 @@ export function withRoom(entries: readonly Previous[]): readonly Previous[] {
   });
 }
 
-/** Two projects with the same files in the same course. */
+/** True if two projects are the same: files, course, hardware, task and hand-in. */
 export function isSameWork(one: Project, other: Project): boolean {
   return packedText(one) === packedText(other);
 }
@@ -58,13 +58,13 @@ export function workToText(work: Work): string {
   return textOfWork(work, packedText(work.project), ({ project }) => packedText(project));
 }
 
-/** Stored work that says when it was saved, in ms since 1970: of two copies the newer one is opened. */
+/** Stored work with the time when it was saved, in ms since 1970: of two copies the newer one is opened. */
 export const stamped = (text: string, savedMs: number): string => `{"savedMs":${String(savedMs)},${text.slice(1)}`;
 
 /** When `stamped` work was saved; 0 for what an earlier version of the app stored. */
 export const savedMsOf = (text: string | null): number => Number(/^\{"savedMs":(\d+),/.exec(text ?? '')?.[1] ?? 0);
 
-/** The same list with other texts for the projects. */
+/** Work as text for the browser's storage, with the given texts for its projects. */
 export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
   const previous = work.previous.map((entry) => {
     const { name, atMs, file } = entry;

@@ -5,7 +5,7 @@
 import { inStore, type Entry } from './database';
 import type { Piece } from './pieces';
 
-/** Pieces that no work has named for this long are deleted. Chosen: holidays. */
+/** Entries of the database that were not used for this long are deleted. Chosen: holidays. */
 const FORGOTTEN_MS = 60 * 24 * 3600 * 1000;
 
 /** Stores pieces; done once they are on the disk. Rejects where the browser has no such store or no room. */
@@ -15,7 +15,10 @@ export async function putPieces(pieces: readonly Piece[], nowMs: number): Promis
   });
 }
 
-/** The pieces of these names, as far as they exist; pieces that were not used for a long time are deleted. */
+/**
+ * The pieces of these names, as far as they exist. Entries of the database that were not used for a long time are
+ * deleted.
+ */
 export async function getPieces(names: readonly string[], nowMs: number): Promise<ReadonlyMap<string, string>> {
   const found = new Map<string, string>();
   await inStore('readwrite', (store) => {

@@ -86,7 +86,7 @@ const projectPiece = memoOf((project: Project): Piece | null => {
   return text.length >= PIECE_CHARACTERS ? pieceOf(text) : null;
 });
 
-/** Two FNV-1a sums and the length: no two pieces of one pupil have the same. */
+/** A piece, named by two FNV-1a sums and the length of its text: no two pieces of one pupil have the same name. */
 function pieceOf(text: string): Piece {
   let one = 0x811c9dc5;
   let other = 0x01234567;

@@ -8,8 +8,8 @@ export interface TabStorage {
   /** This tab's last work; in a new tab, that of any tab; `null` if there is none. */
   load(): string | null;
   /**
-   * Saves for this tab, and as a copy that survives closing it. Of `SLOW` text the tab's own storage gets only what there is
-   * when the page is left. `false` when the browser has no room left.
+   * Saves for this tab, and as a copy that survives closing it. Text longer than `SLOW` goes into the tab's own storage
+   * only when the page is left. `false` when the browser has no room left.
    */
   save(text: string, isLeaving?: boolean): boolean;
   /** The tab's name, if a copy of the work goes to the disk, too. */
@@ -21,7 +21,7 @@ const WORK = 'parcours.work';
 const COPY = 'parcours.copy.';
 const LAST = 'parcours.last';
 
-/** Copies of closed tabs that are kept. */
+/** Number of copies that are stored, this tab's included. */
 export const COPIES = 5;
 /** A longer text (characters) takes the tab's own storage a while: 270,000 took 5 ms, and the shared one 1 ms (Chromium). */
 export const SLOW = 30_000;
