@@ -1,9 +1,9 @@
 import { defineAsyncComponent, type Component } from 'vue';
 
-/** The list of a menu: it comes when it is needed first, not with the page. */
+/** The list of a menu, which is loaded when it is first needed. */
 export interface LateList {
   readonly List: Component;
-  /** For the menu's button: once it is pointed at or has the focus, the list is on its way. */
+  /** Listeners for the menu's button: they load the list once the button is pointed at or has the focus. */
   readonly soon: { readonly pointerenter: () => void; readonly focus: () => void };
 }
 

@@ -1,6 +1,9 @@
 import type { Notice, NoticesModel } from './notices';
 
-/** A part of the page that comes late did not come: the network is gone, or the server has another version by now. */
+/**
+ * The notice that a part of the page could not be loaded: the network is gone, or the server has another version by
+ * now.
+ */
 export const latePart: Notice = {
   kind: 'error',
   key: 'notice.latePart',
@@ -11,10 +14,10 @@ export const latePart: Notice = {
 const WAITED_MS = 30_000;
 
 /**
- * Tells of every late part that does not come, whoever has asked for it. Without a press before it, nobody has: what the page
- * fetches ahead it may do without.
+ * Shows a notice when a part of the page cannot be loaded within `WAITED_MS` of a press. Without a press nobody has
+ * asked for the part: the page was fetching ahead.
  *
- * @returns ends it
+ * @returns a function that ends it
  */
 export function tellLateParts(notices: Pick<NoticesModel, 'show'>): () => void {
   let pressedMs = -Infinity;

@@ -9,7 +9,7 @@ export interface Notice {
   readonly values?: TextValues;
   /** One thing to do about it. */
   readonly action?: { readonly key: TextKey; readonly values?: TextValues; readonly run: () => void };
-  /** True if it is still true and what it offers can be done; it is followed, and the message goes when it is not. */
+  /** True if the message still holds and its action can be done; the message is closed as soon as it is not. */
   readonly holds?: () => boolean;
 }
 

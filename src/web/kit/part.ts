@@ -1,11 +1,11 @@
 import { inject, provide, type InjectionKey } from 'vue';
 
 /**
- * A slot for what one room of the page hands to the components below: the app fills it once, whoever needs the room's
- * models asks for them in `setup`.
+ * A slot for the models that one room of the page provides to the components below: the app fills it once, a component
+ * reads it in `setup`.
  *
- * @param room what the room is called, for the message when nobody has filled the slot
- * @returns how it is filled, and how it is asked for
+ * @param room name of the room, for the error when nobody has filled the slot
+ * @returns the functions that fill and read the slot
  */
 export function part<T>(room: string): readonly [provide: (parts: T) => void, use: () => T] {
   const key: InjectionKey<T> = Symbol(room);

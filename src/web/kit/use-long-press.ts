@@ -68,7 +68,7 @@ class LongPress {
     if (this.hint.value !== null) this.timer = setTimeout(() => (this.hint.value = null), LINGER_MS);
   }
 
-  /** A browser that has noticed the long press itself wants to open its menu: the hint is what is wanted here. */
+  /** Shows the hint instead of the menu that a browser opens on a long press. */
   menu(event: Event): void {
     if (this.control === null) return;
     event.preventDefault();

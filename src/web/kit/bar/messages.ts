@@ -2,7 +2,7 @@
 import words from '../words/bar';
 import { closePageBar, showPageBar } from './page-bar';
 
-/** A new version of the app is ready, and waits for a yes. */
+/** Says that a new version of the app is ready. @param accept called when the user wants it now */
 export function offerUpdate(accept: () => void): void {
   showPageBar({
     kind: 'update',
@@ -12,13 +12,13 @@ export function offerUpdate(accept: () => void): void {
   });
 }
 
-/** The new version is none any more. */
+/** Takes the offer of a new version back. */
 export const takeBackUpdate = (): void => closePageBar('update');
 
-/** The browser keeps nothing here. */
+/** Says that the browser stores nothing here. */
 export const sayNoStorage = (): void =>
   showPageBar({ kind: 'no-storage', text: words.noStorage, actions: [], close: words.close });
 
-/** A frame may have refused a download or printing. */
+/** Says that the frame may have refused a download or printing. */
 export const sayRefusal = (): void =>
   showPageBar({ kind: 'may-be-refused', text: words.mayBeRefused, actions: [], close: words.close });

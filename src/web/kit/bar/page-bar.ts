@@ -10,7 +10,7 @@ const SHOWN_MS = 12_000;
 const messages = shallowRef<readonly PageMessage[]>([]);
 let isMounted = false;
 
-/** Shows a message. The page need not know of it before there is one: it comes as a small app of its own. */
+/** Shows a message. The bar is a small app of its own, made with the first message. */
 export function showPageBar(message: PageMessage): void {
   closePageBar(message.kind);
   messages.value = [...messages.value, message];

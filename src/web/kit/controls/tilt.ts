@@ -8,7 +8,7 @@ export interface Acceleration {
   readonly z: number;
 }
 
-/** A board lying flat, display up: what it feels then is gravity into its back. */
+/** The acceleration of a board lying flat, display up: gravity into its back. */
 export const LEVEL: Acceleration = { x: 0, y: 0, z: -GRAVITY_MG };
 
 /**
@@ -23,7 +23,10 @@ export function accelerationOf(right: number, down: number): Acceleration {
   return { x: whole(x), y: whole(y), z: whole(-Math.sqrt(Math.max(0, 1 - x * x - y * y))) };
 }
 
-/** How the board is drawn that feels this: turned about its axes, in degrees; the right and the lower edge go away from the eye. */
+/**
+ * The angles at which a board with this acceleration is drawn, in degrees: its right and its lower edge turn away from
+ * the eye.
+ */
 export function anglesOf({ x, y }: Pick<Acceleration, 'x' | 'y'>): {
   readonly rightDeg: number;
   readonly downDeg: number;

@@ -24,7 +24,10 @@ export function drawGlow(
   context.fill();
 }
 
-/** The light of a lamp that has one colour: painted once, since gradients cost most of what a robot does. */
+/**
+ * Returns a function that draws the light of a lamp of one colour. It is painted once, since gradients cost most of
+ * drawing a robot.
+ */
 export function glowOf(
   color: Rgb,
 ): (context: CanvasRenderingContext2D, at: Place, radius: number, alpha: number) => void {
@@ -44,7 +47,7 @@ function paintedGlow(color: Rgb): HTMLCanvasElement {
   if (context !== null) drawGlow(context, { x: GLOW_PX, y: GLOW_PX }, GLOW_PX, color, 1);
   return canvas;
 }
-/** Radius of the kept picture: it is soft, so that it can be stretched. */
+/** Radius of the painted picture in px: it is soft, so that it can be stretched. */
 const GLOW_PX = 48;
 
 /** Roughly a bell curve: distance from the centre, share of the light. */
@@ -58,7 +61,7 @@ const FALL_OFF = [
 ] as const;
 
 /**
- * How a light of this colour looks on a light floor: its hue at full strength, and an alpha that follows its
+ * The look of a light of this colour on a light floor: its hue at full strength, and an alpha that follows its
  * brightness. White, which a white floor would swallow, gets a touch of blue.
  */
 export function floorLight(color: Rgb): { color: Rgb; alpha: number } {

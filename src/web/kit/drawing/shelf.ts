@@ -1,8 +1,8 @@
 /**
- * Keeps what was made, so that it is made once for each key; when there is too much, all of it goes.
+ * Creates a cache: a thing is made once for each key; when the cache is full, it is emptied.
  *
- * @param most so many are kept
- * @returns what there is for a key, else what `make` gives
+ * @param most maximum number of things
+ * @returns a function that gives the thing of a key, and makes it with `make` if there is none
  */
 export function createShelf<Thing>(most: number): (key: readonly unknown[], make: () => Thing) => Thing {
   const made = new Map<string, Thing>();

@@ -65,7 +65,7 @@ export interface Contribution {
   readonly menu: () => readonly MenuPart[];
 }
 
-/** The modules of a pattern of files by what they export, in the order of their paths. */
+/** The exports of the modules of a file pattern, in the order of their paths. */
 export const collected = <T>(modules: Readonly<Record<string, T>>): readonly T[] =>
   Object.keys(modules)
     .sort()

@@ -36,7 +36,7 @@ async function filesIn(entry: FileSystemEntry, above: string): Promise<readonly 
 export const chosenFiles = (files: Iterable<File>): readonly AddedFile[] =>
   [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
 
-/** A file of the page as one that is read. */
+/** An added file as the intake reads it. */
 export const treeFile = ({ path, file }: AddedFile): TreeFile => ({
   path,
   size: file.size,

@@ -8,7 +8,7 @@ export type WordFiles = typeof files;
 type Shape = 0 | { readonly [name: string]: Shape };
 type Tree = Texts | { readonly [name: string]: Tree };
 
-/** A text in the languages that have come. */
+/** A text in the languages that are loaded. */
 type Text = { -readonly [L in keyof Texts]?: Texts[L] };
 
 interface Part {

@@ -1,8 +1,8 @@
 import encodeQR from 'qr';
 
 /**
- * How much of a code may be hidden or dirty, and the most characters that the largest code then holds as bytes (ISO/IEC
- * 18004).
+ * The levels of error correction, by how much of a code may be hidden or dirty, each with the most characters that the
+ * largest code holds as bytes (ISO/IEC 18004).
  */
 const CHARACTERS = { low: 2953, medium: 2331 } as const;
 
@@ -38,7 +38,7 @@ export function qrCode(link: string, correction: keyof typeof CHARACTERS = 'low'
   return { size: rows.length, runs: rows.flatMap(runsOf) };
 }
 
-/** The same as the drawing: an SVG path. */
+/** The dark squares of the QR code of a link as an SVG path; `null` when the link is too long. */
 export function qrPath(link: string): { readonly path: string; readonly size: number } | null {
   const code = qrCode(link);
   return code && { path: pathOf(code), size: code.size };

@@ -77,7 +77,7 @@ export const ofCanvas = {
   },
 };
 
-/** Gives `owner` those of `methods` that it does not have, as it would have them: nobody meets them in a loop. */
+/** Adds those of `methods` that `owner` lacks, as its own are: no loop over its properties meets them. */
 export function fill(owner: object | undefined, methods: Readonly<Record<string, unknown>>): void {
   if (owner === undefined) return;
   for (const [name, value] of Object.entries(methods)) {

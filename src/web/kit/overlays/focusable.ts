@@ -1,9 +1,9 @@
 const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex], [contenteditable="true"]';
 
-/** The browsers of before 2024 cannot tell. */
+/** True if an element is visible; browsers of before 2024 cannot say, and count it as visible. */
 const isShown = (element: Partial<Pick<Element, 'checkVisibility'>>): boolean => element.checkVisibility?.() ?? true;
 
-/** The Tab key goes to the chosen one of several radio buttons alone. */
+/** True for a radio button that the Tab key passes over: another one of its group is chosen. */
 function isPassedOver(element: HTMLElement, all: readonly HTMLElement[]): boolean {
   if (!(element instanceof HTMLInputElement) || element.type !== 'radio' || element.checked) return false;
   return all.some(

@@ -4,7 +4,7 @@ export interface Overlay {
   isBeside(target: Node): boolean;
   /** It shall close: Escape was pressed, or something beside it was clicked. */
   leave(by: 'escape' | 'beside'): void;
-  /** The keyboard goes on. */
+  /** The Tab key was pressed. */
   tab(event: KeyboardEvent): void;
 }
 

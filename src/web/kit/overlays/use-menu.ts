@@ -3,7 +3,7 @@ import { shallowRef, useTemplateRef, type ShallowRef } from 'vue';
 /** A menu at a button. */
 export interface Menu {
   readonly isOpen: ShallowRef<boolean>;
-  /** Opens something in the menu's place; when that is left, the keyboard is where it was before. */
+  /** Closes the menu, gives the keyboard back to its button, and opens something else. */
   leaveFor(open: () => void): void;
 }
 

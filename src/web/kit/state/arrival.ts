@@ -1,13 +1,13 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** Something that comes late with the page, and is then the same for good. */
+/** A value that is loaded after the page, and stays the same from then on. */
 export interface Arrival<T> {
-  /** `null`: it has not come yet. Read in templates, it is followed when it does. */
+  /** `null`: not loaded yet. Read in templates, it is followed. */
   readonly value: T | null;
   come(value: T): void;
 }
 
-/** A place for something that comes late. */
+/** Makes the place for a value that is loaded later. */
 export function arrival<T>(): Arrival<T> {
   const value: ShallowRef<T | null> = shallowRef(null);
   return {

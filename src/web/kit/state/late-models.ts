@@ -1,12 +1,12 @@
 import { effectScope } from 'vue';
 
-/** The models of a page that come late, with the first component that asks for them. */
+/** The models of a page that are made late, with the first component that asks for them. */
 export class LateModels {
   /** Ends their watchers with the page, not with that component. */
   private readonly scope = effectScope();
   private readonly made = new Map<unknown, unknown>();
 
-  /** The model that `make` made for this page. */
+  /** The model of this page from `make`, which is called once. */
   of<App, T>(make: (app: App) => T, app: App): T {
     if (!this.made.has(make))
       this.made.set(
@@ -23,10 +23,10 @@ export interface WithLate {
 }
 
 /**
- * A slot for a model that comes late: the page makes it when it is first asked for, and has it until it is closed.
+ * A slot for a model that a page makes when it is first asked for, and has until it is closed.
  *
- * @param make from the other models that it needs
- * @returns how it is asked for
+ * @param make makes the model from the others that it needs
+ * @returns the function that gives the model of a page
  */
 export const lateModel =
   <T, App = object>(make: (app: App & WithLate) => T) =>
