@@ -8,8 +8,8 @@ import type { ClassModel, OpenTask, Row } from './model/class-model';
 const QUIET_MS = 400;
 
 /**
- * Why a class is not kept: it could not be written · what was kept cannot be read · another tab keeps another one · another
- * tab has ended it.
+ * The reason why a class is not stored: it could not be written · what was stored cannot be read · another tab stores
+ * another one · another tab has ended it.
  */
 export type KeepProblem = 'failed' | 'lost' | 'other' | 'ended';
 
@@ -24,12 +24,12 @@ interface Written {
 const nothing: Written = { task: null, rows: [], stamp: null };
 
 /**
- * Keeps a class in the browser's database, if somebody wants that: its task, what was handed in, results and notes.
+ * Stores a class in the browser's database, if somebody wants that: its task, what was handed in, results and notes.
  * Nothing of it is ever part of a link or a file. Of several tabs each follows what another one writes; where both have
  * changed something, somebody chooses.
  */
 export class ClassKeeper {
-  /** It is known whether a class was kept, and it is there. */
+  /** True once a stored class, if there is one, has been restored. */
   readonly isReady = shallowRef(false);
   readonly isKept = shallowRef(false);
   /** Another tab has written the class, too. */
@@ -48,7 +48,7 @@ export class ClassKeeper {
     void this.after(() => this.bringBack());
   }
 
-  /** Begins to keep the class, or ends it: then nothing of it is left in the browser. */
+  /** Begins to store the class, or ends it: then nothing of it is left in the browser. */
   keep(wish: boolean): Promise<void> {
     this.isKept.value = wish;
     this.problem.value = null;
@@ -68,7 +68,7 @@ export class ClassKeeper {
     return this.after(() => this.bringBack());
   }
 
-  /** One thing after the other. */
+  /** Runs an action after those before it. */
   private after(act: () => Promise<void>): Promise<void> {
     return (this.working = this.working.then(act));
   }
@@ -99,7 +99,10 @@ export class ClassKeeper {
     return true;
   }
 
-  /** Keeps changes that this tab has not written yet; writing them will find those of the other tab. */
+  /**
+   * Takes over what another tab has written. If this tab has changes of its own that are not written yet, they stay:
+   * writing them will find those of the other tab.
+   */
   private async hear(news: ClassNews): Promise<void> {
     if (!this.isKept.value) return;
     if (news === 'ended') {

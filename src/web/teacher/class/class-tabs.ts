@@ -7,7 +7,10 @@ export interface ClassTabs {
   hear(told: (news: ClassNews) => void): void;
 }
 
-/** The other tabs of this browser; in one that cannot reach them, whoever writes still sees what lies there. */
+/**
+ * The other tabs of this browser; where they cannot be reached, a tab still sees what they have written when it writes
+ * itself.
+ */
 export function classTabs(): ClassTabs {
   if (typeof BroadcastChannel === 'undefined') return { tell: () => undefined, hear: () => undefined };
   const channel = new BroadcastChannel('parcours.class');

@@ -7,7 +7,7 @@ import type { Project } from '#project/project';
 import { entriesIn, inStore, type Entry } from '../../session/work/storage/database';
 import type { KeptRow, OpenTask } from './model/class-model';
 
-/** Names in the browser's database; what else lies there is the work's. */
+/** Names of the class's entries in the browser's database. */
 const TASK = 'class.task';
 const ROW = 'class.row.';
 const all = (): IDBKeyRange => IDBKeyRange.bound('class.', 'class.~');
@@ -15,22 +15,22 @@ const all = (): IDBKeyRange => IDBKeyRange.bound('class.', 'class.~');
 /** The version of what is written. */
 const VERSION = 1;
 
-/** A class as it lies in the browser's database. */
+/** A class as it is stored in the browser's database. */
 export interface KeptClass {
   readonly task: OpenTask | null;
   readonly rows: readonly KeptRow[];
-  /** Which tab has written it, and when: unlike that of every other writing. */
+  /** The time of the writing and a random number: no other writing has the same. */
   readonly stamp: string;
 }
 
-/** The written part of a class. */
+/** The part of a class that has to be written. */
 export interface Writing {
   readonly task: OpenTask | null;
   /** Number of hand-ins. */
   readonly count: number;
   /** Those that have changed, with their places. */
   readonly changed: readonly { readonly row: KeptRow; readonly place: number }[];
-  /** All that lies there goes. */
+  /** True if all earlier entries of a class are deleted. */
   readonly isNew: boolean;
   readonly stamp: string;
 }
@@ -38,7 +38,7 @@ export interface Writing {
 /**
  * Writes a class in one step.
  *
- * @param known the stamp of what must lie there, `null` for nothing; left out: whatever does
+ * @param known the stamp that must be stored now, `null` for no class; left out: any
  * @returns whether it was written: not if another tab has written since
  */
 export async function writeClass(writing: Writing, known?: string | null): Promise<boolean> {
@@ -59,7 +59,7 @@ export async function writeClass(writing: Writing, known?: string | null): Promi
   return isWritten;
 }
 
-/** Deletes all of it. A browser that takes nothing has nothing. */
+/** Deletes the stored class; without a database there is none. */
 export async function deleteClass(): Promise<void> {
   try {
     await inStore('readwrite', (store) => void store.delete(all()));
@@ -84,7 +84,7 @@ export async function readClass(): Promise<KeptClass | null> {
   return { task: head['task'] === null ? null : taskIn(head['task']), rows, stamp: stampIn(text) };
 }
 
-/** In the order of their places. */
+/** Name of a row's entry: the names sort in the order of the places. */
 const nameOfRow = (place: number): string => `${ROW}${String(place).padStart(6, '0')}`;
 
 /** The work's entries are deleted when they are old; a class stays until it is forgotten. */
@@ -92,7 +92,7 @@ const entry = (name: string, value: object): Entry => ({ name, text: JSON.string
 
 const keptTask = ({ name, from, task }: OpenTask): object => ({ name, from, project: projectOfTask(task) });
 
-/** Empty: of before there were stamps, or of something damaged. */
+/** The stamp of a stored class; empty for one from before there were stamps, or a damaged one. */
 function stampIn(text: string): string {
   try {
     const head: unknown = JSON.parse(text);

@@ -7,10 +7,10 @@ import { bringSeries } from './task-series';
 const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id, scene }) => [id, scene])));
 
 /**
- * Takes files that were dropped, chosen or pasted: a series brings tasks, all others are hand-ins as the command line takes
- * them. All are read in a worker.
+ * Takes files that were dropped, chosen or pasted: a series brings tasks, all others are hand-ins as the command line
+ * takes them. All are read in a worker.
  *
- * @returns how many hand-ins there are
+ * @returns number of hand-ins among them
  */
 export async function takeFiles(model: ClassModel, files: readonly AddedFile[]): Promise<number> {
   const { series, sources } = await reader.open(files);

@@ -12,7 +12,9 @@ import { courseName } from '../../session/work/catalogue/first-course';
 import { readyCourse, readyScene } from '../../session/work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 
-/** Brings a series: its first task that can be had is the one that is checked. */
+/**
+ * Offers a series for the class: its first available task is chosen. Of an unreadable one only the problem is shown.
+ */
 export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable): void {
   const { brought } = model;
   if (read.kind === 'unreadable') brought.value = { ...brought.value, problem: unreadableReason(read) };
@@ -22,14 +24,14 @@ export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable
   }
 }
 
-/** Brings the series of a link in a text. @returns whether there is one */
+/** Offers the series of a link in a text. @returns whether there is one */
 export function bringLink(model: ClassModel, text: string): boolean {
   const link = seriesLinkIn(text);
   if (link !== null) bringSeries(model, documentOfSeriesLink(link, readyScene));
   return link !== null;
 }
 
-/** A task as it is checked; `null`: it cannot be had. */
+/** The project of a task as it is checked; `null`: it is not available. */
 export function projectIn({ from }: SeriesTask): Project | null {
   if (from.kind === 'project') return from.project;
   const course = from.kind === 'course' ? readyCourse(from.course) : null;

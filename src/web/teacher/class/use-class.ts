@@ -25,7 +25,7 @@ export const classOf = lateModel(
     }),
 );
 
-/** Stores the class in the browser; the first call restores the stored one. */
+/** The keeper that stores the class in the browser; the first call restores a stored one. */
 export const keeperOf = lateModel((app) => {
   const model = classOf(app);
   const keeper = new ClassKeeper(model);
@@ -36,7 +36,7 @@ export const keeperOf = lateModel((app) => {
 /**
  * Makes the task of a project the one that the class is checked for; if it is already, nothing is checked again.
  *
- * @returns or why it cannot be, in words
+ * @returns `null`, or the reason why it cannot be, in words
  */
 export function chooseTask(model: ClassModel, project: Project, { name, from }: Omit<OpenTask, 'task'>): string | null {
   const read = taskOf(project);

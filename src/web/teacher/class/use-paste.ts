@@ -17,9 +17,9 @@ const SAID_MS = 8000;
 
 /**
  * Takes hand-ins that are pasted anywhere on the page: links with whatever stands around them, also behind words of a
- * formatted text, or files. What is pasted into a field is the field's.
+ * formatted text, or files. What is pasted into a field is left to the field.
  *
- * @returns what became of it, for a while
+ * @returns the message about the last paste; empty after a while
  */
 export function usePaste(model: ClassModel): Readonly<Ref<string>> {
   const said = shallowRef('');

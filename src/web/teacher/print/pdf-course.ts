@@ -24,8 +24,8 @@ export const TEST_RULER_MM = 100;
 const MARK_MM = { from: 4.5, to: 8.5 } as const;
 
 /**
- * Prints a course true to scale: a sheet per tile with marks for cutting and gluing, its name, a map and a ruler; before
- * several tiles one more with the plan of them all, after them the task.
+ * Makes a PDF of a course true to scale: a sheet per tile with marks for cutting and gluing, its name, a map and a
+ * ruler; before several tiles one more with the plan of them all, after them the task.
  */
 export function coursePdf(
   scene: Scene,

@@ -9,7 +9,7 @@ import type { Trail } from '../../session/run/trail';
 import { courseSvg, type PictureOptions } from './svg-course';
 import { svgAddress } from './svg-address';
 
-/** The robot's trails in world mm: one ends where the hand lifted the robot. */
+/** The pieces of a robot's trail in world mm: one ends where the hand lifted the robot. */
 export function piecesOf(trail: Pick<Trail, 'count' | 'xyMm'>): Vec[][] {
   const pieces: Vec[][] = [[]];
   for (let i = 0; i < trail.count; i += 1) {
@@ -75,7 +75,7 @@ const MOST_PX = 4000;
 /**
  * A picture of a course as PNG on white.
  *
- * @param longestPx its longer side; a task below or beside makes it longer
+ * @param longestPx its longer side without the task; with a task it may be longer, up to `MOST_PX`
  */
 export async function coursePng(scene: Scene, options: PictureOptions, longestPx: number): Promise<Blob> {
   // The background is painted on its own: WebKit leaves pictures within an SVG out of a canvas.

@@ -40,11 +40,14 @@ export interface PrintPlan {
   readonly tiles: readonly Tile[];
 }
 
-/** Why a course cannot be printed like this. */
+/** The reason why a course cannot be printed like this. */
 export type PlanProblem =
   { readonly problem: 'too-many-sheets'; readonly sheets: number } | { readonly problem: 'too-large-for-paper' };
 
-/** Lays an arena out on sheets, true to scale, upright or across, whichever needs fewer. */
+/**
+ * Lays an arena out on sheets, true to scale: tiles upright or across, whichever needs fewer, a single sheet as the
+ * arena lies.
+ */
 export function planPrint(size: Point, paper: Paper): PrintPlan | PlanProblem {
   switch (paper) {
     case 'a4-tiles':

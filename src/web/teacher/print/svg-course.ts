@@ -29,7 +29,7 @@ export interface PictureOptions {
   readonly floor: boolean;
   /** No sign of a zone and no name of a start is set in smaller type, in mm of the arena; left out: all as it is. */
   readonly leastTypeMm?: number;
-  /** The task below the arena, or beside a high one; `null`: it is not told. */
+  /** The task below the arena, or beside a high one; `null`: it is not shown. */
   readonly task: PictureTask | null;
 }
 
@@ -47,8 +47,8 @@ export interface CoursePicture {
 const RULER_SHARE = 0.055;
 
 /**
- * Writes a course as an SVG document in true size: its own units are mm. Plain shapes, no scripts, styles or links, so
- * that drawing and office programs open it as it is.
+ * Writes a course as an SVG document in true size: its own units are mm. Plain shapes, no scripts, style sheets or
+ * links, so that drawing and office programs open it as it is.
  */
 export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture {
   const [width, height] = scene.size;

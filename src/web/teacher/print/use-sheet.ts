@@ -95,7 +95,10 @@ const contentOf = (
   },
 });
 
-/** The code that opens the task as pupils get it: never with the solution or hidden worlds. */
+/**
+ * The code that opens the task as pupils get it, without the stored solution and hidden worlds. The program in it may
+ * still be the solution: see `tellsSolution`.
+ */
 function useCode(isWanted: () => boolean) {
   const app = useWork();
   const present = computed(() => presentProject(app));
@@ -121,7 +124,7 @@ function useCode(isWanted: () => boolean) {
   };
 }
 
-/** Other devices find this page. */
+/** True if other devices can open the link. */
 const isAddress = (link: string): boolean => /^https?:/.test(link);
 
 function whyNone(link: string | null, isLeftOut: boolean, isReadable: boolean): string {

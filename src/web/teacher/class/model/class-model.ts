@@ -14,7 +14,7 @@ import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmwar
 /** The task that hand-ins are checked for. */
 export interface OpenTask {
   readonly name: string;
-  /** Its source: the work that is open in the app, a file, or a ready course by its id. */
+  /** Its source: `open`, `file`, `series` or `kept` (`use-class.ts`), or the id of a ready course. */
   readonly from: string;
   readonly task: ClassTask;
 }
@@ -45,13 +45,13 @@ export interface KeptRow extends Omit<Row, 'handIn'> {
 
 /** The services that a class needs. */
 export interface ClassPorts {
-  /** How threads for a task are started. Rejects without the VM. */
+  /** Gives a function that starts threads for a task. Rejects without the VM. */
   starter(task: ClassTask): Promise<StartThread>;
   readonly every: Every;
   readonly lanes: number;
 }
 
-/** A class: the task, what was handed in, and what became of it. It stays while the page is open. */
+/** A class: the task, the hand-ins, and their results. It stays while the page is open. */
 export class ClassModel {
   readonly task = shallowRef<OpenTask | null>(null);
   readonly brought: ShallowRef<Brought> = shallowRef({ chosen: null, problem: null });
@@ -59,9 +59,9 @@ export class ClassModel {
   readonly isChecking = shallowRef(false);
   /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
   readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
-  /** Those that are checked, as reports have them: with what is told about twins. */
+  /** The checked hand-ins as reports have them, with the remarks on twins. */
   readonly found: ComputedRef<ClassResult>;
-  /** There are results or notes that were saved nowhere; a class that is kept saves itself. */
+  /** True if there are results or notes that were neither saved to a file nor printed. */
   readonly isUnsaved = computed(
     () =>
       this.rows.value !== this.saved.value &&
@@ -81,14 +81,14 @@ export class ClassModel {
     );
   }
 
-  /** Another task: everything is checked again. */
+  /** Sets another task: everything is checked again. */
   async choose(task: OpenTask): Promise<void> {
     this.task.value = task;
     this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
     await this.check();
   }
 
-  /** There is no task: what was checked for another one says nothing any more. */
+  /** Leaves the task: the results for it are dropped. */
   leaveTask(): void {
     this.stop();
     this.task.value = null;
@@ -109,12 +109,12 @@ export class ClassModel {
     await this.check();
   }
 
-  /** Writes something to a hand-in, in the place of what was written before. */
+  /** Sets the teacher's note on a hand-in. */
   write(name: string, note: string): void {
     this.rows.value = this.rows.value.map((row) => (row.name === name ? { ...row, note } : row));
   }
 
-  /** A hand-in with what it holds, which may have to be read first. */
+  /** A hand-in with its content, which may have to be read first. */
   async keptRow({ name, result, note }: Row): Promise<KeptRow> {
     const source = this.sources.find((one) => one.name === name) ?? brokenSource(name, unread('gone').problem);
     return { name, result, note, content: await contentOf(source) };
@@ -129,9 +129,9 @@ export class ClassModel {
   }
 
   /**
-   * Takes everything away that was handed in.
+   * Removes all hand-ins.
    *
-   * @returns brings it back, with results and notes, as long as nothing else was handed in
+   * @returns a function that brings them back, with results and notes, as long as nothing else was handed in
    */
   clear(): () => void {
     const [sources, rows] = [this.sources, this.rows.value];
@@ -151,7 +151,7 @@ export class ClassModel {
     this.saved.value = this.rows.value;
   }
 
-  /** Ends what is being checked. */
+  /** Ends the checks in progress. */
   stop(): void {
     this.turn += 1;
     for (const lane of this.lanes) lane.stop();

@@ -2,7 +2,7 @@ import type { RemarkCode } from '#check/result';
 
 import type { Row } from './class-model';
 
-/** How a hand-in stands. */
+/** State of a hand-in. */
 export type RowState = 'waiting' | 'passed' | 'failed' | 'unread';
 
 export const stateOf = ({ result }: Row): RowState => {
@@ -18,7 +18,7 @@ const TELLING: readonly RemarkCode[] = ['hand', 'outside', 'course', 'unlocked',
 export const isToLookAt = ({ result }: Row): boolean =>
   result?.remarks.some(({ code }) => TELLING.includes(code)) === true;
 
-/** Which hand-ins are shown. */
+/** The hand-ins that the table can show; `look`: those with remarks to look at. */
 export const filters = ['all', 'passed', 'failed', 'look'] as const;
 export type Filter = (typeof filters)[number];
 

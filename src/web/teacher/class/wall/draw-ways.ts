@@ -17,7 +17,7 @@ const COLORS = ['#1e66d0', '#a3278f', '#0b7a75', '#8a5200', '#5b3fc4', '#2f6f1d'
 
 /** Width of a line, in mm: two paths side by side on a course can be told apart. */
 const WIDTH_MM = 7;
-/** Diameter of the dot that drives, in mm. */
+/** Radius of the dot that drives, in mm. */
 const ROBOT_MM = 22;
 
 /** The content of the picture. */

@@ -2,7 +2,7 @@ import { onBeforeUnmount, shallowRef, watch, type Ref } from 'vue';
 
 import type { Size } from './wall-cards';
 
-/** The size of an element; nothing until it is there. */
+/** The size of an element in px; 0 × 0 until it is there. */
 export function useSize(element: Readonly<Ref<HTMLElement | null>>): Readonly<Ref<Size>> {
   const size = shallowRef<Size>({ width: 0, height: 0 });
   const observer = new ResizeObserver(([entry]) => {

@@ -3,7 +3,7 @@ import type { WorldResult } from '#check/result';
 import type { Row } from '../model/class-model';
 import { stateOf, timeOf, worldsPassed, type RowState } from '../model/rows-in-order';
 
-/** Whose names the wall shows: of those who have passed, all, or nobody's. Whoever goes without has a number. */
+/** The names that the wall shows: of those who have passed, all, or none. A card without a name has a number. */
 export const namings = ['passed', 'all', 'none'] as const;
 export type Naming = (typeof namings)[number];
 
@@ -36,7 +36,7 @@ export class Lots {
   /** @param random from 0 up to 1 */
   constructor(private readonly random: () => number = Math.random) {}
 
-  /** The numbers of these, and of all before; who has one keeps it. */
+  /** The numbers of these names, and of all before; a number once drawn stays. */
   of(names: readonly string[]): ReadonlyMap<string, number> {
     const waiting = names.filter((name) => !this.drawn.has(name));
     while (waiting.length > 0) {
@@ -53,7 +53,10 @@ interface Wishes {
   readonly language: string;
 }
 
-/** The cards of a wall. Those without a name stand last, by their numbers: their place says nothing of whose they are. */
+/**
+ * The cards of a wall. In the order `fastest` the times come first; otherwise, and at equal times, cards without a name
+ * stand last, by their numbers: their place says nothing of whose they are.
+ */
 export function wallCards(rows: readonly Row[], lots: Lots, { naming, order, language }: Wishes): readonly WallCard[] {
   const numbers = lots.of(rows.map(({ name }) => name));
   const { compare } = new Intl.Collator(language, { numeric: true });
@@ -91,7 +94,7 @@ export interface Size {
   readonly height: number;
 }
 
-/** Between two cards. */
+/** Gap between two cards. */
 export const GAP_PX = 8;
 
 /** Chosen: below this a name cannot be read from the last row, nor a way be made out. Then the wall scrolls. */
@@ -107,8 +110,8 @@ export interface WallGrid {
 }
 
 /**
- * The layout in which cards get their largest drawings. Where they would be too small they are as wide as they can be,
- * and the wall is longer than its area.
+ * The layout in which cards get their largest drawings. Where they would be too low, there are as many columns as the
+ * least width allows, and the wall is longer than its area.
  *
  * @param aspect width of a course by its height
  */

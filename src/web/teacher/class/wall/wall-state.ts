@@ -6,7 +6,7 @@ import { Lots, type Naming, type WallOrder } from './wall-cards';
 /** The views of the wall: a card for each hand-in, or all paths in one picture. */
 export const wallViews = ['cards', 'ways'] as const;
 
-/** How somebody wants the wall. It stays so when the wall is put up again. */
+/** The chosen look of the wall. It stays when the wall is closed and opened again. */
 export class WallState {
   readonly shows = shallowRef<(typeof wallViews)[number]>('cards');
   readonly naming = shallowRef<Naming>('passed');

@@ -6,12 +6,12 @@ import { drawPill } from '../../../pupil/arena/picture/draw-pill';
 import { FRAME_US } from './stretch';
 import type { RunPainter } from './run-painter';
 
-/** Pictures from which the colours of a film are chosen. */
+/** Number of pictures from which the colours of a film are chosen. */
 const SAMPLES = 5;
 /** The last picture stays, so that the end is seen before it begins again. */
 const LAST_MS = 1500;
 
-/** How a film is made. */
+/** The options of a film. */
 export interface FilmWish {
   readonly painter: RunPainter;
   readonly tape: RunTape;
@@ -54,7 +54,7 @@ export async function makeFilm({ painter, tape, times, tell, signal }: FilmWish)
   }
 }
 
-/** Lets the page do what else it has to. */
+/** Lets the page work in between. @throws Error (as a rejection) when the film was given up */
 async function rest(signal: AbortSignal): Promise<void> {
   await new Promise((resolve) => setTimeout(resolve));
   signal.throwIfAborted();

@@ -157,7 +157,7 @@ function trailPainter(widthPx: number, heightPx: number): (context: CanvasRender
   };
 }
 
-/** Read often, so that it need not be fetched from a graphics card. */
+/** The context of a canvas that is read often, and so is not held by a graphics card. @throws Error without one */
 function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Error('no canvas');
