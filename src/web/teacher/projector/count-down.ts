@@ -1,10 +1,10 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-/** Time on the wall, and what happens later in it. */
+/** The clock on the wall, with alarms. */
 export interface WallClock {
   /** In ms. It goes on while a laptop sleeps. */
   now(): number;
-  /** @returns what calls it off */
+  /** Calls `act` after this time. @returns a function that calls it off */
   after(ms: number, act: () => void): () => void;
 }
 
@@ -22,7 +22,7 @@ export interface KeptTimer {
 export type TimerPhase = 'ready' | 'running' | 'paused' | 'over';
 
 const MINUTE_MS = 60_000;
-/** Its digits are four. */
+/** Longest time, in ms: its digits are four. */
 const MOST_MS = 99 * MINUTE_MS;
 /** Chosen: what a class gets for a small task. */
 const FIRST: KeptTimer = { setMs: 10 * MINUTE_MS, leftMs: 10 * MINUTE_MS, endsMs: null };
@@ -42,9 +42,9 @@ export class CountDown {
   private callOff: () => void = () => undefined;
 
   /**
-   * @param kept what there was of it before a reload
-   * @param keep is told whatever changes but the time that passes
-   * @param onOver it has come to its end just now
+   * @param kept its state before a reload
+   * @param keep called after every change but that of the time that passes
+   * @param onOver called when it has just come to its end
    */
   constructor(
     private readonly clock: WallClock,

@@ -1,4 +1,4 @@
-/** Letters between these, in px. */
+/** The limits of a type size, in px. */
 export interface SizeLimits {
   readonly least: number;
   readonly most: number;

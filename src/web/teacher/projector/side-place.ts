@@ -17,7 +17,7 @@ const WORTH = 1.1;
  *
  * @param width of the window, in CSS px
  * @param height of the window, in CSS px
- * @param ratio of the course: its width in its heights
+ * @param ratio width of the course by its height
  */
 export function sidePlace(width: number, height: number, ratio: number): SidePlace {
   const free = Math.max(1, height - FOOT_PX);

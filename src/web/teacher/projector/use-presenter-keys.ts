@@ -3,7 +3,7 @@ import { onScopeDispose } from 'vue';
 import type { RunParts } from '../../session/run/parts';
 import type { CountDown } from './count-down';
 
-/** Keys that mean something else there. */
+/** Elements in which Space has another meaning; `TEXT`: those in which all of the keys do. */
 const OWN_SPACE =
   'button, a, input, textarea, select, summary, [role="menu"], [role="slider"], [contenteditable="true"]';
 const TEXT = 'input, textarea, select, [contenteditable="true"], [role="menu"]';

@@ -15,8 +15,8 @@ import { readyScene } from '../../session/work/catalogue/ready-courses';
 import words from './words';
 
 /**
- * Finds the series of a page's address: in a link that holds it, on the web server that the page comes from, or kept in this
- * browser. What is found is kept. What pupils must not see is left out, whatever the file holds.
+ * Finds the series of a page's address: in a link that holds it, on the web server that the page comes from, or stored
+ * in this browser. A series that is found is stored. What pupils must not see is left out, whatever the file holds.
  *
  * @param from the address behind `#`: `s=…`, `series=ADDRESS`, `series/ID`
  */
@@ -27,7 +27,10 @@ export async function findSeries(app: WithLate, from: string): Promise<FoundSeri
   return series === null ? { problem: t(words.notKept) } : { series };
 }
 
-/** From the page's own web server alone: its content policy lets it reach no other. */
+/**
+ * Fetches a series from the page's own web server alone: its content policy lets it reach no other. If that fails, the
+ * series that was stored from this address takes its place.
+ */
 async function fetchSeries(app: WithLate, given: string): Promise<FoundSeries> {
   const url = urlOf(given, location.href.replace(/#.*/, ''));
   if (url === null) return { problem: t(words.badAddress, { address: given }) };
@@ -61,7 +64,7 @@ async function textAt(url: URL): Promise<{ readonly text: string } | { readonly 
   }
 }
 
-/** An address that was written plainly may have a `%` of its own. */
+/** Decodes an address; one that was written plainly may have a `%` of its own. */
 function decoded(text: string): string {
   try {
     return decodeURIComponent(text);

@@ -24,10 +24,10 @@ export interface SeriesDraft {
   replace(series: Series): void;
 }
 
-/** Eight random digits. (`randomUUID` is missing on pages that came over plain http.) */
+/** Eight random hexadecimal digits. (`randomUUID` is missing on pages that came over plain http.) */
 const newId = (): string => hexOf(crypto.getRandomValues(new Uint8Array(4)));
 
-/** Without a name and tasks. What pupils have done of one series has nothing to do with another. */
+/** A series without a name and tasks, with an id of its own: marks of one series do not count for another. */
 export const emptySeries = (): Series => ({ id: newId(), title: '', text: '', tasks: [] });
 
 /** The draft of this page. */

@@ -11,7 +11,7 @@ import { isHandedOut, withoutGiven } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import { workName } from '../../session/work/work-name';
 
-/** The task of the open work, as it is being made. It is kept with the work, as its program and its course are. */
+/** The task of the open work, as it is being made. It is stored with the work, as its program and its course are. */
 export interface TaskMaker {
   /** `null`: what the work carries cannot be read, see `problem`. */
   readonly task: ComputedRef<ClassTask | null>;
@@ -19,7 +19,7 @@ export interface TaskMaker {
   readonly problem: ComputedRef<string | null>;
   /** The goals of the course are checked, and it has none. */
   readonly lacksGoals: ComputedRef<boolean>;
-  /** It was handed out: whoever has it does not make it over. */
+  /** True if the task was handed out: then it is not changed here. */
   readonly isGiven: ComputedRef<boolean>;
   change(part: Partial<ClassTask>): void;
   /** Begins anew, without what was made so far; what was handed out is put aside. */
@@ -46,14 +46,17 @@ export function useTaskMaker(app: WorkParts): TaskMaker {
 }
 
 /**
- * How a new hidden world differs, so that it hides something. Chosen: what a careless hand puts down, and a robot with some
- * play. Along its heading, not aside: who follows a line still has it under the sensors.
+ * Differences of a new hidden world, so that it hides something. Chosen: what a careless hand puts down, and a robot
+ * with some play. Along its heading, not aside: who follows a line still has it under the sensors.
  */
 const ALONG_MM = 20;
 const TURNED_DEG = 5;
 const USED = 0.2;
 
-/** Another world, which nobody sees: another chance, a robot that is not ideal and starts otherwise: turned, now farther on, now farther back. */
+/**
+ * A new hidden world: another seed, and a robot that is not ideal and starts turned, in one world farther on, in the
+ * next farther back.
+ */
 export function freshWorld(task: ClassTask): WorldVariant {
   const count = task.worlds.length;
   const side = count % 2 === 1 ? 1 : -1;

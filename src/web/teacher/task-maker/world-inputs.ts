@@ -19,7 +19,7 @@ export const inputKinds = [
 ];
 export type InputKind = (typeof inputKinds)[number];
 
-/** One thing that happens. */
+/** An event as a row of the form. */
 export interface InputRow {
   /** Indexes of its events among all of the world. */
   readonly places: readonly number[];
@@ -33,10 +33,10 @@ export interface InputRow {
 
 export const isPress = (kind: InputKind): boolean => kind.startsWith('button') || kind.startsWith('touch');
 
-/** A press lasts so long until something else is said. Chosen: a quick finger. */
+/** Duration of a new press. Chosen: a quick finger. */
 const PRESS_US = 200_000;
 
-/** Something of this kind as it begins. */
+/** A new event of this kind, with initial values. */
 export function freshInput(kind: InputKind, atUs: number): Omit<InputRow, 'places'> {
   if (isPress(kind)) return { kind, atUs, heldUs: PRESS_US, value: null };
   const info = worldSensors.find(({ id }) => kind === `sensor ${id}`);

@@ -1,8 +1,8 @@
 import type { Ref } from 'vue';
 
-/** How what was made of a run becomes a file. */
+/** Saves files that are made of a run. */
 export interface RunSaving {
-  /** Something is being made: nothing else is taken. */
+  /** True while a file is being made: no other is taken. */
   readonly isBusy: Readonly<Ref<boolean>>;
   /**
    * Makes a file and saves it under the name of the course; says whether that worked.

@@ -18,7 +18,7 @@ export function stripTimes({ fromUs, toUs }: Stretch, count: number): readonly n
   });
 }
 
-/** How many pictures stand side by side, and in how many rows: as full as can be, and not too small. */
+/** The columns and rows of a strip: as full as can be, and the pictures not too small. */
 export function stripForm(count: number): { readonly columns: number; readonly rows: number } {
   const columns = [5, 6, 9].includes(count) ? 3 : 4;
   return { columns, rows: Math.ceil(count / columns) };
@@ -37,7 +37,7 @@ export function filmTimes({ fromUs, toUs }: Stretch): readonly number[] {
   return times.at(-1) === toUs ? times : [...times, toUs];
 }
 
-/** How much of a run is chosen at first. Chosen: a drive along a mission; a film of it is short enough. */
+/** Length of the first choice. Chosen: a drive along a mission; a film of it is short enough. */
 const USUAL_US = 10_000_000;
 
 /** The initial choice: ten seconds around the moment that is looked at, or the whole of a short run. */

@@ -26,7 +26,7 @@ export interface RunPictures {
   move(end: keyof Stretch, timeUs: number): void;
   /** The way of the robots is drawn. */
   readonly hasTrace: ShallowRef<boolean>;
-  /** Makes what paints its moments, with this longer side in px. */
+  /** Makes a painter of its moments, with this longer side in px. Rejects while there is no tape. */
   painter(longestPx: number): Promise<RunPainter>;
   /** The caption of a moment. */
   caption(moment: Snapshot, timeUs: number): Caption;

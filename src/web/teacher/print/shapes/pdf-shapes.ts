@@ -7,10 +7,13 @@ import type { Point } from '#scene/scene';
 /** From a place to mm on the sheet, from its upper left corner. */
 export type ToSheet = (at: Point) => Point;
 
-/** Points of a millimetre, which is what texts are measured in. */
+/** Points per millimetre: the type sizes of a PDF are in points. */
 export const PT_PER_MM = 72 / 25.4;
 
-/** How far a circle's control points lie off, for four curves (the usual approximation, right to 0.03 %). */
+/**
+ * Distance of the control points from the ends of a quarter of a circle, in radii (the usual approximation, right to
+ * 0.03 %).
+ */
 const ROUND = 0.5522847498;
 
 /** Draws the lines and the words of shapes on a sheet; nothing is filled. `shown`: what of the world the sheet shows. */
@@ -24,7 +27,10 @@ export function printShapes(pdf: jsPDF, shapes: readonly Shape[], to: ToSheet, s
     } else printShape(pdf, shape, to, 0);
 }
 
-/** `up`: of places around the group, 1 in the world, -1 within a group. `turn`: of what is around it, in degrees. */
+/**
+ * Draws a group. `up`: 1 if y points up around the group, as in the world, -1 if down, as within a group. `turn`: that
+ * of its surroundings, in degrees.
+ */
 function printGroup(
   pdf: jsPDF,
   group: Group,
@@ -99,7 +105,7 @@ export const printable = (text: string): string =>
     .replace(PICTURES, '')
     .replace(FOREIGN, (sign) => PLAIN[sign] ?? '?');
 
-/** A line through places. */
+/** Draws a line through places. */
 export function polyline(pdf: jsPDF, line: readonly Point[], to: ToSheet, isClosed = false): void {
   line.forEach((place, i) => {
     const [x, y] = to(place);
@@ -110,7 +116,7 @@ export function polyline(pdf: jsPDF, line: readonly Point[], to: ToSheet, isClos
   pdf.stroke();
 }
 
-/** An ellipse, from four curves. */
+/** Draws an ellipse, from four curves. */
 function ellipse(pdf: jsPDF, [x, y]: Point, [a, b]: Point, to: ToSheet): void {
   const at = (u: number, v: number): Point => to([x + u * a, y + v * b]);
   const quarters = [[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]] as const; // prettier-ignore

@@ -92,10 +92,10 @@ interface Draft {
 }
 
 /**
- * Lays a worksheet out on as many sheets of A4 as it needs: what it is and whose, the task, the course as large as there is
- * room, lines to write on.
+ * Lays a worksheet out on as many sheets of A4 as it needs: title and fields for the name, the task, the course as
+ * large as there is room, lines to write on.
  *
- * @param clean what is done to each text before it is measured: a PDF's fonts lack some signs
+ * @param clean changes each block before it is measured: a PDF's fonts lack some signs
  */
 export function layOutSheet(content: SheetContent, clean = (block: PaperBlock): PaperBlock => block): SheetLayout {
   const draft: Draft = { pages: [[]], endMm: 0 };
@@ -207,7 +207,7 @@ function placeCourse(draft: Draft, content: SheetContent, set: SetRows): DrawnCo
   return course;
 }
 
-/** A bar that is as long as so many cm of the course, at the right. */
+/** A bar for the scale with its length in cm of the course, at the right. */
 function placeBar(draft: Draft, scale: number, topMm: number, set: SetRows): void {
   const lengthMm = barMm(scale);
   const [from, to] = [WIDTH - lengthMm / scale, WIDTH];

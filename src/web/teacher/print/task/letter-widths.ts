@@ -65,7 +65,7 @@ function tableOf(groups: readonly (readonly [number, string])[]): ReadonlyMap<st
   return new Map(groups.flatMap(([width, letters]) => Array.from(letters, (letter) => [letter, width] as const)));
 }
 
-/** How wide a text is set, in parts of its type size. */
+/** Width of a text as it is set, in parts of its type size. */
 export function emsOf(text: string, kind: Span['kind']): number {
   const letters = Array.from(text);
   if (kind === 'code') return (letters.length * CODE * CODE_SCALE) / 1000 + 2 * CODE_RIM;

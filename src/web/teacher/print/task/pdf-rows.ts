@@ -8,7 +8,7 @@ import { BASE, type PaperBlock, type Piece, type PlacedRow, type Sign } from './
 import { RING, starsAt } from './signs';
 import type { PaperTask } from './task-blocks';
 
-/** Only signs that the fonts of a PDF have. */
+/** A block in only those signs that the fonts of a PDF have. */
 export function withPrintable(block: PaperBlock): PaperBlock {
   if (block.kind === 'picture') return block;
   return {

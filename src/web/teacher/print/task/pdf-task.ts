@@ -19,7 +19,7 @@ export function printTask(pdf: jsPDF, task: PaperTask): void {
   });
 }
 
-/** Which of several sheets this is. */
+/** Prints the title, and which of several sheets this is. */
 function printFoot(pdf: jsPDF, title: string, page: number, of: number): void {
   pdf.setFont('helvetica', 'normal');
   pdf.setFontSize(0.7 * TEXT_MM * PT_PER_MM);

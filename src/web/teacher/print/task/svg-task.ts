@@ -25,7 +25,7 @@ const TYPE_SHARE = 1 / 48;
 /** An arena this much higher than wide has its task beside it. */
 const HIGH = 1.2;
 
-/** How far the fonts of viewers may be wider than ours without a row running out of the picture. */
+/** Share of the width for which rows are set: fonts of viewers may be that much wider than ours. */
 const SLACK = 0.96;
 
 const LOOK = { 'font-family': SVG_FONT, fill: colors.label };

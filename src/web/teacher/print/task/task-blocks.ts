@@ -14,10 +14,10 @@ export interface PaperTask {
   /** Goals and rules. */
   readonly goals: readonly string[];
   readonly rules: readonly string[];
-  /** Title of further checks; empty: none. */
+  /** Title over the further checks; without any it is not printed. */
   readonly checksTitle: string;
   readonly checks: readonly string[];
-  /** For what there is one star, two, three. Empty: there are none. */
+  /** The conditions for one star, two, three. Empty: there are none. */
   readonly stars: readonly string[];
   /** Empty: none are printed. */
   readonly hints: readonly { readonly title: string; readonly text: string }[];
@@ -93,7 +93,7 @@ function pictureSize([width, height]: Point, roomMm: number): Point {
   return [width * scale, height * scale];
 }
 
-/** A paragraph without any look. */
+/** A plain paragraph: no indent, no sign, no room above it. */
 export const plain = (text: string, sizeMm: number): Paragraph => ({
   ...{ kind: 'words', lines: [[{ kind: 'text', text }]], sizeMm },
   ...{ indentMm: 0, sign: null, aboveMm: 0, staysWithNext: false },
