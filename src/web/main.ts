@@ -17,12 +17,13 @@ import { keepEarlyMessages } from './exchange/host/listen-to-host';
 import { setLanguage } from './kit/i18n';
 import { controls } from './kit/controls/controls';
 
-/** When the page looks after visits without a network, in ms. Chosen: what the first run needs has come by then. */
+/** Time until the page prepares visits without a network, in ms. Chosen: what the first run needs has come by then. */
 const OFFLINE_AFTER_MS = 4000;
 
 /**
- * No `await` of the module itself: all files that come later build upon this one, and WebKit's module loader then leaves
- * some of them unmade (a menu stays empty), and now and then never ends when the page is loaded anew.
+ * Starts the page. No `await` of the module itself: all files that come later build upon this one, and WebKit's module
+ * loader then leaves some of them unmade (a menu stays empty), and now and then never ends when the page is loaded
+ * anew.
  */
 async function start(): Promise<void> {
   const wish = hostWish(location, document.documentElement.dataset);
@@ -41,11 +42,11 @@ async function start(): Promise<void> {
   }, OFFLINE_AFTER_MS);
 }
 
-/** Somebody is here for the first time, on the page itself. `useGreeting` decides in the end. */
+/** True if somebody is here for the first time, on the page itself. `useGreeting` decides in the end. */
 const isNewcomer = (): boolean =>
   !storedSettings().welcomed && window.parent === window && location.search === '' && location.hash === '';
 
-/** The greeting is there with the first picture of the page, instead of changing it later. */
+/** Loads the greeting, so that it is there with the first picture of the page, instead of changing it later. */
 const fetchGreeting = (): Promise<unknown> => import('./help/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
 
 /** Loads the parts of a phone, so that they are there with its first picture. */

@@ -14,7 +14,7 @@ import type { VisitParts } from '../session/visit/parts';
 import { runSetup } from '../session/work/run-setup';
 import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
 
-/** How long after the start of the first run the page fetches what explains errors, in ms. */
+/** Time from the start of the first run until the page fetches what explains errors, in ms. */
 const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
 
 /** The engine that runs a program: a worker and the VM. */

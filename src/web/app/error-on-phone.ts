@@ -10,7 +10,7 @@ import type { WorkParts } from '../session/work/model/parts';
 /** The models that show the error and its line. */
 type PhoneParts = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
 
-/** Tells of an error at the foot of a phone's page, with the way to the console. */
+/** Shows a notice of an error on a phone, with the way to the console. */
 export async function showErrorOnPhone(parts: PhoneParts, ended: Ended, run: RunModel): Promise<void> {
   const { layout, notices } = parts;
   const show = (): void => void (layout.tab.value = 'console');

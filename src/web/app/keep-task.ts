@@ -3,7 +3,7 @@ import { watch } from 'vue';
 import type { LockedPage } from '../pupil/locks/lock-task';
 import { isHandedOut } from '../session/work/model/task-locks';
 
-/** Keeps what a task locks. What does so comes with the first task. */
+/** Applies the locks of the open task. The code for it is loaded with the first task. */
 export function keepTask(app: LockedPage): void {
   const project = () => app.work.work.value.project;
   watch(

@@ -107,7 +107,7 @@ export function provideParts(parts: AllParts): void {
   provideTask(parts);
 }
 
-/** Nobody builds in the past: what would change the course there changes nothing, by whichever way it comes. */
+/** Refuses changes of course and devices while looking back, by whichever way they come, and says so. */
 function keepPast({ work, run, notices }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'> & PageParts): void {
   work.staysAsItIs = () => {
     if (run.past.value === null) return false;

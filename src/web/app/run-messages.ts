@@ -13,7 +13,10 @@ import type { WorkParts } from '../session/work/model/parts';
 /** The models that show a run's messages. */
 export type RunMessages = WorkParts & ConsoleParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
 
-/** A robot on the wrong board is told in the arena; where that is not in sight, at the foot of the page. */
+/**
+ * Shows a notice about a robot that does not fit board or program if the arena, which says so itself, is not in sight;
+ * otherwise closes the notice.
+ */
 export function showStart({ settings, work, layout, notices }: RunMessages): void {
   const notice = layout.isShown.value.arena
     ? null
@@ -22,7 +25,7 @@ export function showStart({ settings, work, layout, notices }: RunMessages): voi
   else notices.show(notice);
 }
 
-/** Tells why a run could not begin. What measures a course is fetched only then. */
+/** Shows why a run could not begin. The code that measures a course is loaded only then. */
 export async function showFailure(parts: RunMessages, message: string): Promise<void> {
   const { work, notices } = parts;
   const [hardware, scene] = [hardwareNow(parts), work.scene.value];
@@ -34,7 +37,7 @@ export async function showFailure(parts: RunMessages, message: string): Promise<
   }
 }
 
-/** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
+/** Shows how the program ended: an exception on a card with its line, anything else as a note in the console. */
 export function showEnd(parts: RunMessages, ended: Ended, run: RunModel, device: number): void {
   const { work, console, jump } = parts;
   const { exception, kind } = ended;
@@ -69,7 +72,7 @@ export function showEnd(parts: RunMessages, ended: Ended, run: RunModel, device:
     );
 }
 
-/** A phone shows one pane: an error must not stay hidden behind a tab. Where a host has no console here, it shows its own. */
+/** True if an error would stay hidden behind a tab of a phone. Where a host has no console here, it shows its own. */
 const isHidden = ({ layout }: RunMessages): boolean =>
   layout.kind.value === 'phone' && !layout.isShown.value.console && layout.tabs.value.includes('console');
 

@@ -11,11 +11,14 @@ type Around = Pick<PageParts, 'notices'> &
   Pick<CourseEditorParts, 'editor'>;
 
 /**
- * Every run begins where the course has the robot. Whoever moves it by hand while no run goes on is told so, and can make
- * its place the start.
+ * Shows a notice when robot or blocks are moved by hand while there is no run: every run begins where the course has
+ * them. The robot's place can be made the start.
  */
 export function tellIdleHand({ notices, run, hand, work, editor }: Around): void {
-  /** How a start is set comes with the first press: few do it. Without a connection nothing happens. */
+  /**
+   * Makes the robot's place the start. The code for it is loaded with the first press: few do it. Without a connection
+   * nothing happens.
+   */
   async function startHere(): Promise<void> {
     const edits = await import('#editor/edits').catch(() => null);
     const pose = hand.pose.value;

@@ -2,7 +2,7 @@ import { computed, onScopeDispose, shallowRef, watchEffect, type ComputedRef } f
 
 import type { SettingsModel } from '../session/work/settings/settings-model';
 
-/** Whether the page is dark: as chosen, or as the device wishes. Marks the document for the style sheets. */
+/** True if the page is dark: as chosen, or as the device wishes. Marks the document for the style sheets. */
 export function useDark({ current }: SettingsModel): ComputedRef<boolean> {
   const query = matchMedia('(prefers-color-scheme: dark)');
   const deviceIsDark = shallowRef(query.matches);

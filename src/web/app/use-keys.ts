@@ -15,7 +15,7 @@ export interface KeyActions {
 }
 
 /**
- * Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs,
+ * Listens to the page's keys: a, b and l press the board during a run, while no text is being written; Ctrl+Enter runs,
  * Ctrl+Shift+Enter stops, Ctrl+S saves.
  */
 export function useKeys({ run }: Pick<RunParts, 'run'>, actions: KeyActions): void {
@@ -60,7 +60,7 @@ export function command(event: CommandKey, actions: Pick<KeyActions, 'run' | 'st
   event.preventDefault();
 }
 
-/** Letters belong to text fields, and to menus, which jump to an entry by its first letter. */
+/** True if letters belong to the element: to text fields, and to menus, which jump to an entry by its first letter. */
 function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
   return (

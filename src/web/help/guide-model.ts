@@ -2,7 +2,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import type { HelpEntry } from '../kit/features/feature';
 
-/** True if the help is requested, and where; whether it is visible. */
+/** The state of the help: whether it is requested, at which entry, and whether it is on the page. */
 export interface GuideModel {
   /** `null`: closed; an entry's name, or `''` for the help's beginning. */
   readonly at: Readonly<ShallowRef<string | null>>;

@@ -1,11 +1,11 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** True if the tour is on. Where it was left is a setting. */
+/** The state of the tour. The step at which it was left is a setting. */
 export interface TourModel {
   readonly isOpen: Readonly<ShallowRef<boolean>>;
-  /** Begins the tour, or goes on where it was left. It is fetched first and may take a moment. */
+  /** Begins the tour, or resumes it where it was left. It is loaded first, which may take a moment. */
   readonly open: () => void;
-  /** Takes it off the page; what is kept about it is up to the caller. */
+  /** Removes it from the page; whether it can be resumed is up to the caller. */
   readonly close: () => void;
 }
 

@@ -17,7 +17,7 @@ export interface EditingPage extends TestPage {
   readonly object: <T extends SceneObject['type']>(type: T, id: string) => OfKind<T>;
   /** The ids of all objects. */
   readonly ids: () => readonly string[];
-  /** How many steps can be taken back. */
+  /** Number of steps that can be taken back. */
   readonly steps: () => number;
 }
 
@@ -60,7 +60,7 @@ export async function fill(name: string, text: string): Promise<void> {
   await nextTick();
 }
 
-/** Presses a key on an element; says what became of it. */
+/** Presses a key on an element. @returns the event after the page has handled it */
 export async function keyOn(target: EventTarget, key: string, more: KeyboardEventInit = {}): Promise<KeyboardEvent> {
   const event = new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true, ...more });
   target.dispatchEvent(event);

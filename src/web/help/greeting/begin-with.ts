@@ -7,14 +7,14 @@ import type { Stage } from './stage';
 
 type Parts = Workplace & Pick<LayoutParts, 'layout'> & TaskParts & Pick<CourseEditorParts, 'editor'>;
 
-/** The answer to the greeting: a stage, and something to begin with. */
+/** Answers the greeting with a stage, and opens something to begin with: the task, or an empty floor. */
 export async function beginWith(app: Parts, stage: Stage): Promise<void> {
   await chooseStage(app, stage);
   if (stage === 'robot') app.task.open();
   if (stage === 'all') await openFloor(app);
 }
 
-/** An empty floor, with the pen in hand. The program stays. */
+/** Opens an empty floor, with the pen in hand. The program stays. */
 async function openFloor(app: Parts): Promise<void> {
   try {
     const [{ readyCourse }, { useCourses }] = await Promise.all([

@@ -23,14 +23,16 @@ export function changeStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage:
 
 const isUntouched = ({ work }: Pick<WorkParts, 'work'>): boolean => isOurs(work.work.value.project);
 
-/** For the board alone: a program that needs no robot. */
+/** Opens a program that needs no robot, unless something of the pupil's own is open or there is no robot anyway. */
 function leaveArena(app: Workplace): void {
   const [first] = boardPrograms;
   if (first === undefined || !isUntouched(app) || hardwareNow(app)?.robot === null) return;
   useCourses(app).openBoardProgram(first);
 }
 
-/** For the arena: a robot, with something to drive where the board was alone. */
+/**
+ * Brings a robot back where the board was alone: with the first course, unless something of the pupil's own is open.
+ */
 function enterArena(app: Workplace): void {
   if (app.settings.current.value.robot !== NO_ROBOT) return;
   if (isUntouched(app) && firstCourse !== undefined) useCourses(app).openCourse(firstCourse);

@@ -3,7 +3,7 @@ import type { LayoutParts } from '../../session/layout/parts';
 import type { Stage } from './stage';
 import { latePart } from '../../kit/late-part';
 
-/** Brings a stage into sight, see `changeStage`: what it takes to change the program along with it comes with the first choice. */
+/** Brings a stage into sight, see `changeStage`, which is loaded with the first choice. */
 export async function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): Promise<void> {
   try {
     const { changeStage } = await import('./change-stage');

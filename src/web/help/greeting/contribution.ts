@@ -14,7 +14,7 @@ import { STAGES, stageOf, type Stage } from './stage';
 
 const icons: Readonly<Record<Stage, string>> = { board: mdiChip, robot: mdiRobotOutline, all: mdiPencilRuler };
 
-/** How much of the app is in sight. */
+/** The choice of a stage in the main menu. */
 export const contribution: Contribution = {
   menu() {
     const app = { ...usePage(), ...useRun(), ...useWork(), ...useLayout() };

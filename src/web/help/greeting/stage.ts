@@ -1,8 +1,8 @@
 import type { Settings } from '../../session/work/settings/settings';
 
 /**
- * How much of the app is in sight: the microcomputer alone (program, board, console), with the robot in its arena, or
- * with the tools for building courses as well.
+ * The stages, by how much of the app is in sight: the microcomputer alone (program, board, console), with the robot in
+ * its arena, or with the tools for building courses as well.
  */
 export const STAGES = ['board', 'robot', 'all'] as const;
 export type Stage = (typeof STAGES)[number];

@@ -14,8 +14,8 @@ type Parts = Pick<RunParts, 'run'> &
   FirstStepsParts;
 
 /**
- * Whether a newcomer is greeted: on a page of its own (no host, no link, no requested course), until there is an answer, a
- * first run or anything else to look at in its place.
+ * True if a newcomer is greeted: on a page of its own (no host, no link, no requested course), until there is an
+ * answer, a first run or anything else to look at in its place.
  */
 export function useGreeting({ run, settings, work, router, layout, console, tour }: Parts): ComputedRef<boolean> {
   const isFirstVisit = computed(() => {

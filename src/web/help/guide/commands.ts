@@ -11,7 +11,7 @@ export interface Command {
   readonly calls: readonly string[];
   /** The code to insert into a program: `leftArc(radius)`. */
   readonly code: string;
-  /** Under which name its words stand. */
+  /** Name of its words in the reference. */
   readonly text: string;
 }
 

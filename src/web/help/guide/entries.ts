@@ -167,7 +167,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   restart: ofKey(mdiRestart, 'console.restart', 'restart'),
 };
 
-/** The keys of a shortcut; `/` parts keys that do several things, one each. */
+/** The keys of each shortcut, as they are shown. */
 const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-run': ['Ctrl', 'Enter'],
   'key-stop': ['Ctrl', 'Shift', 'Enter'],
@@ -220,7 +220,10 @@ export const guideSections = (contributed: readonly HelpEntry[]): readonly Guide
       ),
     }));
 
-/** Each after the one that it follows, which may be inserted itself; without such a one at the end. */
+/**
+ * The entries with those of features, each after the one that it follows, which may be inserted itself; without such a
+ * one at the end.
+ */
 function inserted(own: readonly GuideEntry[], more: readonly HelpEntry[]): readonly GuideEntry[] {
   const entries = [...own];
   let waiting = more;

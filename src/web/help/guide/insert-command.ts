@@ -41,7 +41,7 @@ export function insertionOf(program: string, from: number, to: number, command: 
   return { changes, select: selectionIn(code, at) };
 }
 
-/** A line begins here. */
+/** True if a line begins here. */
 const endsLine = (program: string, place: number): boolean => place === 0 || program[place - 1] === '\n';
 
 /** The first argument of what was written at a place, or the end of it. */
@@ -52,7 +52,7 @@ function selectionIn(code: string, at: number): Insertion['select'] {
   return { anchor, head: anchor + argument.length };
 }
 
-/** How the module is named in this program, and whether it is imported at all. */
+/** The prefix of the module's names in this program, and whether its import is missing. */
 function importOf(program: string, module: string): { readonly prefix: string; readonly isMissing: boolean } {
   const has = (pattern: string): boolean => new RegExp(`^[ \\t]*${pattern}`, 'm').test(program);
   if (has(`from[ \\t]+${module}[ \\t]+import[ \\t]*\\*`)) return { prefix: '', isMissing: false };
@@ -62,7 +62,7 @@ function importOf(program: string, module: string): { readonly prefix: string; r
   return { prefix: '', isMissing: true };
 }
 
-/** After the imports and comments with which the program begins. */
+/** The place after the imports and comments with which the program begins. */
 function placeOfImport(program: string): number {
   let [at, place] = [0, 0];
   for (const line of program.split('\n')) {

@@ -9,8 +9,8 @@ export const wordsOf = (query: string): readonly string[] => folded(query).split
 const stemOf = (word: string): string => word.slice(0, Math.max(4, word.length - (word.length > 6 ? 3 : 2)));
 
 /**
- * How well something fits a search: 0 when a word is nowhere in it, and higher the nearer its words are to the
- * beginning of the name. Every word has to be there, in any order; a part of a word counts, too.
+ * A score for how well something fits a search: 0 when a word is nowhere in it, and higher the nearer its words are to
+ * the beginning of the name. Every word has to be there, in any order; a part of a word counts, too.
  */
 export function fitOf(words: readonly string[], name: string, text: string): number {
   const [foldedName, foldedText] = [folded(name), folded(text)];

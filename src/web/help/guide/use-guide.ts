@@ -29,7 +29,7 @@ export interface GuideModel {
   readonly sections: ComputedRef<readonly ShownSection[]>;
   /** Id of the section of an entry; `undefined`: there is no such entry. */
   readonly sectionOf: (entry: string) => string | undefined;
-  /** How many entries and commands fit. */
+  /** Number of entries and commands in these sections. */
   readonly count: ComputedRef<number>;
 }
 

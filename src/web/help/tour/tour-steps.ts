@@ -6,7 +6,7 @@ import type { Pane } from '../../session/layout/layout-model';
 import type { FirstStepsParts } from '../parts';
 import words from '../words';
 
-/** The steps of the tour by name; where it was left is kept by it. */
+/** Name of a step of the tour; the one at which it was left is stored by it. */
 export type TourStepId = keyof typeof words.steps;
 
 /** The models that the steps observe. */
@@ -58,7 +58,7 @@ export const stepsFor = (hasArena: boolean, mayBuild = true): readonly TourStep[
     (step) => step !== tools || (hasArena && mayBuild),
   );
 
-/** The place of a kept step; one that is not among them, or unknown, is the beginning. */
+/** The place of a stored step; one that is not among them, or unknown, is the beginning. */
 export const placeOf = (steps: readonly TourStep[], kept: string | null): number =>
   Math.max(
     0,

@@ -9,7 +9,9 @@ export interface Target {
   readonly box: Box;
 }
 
-/** How often the place is checked, in ms: sliding and unfolding fire no event. Chosen: soon enough for the eye. */
+/**
+ * Interval at which the place is checked, in ms: sliding and unfolding fire no event. Chosen: soon enough for the eye.
+ */
 const LOOK_MS = 150;
 
 /**
