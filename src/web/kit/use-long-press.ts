@@ -1,8 +1,8 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** How long a finger must rest before the hint shows, in ms. */
+/** Time for which a finger must rest before the hint shows, in ms. */
 const HOLD_MS = 500;
-/** How far it may slip meanwhile, in px. */
+/** Distance that it may slip meanwhile, in px. */
 const SLIP_PX = 10;
 
 /** A hint on a control, shown where a finger rests on it. */
@@ -16,7 +16,7 @@ export interface Hint {
   readonly besidePx: number | null;
 }
 
-/** How long a hint stays after the finger has left, in ms. */
+/** Time for which a hint stays after the finger has left, in ms. */
 const LINGER_MS = 1200;
 
 /**

@@ -5,7 +5,7 @@ import { Reference, type Meaning } from '#reference/meaning';
 export interface Command {
   /** The module it comes from: `mbrobot`. */
   readonly module: string;
-  /** How it is called after `from … import *`: `forward`, `irLeft.read_digital`. */
+  /** Its name after `from … import *`: `forward`, `irLeft.read_digital`. */
   readonly name: string;
   /** Its arguments as the reference names them, one text for each form of the call: `(radius: float)`. */
   readonly calls: readonly string[];

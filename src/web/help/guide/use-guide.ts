@@ -21,7 +21,7 @@ export type ShownSection =
 export interface GuideModel {
   /** `null` while it loads. */
   readonly guide: Readonly<ShallowRef<Guide | null>>;
-  /** It could not be fetched. */
+  /** True if it could not be loaded. */
   readonly isMissing: Readonly<ShallowRef<boolean>>;
   readonly query: ShallowRef<string>;
   readonly isSearching: ComputedRef<boolean>;

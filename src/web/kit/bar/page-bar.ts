@@ -4,7 +4,10 @@ import { controls } from '../controls/controls';
 import PageBar from './PageBar.vue';
 import type { PageMessage } from './page-message';
 
-/** How long a message is shown that asks nothing, in ms. Chosen: as long as the short notices that offer something. */
+/**
+ * Time for which a message is shown that asks nothing, in ms. Chosen: as long as the short notices that offer
+ * something.
+ */
 const SHOWN_MS = 12_000;
 
 const messages = shallowRef<readonly PageMessage[]>([]);

@@ -43,7 +43,10 @@ export interface MenuPart {
   readonly entries: () => readonly MenuEntry[];
 }
 
-/** Something that the help explains: a feature lists its own in its `help-entries.ts`, loaded with the help. Its name is that of its control, so that both always say the same. */
+/**
+ * An entry of the help; a feature lists its own in its `help-entries.ts`, which is loaded with the help. Its name is
+ * that of the control it explains, so that both always say the same.
+ */
 export interface HelpEntry {
   readonly id: string;
   readonly section: 'menu' | 'program' | 'board' | 'arena' | 'tools' | 'console' | 'keys';

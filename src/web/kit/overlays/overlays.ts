@@ -2,7 +2,7 @@
 export interface Overlay {
   /** True if a click there is one beside it. */
   isBeside(target: Node): boolean;
-  /** It shall close: Escape was pressed, or something beside it was clicked. */
+  /** Asks it to close: Escape was pressed, or something beside it was clicked. */
   leave(by: 'escape' | 'beside'): void;
   /** The Tab key was pressed. */
   tab(event: KeyboardEvent): void;
@@ -13,7 +13,7 @@ interface Shown {
   readonly zIndex: number;
 }
 
-/** All that are open, in the order in which they were opened: the last one is on top, and hears keys and clicks. */
+/** All open overlays, in the order in which they were opened: the last one is on top, and gets keys and clicks. */
 const shown: Shown[] = [];
 /** True if the click began beside. One that began inside and ends beside (text was selected) closes nothing. */
 let beganBeside = false;

@@ -5,9 +5,9 @@ import type { Recording } from './recording';
 
 /** Receives the unpacked moments. */
 export interface RowsHearing {
-  /** Another recording is requested than before, or its pieces have been replaced. */
+  /** Called when another recording is requested than before, or its pieces have been replaced. */
   begin?(recording: Recording): void;
-  /** A piece of it is unpacked. */
+  /** Called for each piece as it is unpacked. */
   chunk?(chunk: Chunk): void;
 }
 

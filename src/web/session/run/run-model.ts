@@ -35,7 +35,7 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   device?(): number;
   /** True if this action is forbidden; left out: all are allowed. */
   refuses?(action: InputAction): boolean;
-  /** Something was done to a board, whether a run takes it or not. */
+  /** Called for each input to a board, whether a run takes it or not. */
   onInput(action: InputAction, device: number): void;
   onStart(): void;
   onOutput(output: Output): void;

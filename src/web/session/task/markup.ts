@@ -1,7 +1,8 @@
 /**
- * The small markup of tasks and hints: paragraphs parted by an empty line, `- ` and `1. ` lists, `**bold**`, `` `code` ``,
- * and `![words](picture)` for the place of the task's picture. All else is text: no links, no HTML. What comes out is
- * data, which `MarkupText.vue` makes elements of, so nothing that a teacher or a stranger has written is ever read as HTML.
+ * The small markup of tasks and hints: paragraphs separated by an empty line, `- ` and `1. ` lists, `**bold**`, ``
+ * `code` ``, and `![words](picture)` for the place of the task's picture. All else is text: no links, no HTML. The
+ * result is data, from which `MarkupText.vue` makes elements, so nothing that a teacher or a stranger has written is
+ * ever read as HTML.
  */
 
 /** A part of a line. */

@@ -4,11 +4,11 @@ import type { HostSettings, Part, SimulatorEvent } from '#embed/simulator';
 
 /** The settings in the page's address, and the embedding page. */
 export interface HostWish {
-  /** Settings of this visit; none of them is kept. */
+  /** Settings of this visit; none of them is stored. */
   readonly settings: HostSettings;
   /** The dialect that the page speaks before it is asked, or `null`: it then answers only a hello. */
   readonly dialect: 'microbit' | 'webtigerpython' | null;
-  /** True if the work of this page is kept in the browser; pages that a host fills forget it. */
+  /** True if the work of this page is stored in the browser; pages that a host fills forget it. */
   readonly keepsWork: boolean;
   /** Origins that may command; empty: the parent, whatever its origin. */
   readonly origins: readonly string[];

@@ -24,7 +24,7 @@ import {
 import programWords from './programs/words';
 import { useOpenings } from './use-openings';
 
-/** Opening courses with one of their programs, or with the pupil's own. */
+/** Functions that open courses with one of their programs, or with the pupil's own. */
 function useWholeCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
@@ -86,7 +86,7 @@ function useWholeCourses(app: Workplace) {
   return { open, openWhole, openOwn, openAgain, openScene, restore: openings.restore };
 }
 
-/** Opening courses and coming back to earlier work; neither ever loses what was open. */
+/** Functions that open courses and earlier work; neither ever loses what was open. */
 export function useCourses(app: Workplace) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;

@@ -15,9 +15,9 @@ export function useOpenings(app: Workplace) {
   const device = useDevice(app);
 
   /**
-   * Opens a project, stopped. What was there before is put aside and can be had back.
+   * Opens a project, stopped. The work before it is put aside and can be restored.
    *
-   * @param isOurs what was there holds nothing of the pupil's own, so it need not be kept
+   * @param isOurs whether the work before it holds nothing of the pupil's own, and is dropped
    * @param file the file it comes from, without its ending
    */
   function open(project: Project, name: string, isOurs: boolean, file?: string): void {
@@ -30,7 +30,9 @@ export function useOpenings(app: Workplace) {
     tell(nameWithFile(name, file), isOurs);
   }
 
-  /** Opens an arena, the program stays. One of the pupil's own is put aside with the program and can be had back. */
+  /**
+   * Opens an arena, the program stays. An arena of the pupil's own is put aside with the program and can be restored.
+   */
   function openScene({ scene, course }: Pick<Project, 'scene' | 'course'>, name: string, isOurs: boolean): void {
     if (!isOurs) leave();
     device.allowRobot();

@@ -32,7 +32,7 @@ export class ClassKeeper {
   /** True once a stored class, if there is one, has been restored. */
   readonly isReady = shallowRef(false);
   readonly isKept = shallowRef(false);
-  /** Another tab has written the class, too. */
+  /** True if another tab has written the class, too. */
   readonly isShared = shallowRef(false);
   readonly problem = shallowRef<KeepProblem | null>(null);
   private written = nothing;

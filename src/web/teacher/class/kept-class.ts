@@ -28,7 +28,7 @@ export interface Writing {
   readonly task: OpenTask | null;
   /** Number of hand-ins. */
   readonly count: number;
-  /** Those that have changed, with their places. */
+  /** The hand-ins that have changed, with their places. */
   readonly changed: readonly { readonly row: KeptRow; readonly place: number }[];
   /** True if all earlier entries of a class are deleted. */
   readonly isNew: boolean;

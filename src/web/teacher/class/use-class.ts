@@ -12,7 +12,7 @@ import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './model/class-model';
 import words from './words';
 
-/** `OpenTask.from` of the work that is open in the app, of a file, of a series, and of a class that was kept. */
+/** `OpenTask.from` of the work that is open in the app, of a file, of a series, and of a class that was stored. */
 export const [OPEN, FILE, SERIES, KEPT] = ['open', 'file', 'series', 'kept'];
 
 /** The class that is checked on this page: it stays while the page is open, also when it is out of sight. */

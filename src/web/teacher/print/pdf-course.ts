@@ -13,7 +13,7 @@ export interface PrintWords {
   readonly name: string;
   /** Title of the plan of the sheets. */
   readonly planTitle: string;
-  /** How to print, to check the scale and to glue, a line each. */
+  /** The steps of printing, checking the scale and gluing, a line each. */
   readonly steps: readonly string[];
 }
 

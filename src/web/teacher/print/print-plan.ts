@@ -7,7 +7,7 @@ export type Paper = (typeof papers)[number];
 /** White margin of a sheet, in mm: most printers reach no nearer than 5 mm to the edge, and the marks need room. */
 export const MARGIN_MM = 10;
 
-/** How far neighbouring tiles overlap, in mm: there one is glued onto the other. */
+/** Overlap of neighbouring tiles, in mm: there one is glued onto the other. */
 export const OVERLAP_MM = 10;
 
 /** Most sheets of one print. Chosen: no class glues more, and the file can still be opened. */
@@ -30,7 +30,7 @@ export interface Tile {
   readonly size: Point;
 }
 
-/** How a course is laid out on sheets. */
+/** The layout of a course on sheets. */
 export interface PrintPlan {
   /** Width and height of each sheet in mm. */
   readonly page: Point;

@@ -76,7 +76,7 @@ export function usePrint(other: Scene | null = null) {
     saveSvg: (wish: PictureWish) =>
       save('svg', () => Promise.resolve(new Blob([courseSvg(scene.value, optionsFor(wish)).svg], { type: SVG_TYPE }))),
     savePdf: (make: (scene: Scene, name: string) => Promise<Blob>) => save('pdf', () => make(scene.value, name.value)),
-    /** Something of the run. @param signal gives it up: then it is no failure */
+    /** Saves a file made of the run. @param signal gives it up: then it is no failure */
     saveRun: (ending: string, make: (name: string) => Promise<Blob>, signal?: AbortSignal) =>
       save(`run.${ending}`, () => make(name.value), signal),
   };

@@ -117,9 +117,9 @@ function useCode(isWanted: () => boolean) {
     program,
     qr,
     link: computed(() => (qr.value === null ? null : link.value)),
-    /** Why there is no code, and the way out; empty: there is one. */
+    /** The reason why there is no code, and the way out; empty: there is one, or none is wanted. */
     why: computed(() => (isWanted() ? why.value : '')),
-    /** The link gives away the solution. */
+    /** True if the link gives away the solution. */
     tellsSolution: computed(() => qr.value !== null && program.value && isSolution.value),
   };
 }

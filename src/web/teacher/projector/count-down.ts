@@ -14,11 +14,11 @@ export interface KeptTimer {
   readonly setMs: number;
   /** The remaining time while it is paused, in ms. */
   readonly leftMs: number;
-  /** When it ends, by the clock on the wall; `null`: it stands. */
+  /** Time of its end by the clock on the wall, in ms; `null`: it is not running. */
   readonly endsMs: number | null;
 }
 
-/** `ready`: nothing of what was set has passed. */
+/** `ready`: not running, and nothing of the set time has passed. */
 export type TimerPhase = 'ready' | 'running' | 'paused' | 'over';
 
 const MINUTE_MS = 60_000;
@@ -27,7 +27,7 @@ const MOST_MS = 99 * MINUTE_MS;
 /** Chosen: what a class gets for a small task. */
 const FIRST: KeptTimer = { setMs: 10 * MINUTE_MS, leftMs: 10 * MINUTE_MS, endsMs: null };
 
-/** Counts down what a teacher gives a class, in time on the wall: it has nothing to do with a run. */
+/** Counts down the time that a teacher gives a class, by the clock on the wall: it has nothing to do with a run. */
 export class CountDown {
   private readonly kept: ShallowRef<KeptTimer>;
   private readonly left: ShallowRef<number>;
@@ -57,13 +57,15 @@ export class CountDown {
     this.goOn();
   }
 
-  /** Begins anew with so many minutes, and stands. */
+  /** Sets the timer to a number of minutes, 1 to 99, and stops it. */
   set(minutes: number): void {
     const setMs = limited(minutes * MINUTE_MS);
     this.change({ setMs, leftMs: setMs, endsMs: null });
   }
 
-  /** A minute more or less: of what is set, or of what is left. After its end it runs on with it. */
+  /**
+   * Adds minutes to the set time while it is ready, else to the time that is left. After its end it runs on with them.
+   */
   add(minutes: number): void {
     const { setMs } = this.kept.value;
     if (this.phase.value === 'ready') {
@@ -84,7 +86,7 @@ export class CountDown {
     if (this.phase.value === 'running') this.change({ ...this.kept.value, leftMs: this.leftNow(), endsMs: null });
   }
 
-  /** Back to what was set; it stands. */
+  /** Sets the timer back to the set time, and stops it. */
   reset(): void {
     const { setMs } = this.kept.value;
     this.change({ setMs, leftMs: setMs, endsMs: null });

@@ -7,7 +7,7 @@ export interface KeptProjector {
 }
 
 const KEY = 'parcours.projector';
-/** Nothing of it can be read: as on a first visit. */
+/** The state if nothing can be read: as on a first visit. */
 const NOTHING: KeptProjector = { timer: null, hasSound: false };
 
 export function readKept(): KeptProjector {

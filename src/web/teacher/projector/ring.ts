@@ -2,7 +2,10 @@ import type { SoundOutput, SoundPlayer } from '../../session/run/sound/sound-pla
 
 /** A soft gong: pitch in Hz, loudness 0 … 1, length and pause in s. Chosen: heard in a room at work, startles nobody; over before the sound system falls asleep. */
 const GONG = { hz: [660, 990], gain: 0.25, seconds: 1.2, everySeconds: 0.7 } as const;
-/** The sound system may have to be fetched and woken first: so often, and so many ms apart, it is asked for. */
+/**
+ * Number of attempts to get the sound system, which may have to be loaded and woken first, and the time between them in
+ * ms.
+ */
 const ASKED = { times: 25, everyMs: 120 } as const;
 
 /** Sounds a gong; not while the page is muted. */

@@ -1,7 +1,7 @@
 import { freeId } from '#check/task/read-checks';
 import { lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from '#check/task/task';
 
-/** A field of a check's form, besides its type. */
+/** A field of a check's form, besides points and whether the check is needed. */
 export type CheckField =
   | {
       readonly kind: 'number';

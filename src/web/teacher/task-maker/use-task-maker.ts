@@ -15,7 +15,7 @@ import { workName } from '../../session/work/work-name';
 export interface TaskMaker {
   /** `null`: what the work carries cannot be read, see `problem`. */
   readonly task: ComputedRef<ClassTask | null>;
-  /** Why not, in English: it names the place in the data. */
+  /** The reason why it cannot be read, in English: it names the place in the data. `null`: it can. */
   readonly problem: ComputedRef<string | null>;
   /** The goals of the course are checked, and it has none. */
   readonly lacksGoals: ComputedRef<boolean>;

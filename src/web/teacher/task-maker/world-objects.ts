@@ -9,7 +9,7 @@ export interface ObjectRow {
   /** Index of its edit. */
   readonly place: number;
   readonly id: string;
-  /** How far it is moved, in mm; `null`: it is not there. */
+  /** The distance by which it is moved, in mm; `null`: it is not there. */
   readonly by: readonly [x: number, y: number] | null;
 }
 

@@ -11,7 +11,7 @@ import { hardwareOf } from './hardware';
 
 type Devices = Pick<WorkParts, 'work' | 'settings'>;
 
-/** A device by itself: its files and what it is to run on, as if the project had no other. */
+/** A device by itself: its files and its hardware, as if the project had no other. */
 export interface DeviceAt {
   readonly project: Project;
   readonly settings: Settings;

@@ -112,7 +112,7 @@ function useBringing(
   };
 }
 
-/** The arena goes with the robot and comes back with it. */
+/** The setting that hides the arena with the robot, and shows it again with one. */
 const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
   (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
 

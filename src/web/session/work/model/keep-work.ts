@@ -27,7 +27,7 @@ export interface Opened {
   readonly work: Work | null;
 }
 
-/** A storage for pages that keep nothing: where the browser forbids it, or a host brings the work. */
+/** A storage for pages that store nothing: where the browser forbids it, or a host brings the work. */
 const forgetful: TabStorage = { load: () => null, save: () => true };
 
 /** The state of a page that stores nothing. */

@@ -56,7 +56,7 @@ export class WorkModel {
   readonly locks = new WorkLocks();
   /** The store of the pupil's programs for ready courses (`own-programs.ts`); `null`: none. */
   programs: Storage | null = null;
-  /** True if course and devices must stay as they are just now, whatever wants to change them; whoever asks has been told. */
+  /** True if course and devices must not change just now; the answer comes with a notice to the pupil. */
   staysAsItIs: () => boolean = () => false;
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;

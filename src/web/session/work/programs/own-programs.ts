@@ -11,7 +11,7 @@ import type { WorkModel } from '../model/work-model';
 
 /** A program of a course, with those of its further devices. */
 export interface OwnProgram {
-  /** When it was left or has won, in ms since 1970. */
+  /** Time when it was left or has won, in ms since 1970. */
   readonly atMs: number;
   /** The files of each device, in their order. */
   readonly files: readonly (readonly SourceFile[])[];
@@ -96,7 +96,7 @@ export const filesOf = ({ files, devices }: Project): OwnProgram['files'] => [
 
 /** Programs as they came with a course or its solution, by the list of the first device's files. */
 const opened = notesOn<Project['files'], Project['devices']>();
-/** Notes that a project is opened as it comes. */
+/** Notes that a project was opened as it comes with its course. */
 export const noteOpened = ({ files, devices }: Project): void => void opened.set(files, devices);
 /** True if nobody has written on a project since it was opened as it came. */
 export const isAsOpened = ({ files, devices }: Project): boolean => opened.has(files) && opened.get(files) === devices;

@@ -21,7 +21,7 @@ export interface Device {
   readonly board: string;
   /** Further information, if there is any. */
   readonly about: TextKey | null;
-  /** How it differs from the picture of its board, where it does. */
+  /** A text on how it differs from the picture of its board, if it does. */
   readonly picture: TextKey | null;
 }
 

@@ -1,4 +1,4 @@
-/** How a chain of lights is put on a board: the order in which its wire runs. */
+/** The forms of a chain of lights: the order in which its wire runs. */
 export const LIGHT_FORMS = ['ring', 'strip', 'matrix', 'zigzag'] as const;
 export type LightForm = (typeof LIGHT_FORMS)[number];
 

@@ -6,14 +6,14 @@ import { defaultSettings, settingsFromText, type Settings } from './settings';
 
 const KEY = 'parcours.settings';
 
-/** The settings, kept per tab; a new tab starts with the ones changed last. */
+/** The settings, stored per tab; a new tab starts with the ones changed last. */
 export interface SettingsModel {
   readonly current: Readonly<Ref<Settings>>;
   /** The pupil's own, without what only this visit has. */
   readonly own: Readonly<Ref<Settings>>;
   /**
-   * The pupil chooses something: it holds from now on and is stored. A value left as it was stays the host's if it was
-   * the host's.
+   * Changes settings by the pupil's choice: it holds from now on and is stored. A value left as it was stays the host's
+   * if it was the host's.
    *
    * @param own what is stored, where the pupil has chosen only a part of a value whose rest is the host's
    */

@@ -43,9 +43,9 @@ export interface Settings {
   readonly robot: string;
   /** The changed options of robots: id of the robot → id of the option → id of the choice. It wins over the course. */
   readonly robotOptions: RobotOptions;
-  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  /** The robot's likeness to a used one, 0 (ideal) … 1. */
   readonly reality: number;
-  /** Which of the used robots it is, 1 … `LAST_SEED`: the same number always gives the same faults. */
+  /** Number of the used robot, 1 … `LAST_SEED`: the same number always gives the same faults. */
   readonly seed: number;
   /** The pupil's own robot, as it was measured, or `null`. */
   readonly myRobot: MyRobot | null;
@@ -61,9 +61,9 @@ export interface Settings {
   readonly showCommands: boolean;
   /** The picture follows the robot. */
   readonly follow: boolean;
-  /** Announces events of the robot to screen readers; … */
+  /** Describes the drive in words for screen readers; … */
   readonly tell: boolean;
-  /** … and by tones, while it is told. */
+  /** … and by tones, while the drive is described. */
   readonly tones: boolean;
   /** A small celebration when a task is passed. */
   readonly celebrate: boolean;

@@ -1,7 +1,7 @@
 /** The browser's database, which holds far more than its storage for text, and can say that something is on the disk. */
 const STORE = 'pieces';
 
-/** Something that is stored under a name. */
+/** A text that is stored under a name. */
 export interface Entry {
   readonly name: string;
   readonly text: string;
@@ -10,8 +10,8 @@ export interface Entry {
 }
 
 /**
- * Does something with the stored entries; done once what it writes is on the disk itself, as far as the browser can
- * ensure that. Rejects where the browser has no database or no room.
+ * Acts on the stored entries. Resolves once the changes are on the disk itself, as far as the browser can ensure that.
+ * Rejects where the browser has no database or no room.
  */
 export async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
   const database = await openDatabase();

@@ -6,7 +6,7 @@ import { packedText } from './stored-project';
 export interface Previous {
   /** The name that the pupil sees: the course's, after that of the file if there is one. */
   readonly name: string;
-  /** When it was put aside, in ms since 1970. */
+  /** Time when it was put aside, in ms since 1970. */
   readonly atMs: number;
   readonly project: Project;
   /** The file it was opened from, without its ending. */
@@ -22,7 +22,7 @@ export const KEPT_ANYWAY = 5;
  */
 export const KEPT_CHARACTERS = 120_000;
 
-/** Everything a tab keeps: the open work and what was put aside. */
+/** Everything that a tab stores: the open work and what was put aside. */
 export interface Work {
   readonly project: Project;
   /** Name of the file that is shown. */
@@ -61,7 +61,7 @@ export function workToText(work: Work): string {
 /** Stored work with the time when it was saved, in ms since 1970: of two copies the newer one is opened. */
 export const stamped = (text: string, savedMs: number): string => `{"savedMs":${String(savedMs)},${text.slice(1)}`;
 
-/** When `stamped` work was saved; 0 for what an earlier version of the app stored. */
+/** The time when `stamped` work was saved; 0 for what an earlier version of the app stored. */
 export const savedMsOf = (text: string | null): number => Number(/^\{"savedMs":(\d+),/.exec(text ?? '')?.[1] ?? 0);
 
 /** Work as text for the browser's storage, with the given texts for its projects. */

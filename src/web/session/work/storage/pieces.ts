@@ -1,7 +1,7 @@
 /**
- * Large parts of stored work apart from it. The browser's storage for text holds about five million characters for all
- * tabs together, and a picture as floor has up to 1.5 million: such parts, and large earlier work, go to the store for
- * pieces (`piece-store.ts`), and the work names them. A piece never changes: its name is made from its content.
+ * Stores large parts of the work apart from it. The browser's storage for text holds about five million characters for
+ * all tabs together, and a picture as floor has up to 1.5 million: such parts, and large earlier work, go to the store
+ * for pieces (`piece-store.ts`), and the work names them. A piece never changes: its name is made from its content.
  */
 import type { Project } from '#project/project';
 import type { Background } from '#scene/scene';
@@ -18,7 +18,7 @@ const KEY = 'parcours.piece';
  */
 const PIECE_CHARACTERS = 20_000;
 
-/** A part of the work that may stand apart. */
+/** A part of the work that may be stored apart. */
 export interface Piece {
   readonly name: string;
   readonly text: string;
@@ -32,7 +32,7 @@ export interface Piece {
  */
 export function splitWork(work: Work, isKept: (name: string) => boolean): { text: string; loose: readonly Piece[] } {
   const loose = new Map<string, Piece>();
-  /** The piece's reference where it is kept, else the text itself. */
+  /** The piece's reference if it is in its store, else the text itself. */
   function standIn(piece: Piece | null, text: string): string {
     if (piece === null) return text;
     if (isKept(piece.name)) return reference(piece);

@@ -23,11 +23,11 @@ export interface OpenTask {
 export interface Brought {
   /** `null`: there is none. */
   readonly chosen: { readonly series: Series; readonly task: string } | null;
-  /** Why another one that was brought later cannot be had, in words. */
+  /** The reason why a series that was brought later cannot be had, in words; `null`: none. */
   readonly problem: string | null;
 }
 
-/** Somebody's hand-in on the page. */
+/** A hand-in on the page. */
 export interface Row {
   readonly name: string;
   /** `null`: not read yet, or nothing that could be. */
@@ -38,7 +38,7 @@ export interface Row {
   readonly note: string;
 }
 
-/** Somebody's hand-in as it can be kept: plain data. */
+/** A hand-in as it can be stored: plain data. */
 export interface KeptRow extends Omit<Row, 'handIn'> {
   readonly content: Content;
 }
@@ -57,7 +57,7 @@ export class ClassModel {
   readonly brought: ShallowRef<Brought> = shallowRef({ chosen: null, problem: null });
   readonly rows: ShallowRef<readonly Row[]> = shallowRef([]);
   readonly isChecking = shallowRef(false);
-  /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
+  /** The reason why nothing can be checked: there is no VM, or no worker; `null`: it can. */
   readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
   /** The checked hand-ins as reports have them, with the remarks on twins. */
   readonly found: ComputedRef<ClassResult>;
@@ -120,7 +120,7 @@ export class ClassModel {
     return { name, result, note, content: await contentOf(source) };
   }
 
-  /** Puts a class in the place of this one, as it was kept. Nothing is checked. */
+  /** Puts a stored class in the place of this one. Nothing is checked. */
   restore(task: OpenTask | null, rows: readonly KeptRow[]): void {
     this.stop();
     this.task.value = task;
@@ -159,7 +159,7 @@ export class ClassModel {
     this.isChecking.value = false;
   }
 
-  /** Checks what has no result yet. */
+  /** Checks the hand-ins that have no result yet. */
   async check(): Promise<void> {
     this.stop();
     const { turn } = this;

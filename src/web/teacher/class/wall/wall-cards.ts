@@ -7,7 +7,7 @@ import { stateOf, timeOf, worldsPassed, type RowState } from '../model/rows-in-o
 export const namings = ['passed', 'all', 'none'] as const;
 export type Naming = (typeof namings)[number];
 
-/** How cards are put in order: as they came, by name, the fastest first. */
+/** The orders of cards: as they came, by name, the fastest first. */
 export const wallOrders = ['came', 'name', 'fastest'] as const;
 export type WallOrder = (typeof wallOrders)[number];
 
@@ -100,7 +100,7 @@ export const GAP_PX = 8;
 /** Chosen: below this a name cannot be read from the last row, nor a way be made out. Then the wall scrolls. */
 const SMALLEST: Size = { width: 140, height: 96 };
 
-/** How cards are laid out. */
+/** The layout of the cards. */
 export interface WallGrid {
   readonly columns: number;
   /** Height of a row, in px. */

@@ -43,7 +43,7 @@ const RIM_PX = 64;
 
 /** Longest wait for drawings and pictures, in ms. Chosen: those that cannot be read by then never come. */
 const PATIENCE_MS = 3000;
-/** When nothing has come for so long, in ms, all has. */
+/** Time without anything loaded after which all is taken to be there, in ms. */
 const QUIET_MS = 120;
 
 /**

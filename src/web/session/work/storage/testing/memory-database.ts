@@ -7,7 +7,7 @@ type Entries = Map<string, { name: string; usedMs: number; text?: string }>;
 export interface MemoryDatabase {
   /** The content of the disk. */
   readonly entries: Entries;
-  /** How durable each transaction that wrote was asked to be. */
+  /** The durability that each writing transaction was asked for. */
   readonly durabilities: (string | undefined)[];
   /** From now on no transaction comes to its end before `release` is called. */
   hold(): void;
