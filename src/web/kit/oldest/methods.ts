@@ -77,7 +77,7 @@ export const ofCanvas = {
   },
 };
 
-/** Adds those of `methods` that `owner` lacks, as its own are: no loop over its properties meets them. */
+/** Adds those of `methods` that `owner` lacks; like its own ones they are not enumerable. */
 export function fill(owner: object | undefined, methods: Readonly<Record<string, unknown>>): void {
   if (owner === undefined) return;
   for (const [name, value] of Object.entries(methods)) {

@@ -28,7 +28,10 @@ export interface LayoutModel {
   /** The panes that a phone has tabs for. */
   readonly tabs: ComputedRef<readonly Pane[]>;
   readonly isShown: ComputedRef<Readonly<Record<Pane, boolean>>>;
-  /** The parts chosen by the host, or else by the pupil's settings. A pupil's phone has tabs for all panes, too. */
+  /**
+   * The parts chosen by the host, or else by the pupil's settings. On a phone without a host all panes have tabs
+   * anyway.
+   */
   readonly parts: ComputedRef<readonly Part[]>;
   /** Sizes of the panes in px. */
   readonly sizes: ComputedRef<PaneSizes>;

@@ -1,6 +1,6 @@
 /**
- * The small markup of tasks and hints: paragraphs separated by an empty line, `- ` and `1. ` lists, `**bold**`, ``
- * `code` ``, and `![words](picture)` for the place of the task's picture. All else is text: no links, no HTML. The
+ * The small markup of tasks and hints: paragraphs separated by an empty line, `- ` and `1. ` lists, `**bold**`,
+ * `` `code` ``, and `![words](picture)` for the place of the task's picture. All else is text: no links, no HTML. The
  * result is data, from which `MarkupText.vue` makes elements, so nothing that a teacher or a stranger has written is
  * ever read as HTML.
  */
@@ -23,7 +23,7 @@ const BULLET = /^\s*[-*•] +/;
 const NUMBER = /^\s*\d{1,3}[.)] +/;
 const PICTURE = /^!\[([^\]]*)\]\(picture\)$/;
 
-/** Reads a text. No text is wrong. */
+/** Reads a text; every text can be read. */
 export function blocksOf(text: string): readonly Block[] {
   const blocks: Block[] = [];
   /** The lines of the last block, which grow: a text may have thousands. */

@@ -33,7 +33,7 @@ export interface TaskModel {
 
 /**
  * Makes the card's model. The card opens with each newly opened course that has a text, a ready one only if it has
- * goals, and closes when a run starts: then the program counts.
+ * goals, and closes when a run starts.
  *
  * @param isOwnPage false in the frame of another page: there the card opens only on request
  * @param store storage for the stars; `null`: they last as long as the page is open

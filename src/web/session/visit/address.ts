@@ -78,8 +78,8 @@ function partsOf(list: string): readonly Part[] | undefined {
 const DIALECTS = ['microbit', 'webtigerpython', 'none'] as const;
 
 /**
- * The first known dialect among the names, `null` for `none`; without any it is WebTigerPython's, whose pages do not
- * ask.
+ * The first known dialect among the names, `null` for `none`; without any it is WebTigerPython's, so that pages made
+ * for it find what they wait for.
  */
 function dialectOf(...names: readonly (string | null | undefined)[]): HostWish['dialect'] {
   const [first = 'webtigerpython'] = names.flatMap((name) => DIALECTS.filter((one) => one === name));

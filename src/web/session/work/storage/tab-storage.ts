@@ -74,7 +74,7 @@ export function tabName(session: TextStore): string | null {
   return get(session, TAB);
 }
 
-/** The copy that was saved later; the first one if both have no time. */
+/** The copy that was saved later; the first one if neither was. */
 export const newer = (one: string | null, other: string | null): string | null =>
   one === null || savedMsOf(other) > savedMsOf(one) ? other : one;
 
