@@ -111,6 +111,6 @@ function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: read
   return startingAt(scene, { at: placeInside({ ...robot, at, heading }, size, footprint), heading });
 }
 
-/** True if rounding to whole mm left a line where it was; what has an angle was turned. */
+/** True if rounding to whole mm left a line where it was; what has an angle always counts as turned. */
 const isUnturned = (object: SceneObject, before: SceneObject | undefined): boolean =>
   object === before || (!('angle' in object) && isSame(object, before));

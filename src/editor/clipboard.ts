@@ -27,13 +27,13 @@ export interface Pasted {
   readonly selection: Selection;
 }
 
-/** Gap between a copy and its original, in mm; what is left of a line of the grid is added. Chosen: both can be grabbed. */
+/** Least gap between a copy and its original, in mm; the step is rounded up to whole cm. Chosen: both can be grabbed. */
 const GAP_MM = 10;
 
 /** Distance of a copy that has no room beside its original, in mm. Chosen: two lines of the grid. */
 const ASIDE_MM = 20;
 
-/** Farthest copy, in its own extent. Chosen: across the largest arena. */
+/** How many places are tried on each side, each as far again. Chosen: across the largest arena. */
 const MOST_STEPS = 100;
 
 /** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
@@ -43,8 +43,8 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
 }
 
 /**
- * Pastes copied objects into a course, with ids of its own and checkpoints with the next numbers: where they were copied
- * from, or with their middle at a place. Where something of their sort is in the way, beside it, at the first free side.
+ * Pastes copied objects into a course, with new ids and the next numbers for checkpoints: where they were copied from,
+ * or with their middle at a place. If something of their layer is in the way, they go beside it, to the first free side.
  *
  * @returns an edit that a full course refuses; `null` if there is nothing to paste, or no number left for a checkpoint
  */
@@ -61,15 +61,15 @@ export function pasted(
   return putMoved(scene, there, isFreeBy(scene, there, footprint)([0, 0]) ? [0, 0] : freeStep(scene, there, footprint));
 }
 
-/** Copies that were made, and the lower left corner of the rectangle around their originals: what is copied next goes on so. */
+/** Copies that were made, and the lower left corner of the rectangle around their originals, to go on by the same step. */
 export interface Copies {
   readonly ids: readonly string[];
   readonly from: Vec;
 }
 
 /**
- * Copies what is selected to its first free side; what is itself the last copy, in the direction and distance in which it
- * lies from its original by now.
+ * Copies what is selected to its first free side. If the last copy is selected, the new one goes on by the step from
+ * which that one now lies from its original.
  */
 export function duplicated(
   scene: Scene,
@@ -87,7 +87,7 @@ export function duplicated(
   return made && { ...made, copies: { ids: made.selection.ids, from } };
 }
 
-/** Copies what is selected, moved by a step. Copies that would lie exactly on their originals are none. */
+/** Copies what is selected, moved by a step. `null` if the copies would lie exactly on their originals. */
 export function copiedBy(scene: Scene, selection: Selection, by: Vec): Pasted | null {
   const objects = selectedObjects(scene, selection);
   const around = boundsAll(objects.map(boundsOf));
@@ -105,7 +105,7 @@ export function copiesMade({ objects: there }: Scene, edit: SceneEdit): Copies |
   return { ids: made.map(({ id }) => id), from: { x: around.minX - step.x, y: around.minY - step.y } };
 }
 
-/** The middle goes to a place by whole cm, so that what lies on the grid stays on it. */
+/** The step that brings the middle of a rectangle to a place, in whole cm: what lies on the grid stays on it. */
 const stepTo = ({ minX, minY, maxX, maxY }: Bounds, { x, y }: Vec): Vec => ({
   x: tens(x - (minX + maxX) / 2),
   y: tens(y - (minY + maxY) / 2),
@@ -151,7 +151,7 @@ const holds = (arena: Bounds, { minX, minY, maxX, maxY }: Bounds): boolean =>
 /** The layer of what stands on the floor, as the robot does. */
 const STANDING = 3;
 
-/** Asks whether objects that are moved by a step meet nothing of their own layer there. */
+/** A test that is true if objects, moved by a step, meet nothing of their own layer there. */
 function isFreeBy(
   scene: Scene,
   objects: readonly SceneObject[],
@@ -173,7 +173,7 @@ function isFreeBy(
   };
 }
 
-/** Copies of a group are a group of their own. */
+/** Gives the new name of a group for its copies: they are a group of their own. */
 function groupsOfCopies(scene: Scene): (group: string) => string {
   const names = new Map<string, string>();
   const freeGroup = freeGroups(scene);

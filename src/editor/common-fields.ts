@@ -16,7 +16,7 @@ export interface CommonField {
 /** The fields that each object has for itself: places (they are moved and aligned), numbers in an order, words. */
 const OWN: ReadonlySet<FieldName> = new Set(['x', 'y', 'endX', 'endY', 'number', 'text', 'name']);
 
-/** The fields that all selected objects share, with the range and choices that suit all; none for fewer than two. */
+/** The fields that all selected objects share, with the range that suits all; none for fewer than two. */
 export function commonFields(scene: Scene, selection: Selection): readonly CommonField[] {
   const [first, ...others] = freeObjects(scene, selection).map(fieldsOf);
   if (!first || others.length === 0) return [];
@@ -38,7 +38,7 @@ const isAlike = (one: Field, other: Field): boolean =>
     other.kind !== 'choice' ||
     one.choices.some((choice) => other.choices.some((it) => it === choice)));
 
-/** With the range in which all lie; choices that one lacks are refused by it and leave it as it is. */
+/** A field with the range that suits all. Choices are not narrowed: an object that lacks one does not change. */
 function narrowed(field: Field<SceneObject>, others: readonly Field[]): Field<SceneObject> {
   if (field.kind !== 'number') return field;
   const numbers = others.filter((other) => other.kind === 'number');

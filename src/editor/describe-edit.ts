@@ -83,7 +83,7 @@ interface Changes {
   readonly changed: readonly (readonly [SceneObject, SceneObject])[];
 }
 
-/** Only clearing is said to clear. */
+/** True if an edit clears the course; removing the last object is no clearing. */
 const isClearing = (edit: SceneEdit): boolean => singleEdits(edit).some(({ type }) => type === 'clear');
 
 function objectsChange(before: Scene, after: Scene, edit: SceneEdit): EditDescription {
@@ -139,7 +139,7 @@ function middleOfOnly(objects: readonly SceneObject[]): Point | null {
 
 const lengthMm = (object: SceneObject): number => (object.type === 'stroke' ? Math.round(strokeLengthMm(object)) : 0);
 
-/** Strokes that became shorter or several. */
+/** The description of strokes that became shorter or several; `null` if anything else has changed. */
 function erasedChange({ added, removed, changed }: Changes): EditDescription | null {
   const all = [...added, ...removed, ...changed.map(([was]) => was)];
   if (all.some(({ type }) => type !== 'stroke')) return null;
@@ -152,14 +152,14 @@ function erasedChange({ added, removed, changed }: Changes): EditDescription | n
   return { type: 'erased', count: removed.length + changed.length, lengthMm: Math.max(0, before - after) };
 }
 
-/** True if a line ends on the ink of another: then it is a piece of it. */
+/** True if both ends of a line lie on the ink of another: then it is a piece of it. */
 function endsOn(piece: SceneObject, whole: SceneObject): boolean {
   if (piece.type !== 'stroke') return false;
   const ends = [piece.points[0], piece.points[piece.points.length - 1]];
   return ends.every((end) => end !== undefined && distanceTo(whole, toVec(end), 0) !== null);
 }
 
-/** Objects that are still there but not as they were. */
+/** The description of objects that are still there but have changed. */
 function alteredChange(changed: Changes['changed']): EditDescription {
   const now = changed.map(([, object]) => object);
   const kind = commonKind(now);

@@ -13,7 +13,7 @@ export function endOf({ path }: Drag): Vec {
 }
 
 /**
- * Whether a drag never went far enough to be more than a tap: a finger always moves a little. Once it has, it stays a
+ * True if a drag never went far enough to be more than a tap: a finger always moves a little. Once it has, it stays a
  * drag even if it comes back.
  */
 export function isTap({ path, reachMm }: Drag): boolean {

@@ -46,13 +46,13 @@ export const changing = (objects: readonly SceneObject[]): SceneEdit | null =>
 export const replacing = (changes: readonly Replacement[]): SceneEdit | null =>
   changes.length === 0 ? null : { type: 'replace', changes };
 
-/** Changes the robot's start; `null` when it is as it was. */
+/** Changes the robot's start; `null` when nothing changes. */
 export function startingAt(scene: Scene, robot: Partial<RobotStart>): SceneEdit | null {
   const edit: SceneEdit = { type: 'robot', robot };
   return applyEdit(scene, edit) === scene ? null : edit;
 }
 
-/** How many more objects and points of strokes a course may hold. */
+/** How many more objects, and points of strokes and polygons, a course may hold. */
 export function roomIn(scene: Scene): { readonly objects: number; readonly points: number } {
   return {
     objects: Math.max(0, sceneLimits.objects - scene.objects.length),
@@ -60,6 +60,6 @@ export function roomIn(scene: Scene): { readonly objects: number; readonly point
   };
 }
 
-/** How many points the strokes among some objects have together. */
+/** How many points some objects have together: those of strokes, and the corners of polygons. */
 export const pointsOf = (objects: readonly SceneObject[]): number =>
   objects.reduce((points, object) => points + countPoints(object), 0);

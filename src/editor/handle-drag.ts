@@ -14,7 +14,7 @@ import { lured } from './snap/attract';
 import { countOf, freeObjects } from './selection';
 import type { Drag, Handle, Selection, ToolContext, Turn } from './tools/tool';
 
-/** The result of a drag of a handle. */
+/** The edit that a drag of a handle makes; `null`: nothing changes. */
 export function handleDragged(handle: Handle, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, selection, footprint } = context;
   if (handle.kind === 'rotate') {
@@ -36,7 +36,7 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   return changed ? changing([changed]) : null;
 }
 
-/** One thing in its own manner if it has one; several together. */
+/** Sizes one thing in its own manner if its kind has one, otherwise all that is selected together. */
 function sized({ side = UPPER_RIGHT }: Handle, place: Vec, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, selection } = context;
   const [only] = countOf(selection) === 1 ? freeObjects(scene, selection) : [];
@@ -74,7 +74,7 @@ export function draggedAngle(drag: Drag, scene: Scene, selection: Selection): nu
   return steppedDeg(angleDeg, drag.free ? FREE_STEP_DEG : STEP_DEG);
 }
 
-/** That angle with the place about which it turns. */
+/** The angle of `draggedAngle`, with the place about which it turns. */
 export function draggedTurn(drag: Drag, scene: Scene, selection: Selection): Turn | null {
   const [byDeg, about] = [draggedAngle(drag, scene, selection), middleOfSelection(scene, selection)];
   return byDeg === null || about === null ? null : { byDeg, about };

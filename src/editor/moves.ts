@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { SceneObject } from '#scene/scene';
 
-/** An object, and how far another one is from it that looks the same in another place: moved, or a copy. */
+/** The object that another one was made of by moving or copying, and how far that one is from it. */
 export interface Moved {
   readonly root: SceneObject;
   readonly by: Vec;

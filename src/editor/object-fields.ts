@@ -14,7 +14,7 @@ import type { MoverWay } from '#scene/kinds/mover-way';
 import type { ShapeName } from '#scene/shape/shape';
 import { within } from './plane';
 
-/** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
+/** A number of an object that can be typed in. `x` and `y`: its place (a line: its start); `endX` and `endY`: its end. */
 export type NumberName =
   | 'x'
   | 'y'
@@ -42,8 +42,8 @@ export type FieldName = NumberName | 'shape' | 'spiked' | 'color' | 'robotColor'
 export type FieldValue = number | boolean | string;
 
 /**
- * Something about a `T` that can be changed in a list: a number with its range, a switch, a choice or words. `with` gives
- * what it becomes with a value that fits; `null`: that makes no sense.
+ * Something about a `T` that can be changed in a list: a number with its range, a switch, a choice or words. `with`
+ * gives the `T` with a value that fits; `null`: the value makes no sense there.
  */
 export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | null } & (
   | {
@@ -162,7 +162,7 @@ export const placeFields = <O extends SceneObject>(
 /** The properties of the robot's start that the editor changes. */
 export type StartChanges = Partial<Pick<RobotStart, 'at' | 'heading' | 'scale' | 'name' | 'color'>>;
 
-/** The fields of the robot's start; name and colour where it is one of several. */
+/** The fields of the robot's start; name and colour if it is one of several, or has either. */
 export const robotFields = ({ robot, objects }: Scene): readonly Field<StartChanges>[] => [
   ...placingFields(robot),
   ...(objects.some(({ type }) => type === 'start') || robot.name !== undefined || robot.color !== undefined
@@ -173,7 +173,7 @@ export const robotFields = ({ robot, objects }: Scene): readonly Field<StartChan
     : []),
 ];
 
-/** The field of what a robot is called. */
+/** The field of a robot's name. */
 export const robotNameField = <T>(value: string, withName: (name: string) => T): Field<T> => ({
   ...{ kind: 'text', name: 'name', value, maxCharacters: sceneLimits.startNameCharacters },
   with: withName,

@@ -50,8 +50,8 @@ export const freeObjects = (scene: Scene, selection: Selection): readonly SceneO
 const isFree = ({ lock }: SceneObject): boolean => lock === undefined;
 
 /**
- * The selection that a tap on a thing makes: it with those of its group that are locked or free as it is; where some of these are selected
- * already but not all, somebody works within the group, and it takes the thing alone.
+ * The selection that a tap on a thing makes: the thing with the members of its group, the locked ones if it is locked,
+ * else the free ones. If some but not all of these are selected, somebody works within the group: then the thing alone.
  */
 export function takenBy(scene: Scene, thing: Thing, { ids }: Selection): Selection {
   const members = thing === null ? [] : membersWith(scene, thing);
@@ -60,7 +60,7 @@ export function takenBy(scene: Scene, thing: Thing, { ids }: Selection): Selecti
   return members.length < 2 || (count > 0 && count < members.length) ? only(thing) : { ids: members, robot: false };
 }
 
-/** The ids of an object and of those of its group that are locked or free as it is, in the order of painting. */
+/** The ids of an object and of the members of its group that are locked, or free, like it, in the order of painting. */
 function membersWith({ objects }: Scene, id: string): readonly string[] {
   const object = objects.find((one) => one.id === id);
   if (object?.group === undefined) return [id];
@@ -89,10 +89,10 @@ export const selectAll = (scene: Scene, hasRobot = true): Selection => ({
 });
 
 /**
- * The things at a place, the best first: the robot, then things under it from top to bottom, then things within reach,
- * the nearest first. Zones come last, because they are large and things stand on them. What is locked is not among them.
+ * The things at a place, the best first: those on which it lies from top to bottom (the robot is the topmost), then
+ * those within reach, the nearest first. Zones come last, because they are large and things stand on them.
  *
- * @param isCaught left out: whatever is not locked
+ * @param isCaught objects that count; left out: those that are not locked
  */
 export function thingsAt(
   scene: Scene,

@@ -24,7 +24,7 @@ export const boundsHandles = (around: Bounds, id: string | null, reachMm: number
   }));
 };
 
-/** Chosen: neighbours do not overlap, and between two of them a finger finds the thing itself. */
+/** The handles along one axis. Chosen: neighbours do not overlap, and between two a finger finds the thing itself. */
 function endsAlong(lengthMm: number, reachMm: number): readonly number[] {
   if (lengthMm >= 6 * reachMm) return [-1, 0, 1];
   return lengthMm >= 3 * reachMm ? [-1, 1] : [1];

@@ -31,7 +31,7 @@ export const intoArena = ({ x, y }: Vec, [width, height]: Point): Vec => ({
   y: within(y, { min: 0, max: height }),
 });
 
-/** Whether a place is in the arena or at most this far from its edge. */
+/** True if a place is in the arena or at most this far from its edge. */
 export const isInArena = ({ x, y }: Vec, [width, height]: Point, marginMm = 0): boolean =>
   x >= -marginMm && y >= -marginMm && x <= width + marginMm && y <= height + marginMm;
 
@@ -71,7 +71,7 @@ export interface Attractors {
 export const snapMarks = ({ snaps }: SnappedLine, isBegun: boolean): readonly Mark[] =>
   (isBegun ? snaps : snaps.slice(0, 1)).map((at) => ({ type: 'snap', at }));
 
-/** How a line is drawn. */
+/** The rules by which the ends of a line snap. */
 export interface LineRules {
   readonly size: Point;
   readonly reachMm: number;

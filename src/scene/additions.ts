@@ -5,7 +5,7 @@ const foeProperties = ['stops', 'waits', 'loops', 'phase', 'spin', 'chases'] as 
 
 /** The properties of an object that no course file before version 5, and no link before version 7, can hold. */
 export interface Additions extends Pick<Mover, (typeof foeProperties)[number]> {
-  /** That of older versions are eighths of a full turn. */
+  /** Only if it is no multiple of 45°: older versions count in eighths of a full turn. */
   readonly angle?: number;
   /** True for a round body; zones have always had `round`. */
   readonly round?: true;
@@ -31,5 +31,5 @@ export function additionsOf(object: SceneObject): Additions {
 const foeOf = (mover: Mover): Pick<Mover, (typeof foeProperties)[number]> =>
   Object.fromEntries(foeProperties.flatMap((name) => (mover[name] === undefined ? [] : [[name, mover[name]]])));
 
-/** True if an angle in degrees is a number of eighths of a full turn. */
+/** True if an angle is a multiple of 45°, an eighth of a full turn. */
 export const isEighth = (angleDeg: number): boolean => angleDeg % 45 === 0;

@@ -12,7 +12,7 @@ export type ParsedEdit =
 
 /**
  * Reads an edit that comes from outside, for instance out of a message or a file of inputs. Never throws. What comes out
- * holds nothing but what an edit may hold, each figure within its limits; whether it suits a course says `editProblem`.
+ * holds nothing but what an edit may hold, each figure within its limits; `editProblem` says whether it suits a course.
  */
 export function parseEdit(value: unknown): ParsedEdit {
   const reader = new Reader();
@@ -21,7 +21,7 @@ export function parseEdit(value: unknown): ParsedEdit {
   return first ? { problem: first.message, problems: reader.problems } : { edit };
 }
 
-/** The fault of applying an edit to a course: too much of something, a value out of range, a wrong id. */
+/** The first problem of doing an edit: too much of something, a value out of range, a wrong id. `null`: none. */
 export function editProblem(scene: Scene, edit: SceneEdit): SceneProblem | null {
   const reader = new Reader();
   readEdit(edit, '', wholeRoom(), 0, reader);
@@ -31,7 +31,7 @@ export function editProblem(scene: Scene, edit: SceneEdit): SceneProblem | null 
 
 /** Maximum number of edits within one. Chosen: one for every object. */
 const MAX_EDITS = sceneLimits.objects;
-/** Edits within edits within edits. Chosen: more than anything makes. */
+/** How deep edits may lie within edits. Chosen: deeper than the app ever makes them. */
 const MAX_DEPTH = 4;
 
 /** The remaining budget of an edit. */
@@ -148,7 +148,7 @@ function readReplacements(value: unknown, path: string, room: Room, reader: Read
   });
 }
 
-/** Stops when no further problem would be listed: hostile data must not cost more. */
+/** Reads the entries in order, until no further problem would be listed: hostile data must not cost more. */
 function whileRoom<T>(
   entries: readonly unknown[],
   reader: Reader,
@@ -162,7 +162,7 @@ function whileRoom<T>(
   return all;
 }
 
-/** Which ids a course has while an edit is done to it step by step, and how many points they hold. */
+/** The ids of a course and the points of their objects, while an edit is done to it step by step. */
 class Stock {
   private readonly pointsOf: Map<string, number>;
   private points = 0;
@@ -175,7 +175,7 @@ class Stock {
     for (const points of this.pointsOf.values()) this.points += points;
   }
 
-  /** Does the edit; a problem is noted in the reader. */
+  /** Follows what an edit removes and adds; problems are noted in the reader. */
   take(edit: SceneEdit, path: string): void {
     const place = path === '' ? '' : `${path}.`;
     switch (edit.type) {

@@ -27,7 +27,7 @@ export interface Replacement {
   readonly by: readonly SceneObject[];
 }
 
-/** Name, size and what else is said of a course. */
+/** New values for the name, description, size, task or background of a course; a `null` background removes it. */
 export interface CourseChanges {
   readonly name?: string;
   readonly description?: string;
@@ -99,7 +99,7 @@ const withObjects = (scene: Scene, objects: readonly SceneObject[]): Scene =>
 export const singleEdits = (edit: SceneEdit): readonly SceneEdit[] =>
   edit.type === 'all' ? edit.edits.flatMap(singleEdits) : [edit];
 
-/** The objects that a single edit puts into the course: new ones, and changed ones as they are then. */
+/** The objects that a single edit puts into the course: new ones, and changed ones as they are afterwards. */
 export function objectsPut(edit: SceneEdit): readonly SceneObject[] {
   if (edit.type === 'add') return edit.objects;
   return edit.type === 'replace' ? edit.changes.flatMap(({ by }) => by) : [];

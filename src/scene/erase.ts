@@ -10,7 +10,7 @@ export interface Eraser {
   readonly radiusMm: number;
   /** The path, piece by piece. */
   readonly pieces: readonly Piece[];
-  /** Rectangles around each piece, around eight of those each …, up to a single one: what is far off is passed over. */
+  /** Rectangles around each piece, then around every eight of these, up to a single one: far pieces are skipped. */
   readonly levels: readonly (readonly Bounds[])[];
 }
 
@@ -20,7 +20,7 @@ interface Piece {
   readonly to: Vec;
 }
 
-/** A part of a line between two places: shares of its length, 0 … 1. */
+/** A part of a straight line, between two shares of its length: the whole line is 0 … 1. */
 type Interval = readonly [from: number, to: number];
 
 const FAN = 8; // chosen: flat enough to be built on every move of the pointer
@@ -92,7 +92,7 @@ class Remains {
   private readonly done: Point[][] = [];
   private current: Point[] | null = null;
 
-  /** The next straight line of the polyline, and which parts of it are erased, in order. */
+  /** Adds the next straight line of the polyline; `parts` of it are erased, in order. */
   addLine(from: Point, to: Point, parts: readonly Interval[]): void {
     if (this.current === null && (parts[0]?.[0] ?? 1) > 0) this.current = [from];
     for (const [start, end] of parts) {
@@ -209,7 +209,7 @@ function partInStrip(from: Vec, direction: Vec, { from: start, to: end }: Piece,
   return first < last ? [first, last] : null;
 }
 
-/** When `value + share · change` lies between two bounds. */
+/** The shares for which `value + share · change` lies between two bounds. */
 function partWithin(value: number, change: number, min: number, max: number): Interval | null {
   if (change === 0) return value > min && value < max ? [-Infinity, Infinity] : null;
   const one = (min - value) / change;

@@ -55,7 +55,7 @@ export interface Touched {
   readonly size: boolean;
 }
 
-/** Tells what a step changes. */
+/** The things that a step changes. */
 export function touchedBy({ edit, inverse: back }: Step): Touched {
   const edits = [edit, back].flatMap(singleEdits);
   return {

@@ -81,7 +81,7 @@ function fitsIntoOne(edits: readonly SceneEdit[]): boolean {
   return edits.length <= sceneLimits.objects && objects <= 2 * sceneLimits.objects && points <= sceneLimits.points;
 }
 
-/** Makes any course into this one. */
+/** The edit that turns any course into this one. */
 const wholeOf = ({ objects, robot, name, description, size, task, background }: Scene): SceneEdit => ({
   type: 'all',
   edits: [

@@ -15,7 +15,7 @@ export function property(
 /** Properties as an object on one line. */
 export const braces = (properties: readonly string[]): string => `{ ${properties.join(', ')} }`;
 
-/** How a version of the file says a rotation. */
+/** Writes a rotation as a property, as a version of the file has it; nothing for 0. */
 export type Rotation = (angleDeg: number) => readonly string[];
 
 /** From version 5 on: in degrees. */

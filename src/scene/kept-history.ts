@@ -14,10 +14,10 @@ const VERSION = 1;
 const KEPT_STEPS = 100;
 
 /**
- * The history of a course as text: the edits that lead back from it, and those that lead forth again. The course itself is
- * not in it, only what tells it from others.
+ * The history of a course as text: the edits that lead back from it, and those that lead forth again. Of the course
+ * itself it holds only the length and a checksum of its file.
  *
- * @param maxCharacters the furthest steps are left out where there are more
+ * @param maxCharacters maximum length of all edits, half of it each way; the furthest steps are left out
  */
 export function historyToText({ past, present, future }: History, maxCharacters: number): string {
   const half = Math.floor(maxCharacters / 2);
@@ -39,8 +39,8 @@ function texts(steps: readonly Step[], editOf: (step: Step) => SceneEdit, maxCha
 }
 
 /**
- * The history of a course as `historyToText` wrote it. Never throws: of a text that is damaged, or belongs to another course,
- * comes what can be used, or nothing.
+ * The history of a course as `historyToText` wrote it. Never throws: the text of another course, or one that is not
+ * JSON, gives an empty history; each way ends before the first edit that does not suit the course.
  */
 export function historyFromText(text: string, present: Scene): History {
   const none = historyOf(present);
@@ -69,7 +69,7 @@ function steps(from: Scene, list: unknown): readonly Step[] {
   return found;
 }
 
-/** Tells courses apart by chance: the length of the file and a checksum of it. */
+/** A mark that two courses hardly ever share: the length of the file and a checksum of it. */
 function markOf(scene: Scene): string {
   const text = serializeScene(scene);
   return `${String(text.length)}/${String(fnvOfText(text))}`;

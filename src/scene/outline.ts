@@ -3,7 +3,7 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import type { Point } from './scene';
 
-/** A convex outline in mm, counter-clockwise or clockwise. */
+/** The corners of an outline in mm, in order, either way round. Convex unless said otherwise. */
 export type Outline = readonly Vec[];
 
 /** A rectangle along the axes, in mm. */
@@ -14,7 +14,7 @@ export interface Bounds {
   readonly maxY: number;
 }
 
-/** Objects in the form of a turned rectangle: centre, extent along its own x and y, and rotation in degrees. */
+/** A turned rectangle: centre, extent along its own x and y, and rotation in degrees. */
 export interface Box {
   readonly at: Point;
   readonly size: Point;

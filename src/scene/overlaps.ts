@@ -5,7 +5,7 @@ import type { Block, Point, SceneObject } from './scene';
 /** Bodies may overlap by this much: the numbers of a course are whole mm, and turned corners are not. */
 const TOLERANCE_MM = 1;
 
-/** Pairs of bodies that are measured at most. Chosen: a few 10 ms; who needs more has hundreds of things in one heap. */
+/** Maximum number of pairs that are measured. Chosen: a few 10 ms; more pairs means hundreds of things in one heap. */
 const MOST_PAIRS = 50_000;
 
 interface Solid {
@@ -52,12 +52,12 @@ function solidsOf(objects: readonly SceneObject[]): readonly Solid[] {
 }
 
 /**
- * Pairs of bodies inside each other that a run begins with at most. Chosen: 63 blocks at one place; the physics looks at
+ * Maximum number of overlapping pairs with which a run begins. Chosen: 63 blocks at one place; the physics looks at
  * every pair in every step, and 300 blocks at one place (45,000 pairs) take seconds a step and hundreds of MB.
  */
 export const MOST_STUCK_PAIRS = 2000;
 
-/** Whether movable blocks overlap each other or other things at more places than a run can resolve. */
+/** True if movable blocks overlap each other or other solid things in more than `MOST_STUCK_PAIRS` pairs. */
 export function isHeap(objects: readonly SceneObject[]): boolean {
   const solids = solidsOf(objects);
   let [measured, overlapping] = [0, 0];
@@ -81,7 +81,7 @@ function movableFirst({ object: one }: Solid, { object: other }: Solid): Stuck |
 
 const sharesHeight = (one: Bounds, other: Bounds): boolean => one.minY <= other.maxY && other.minY <= one.maxY;
 
-/** Groups of objects that are the same in every figure but their id, so that only the topmost is ever seen. */
+/** Groups of objects that are the same in all but their id, so that only the topmost is ever seen. */
 export function copies(objects: readonly SceneObject[]): readonly (readonly SceneObject[])[] {
   const groups = new Map<string, SceneObject[]>();
   for (const object of objects) {

@@ -42,7 +42,10 @@ export function parseSceneValue(value: unknown): ParsedScene {
 
 const failed = (problems: readonly SceneProblem[]): ParsedScene => ({ problem: summaryOf(problems), problems });
 
-/** Format and version come first: a newer file must not be judged by older rules. `null`: not ours. */
+/**
+ * The file in the newest version; `null`: no course, or a version that this app does not know. Checked first, because a
+ * newer file must not be judged by older rules.
+ */
 function newestFile(value: unknown, reader: Reader): Fields | null {
   const file = typeof value === 'object' && value !== null && !Array.isArray(value) ? (value as Fields) : {};
   if (file.format !== SCENE_FORMAT) {

@@ -10,7 +10,7 @@ import type { RobotStart, Scene, SceneObject } from './scene';
 const TOLERANCE_MM = 1;
 
 /**
- * The fault of the robot's start: outside the arena, or inside something solid.
+ * The problem of the robot's start, or none: not wholly inside the arena, or inside something solid.
  *
  * @param footprint convex parts of the robot at scale 1, in its own frame (x forward, y left, origin mid-axle); empty:
  *   none

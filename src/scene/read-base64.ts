@@ -1,10 +1,10 @@
 import type { Reader } from './reader';
 import { sceneLimits } from './scene';
 
-/** How the address of a picture begins; what follows is base64. */
+/** The beginning of a picture's address; base64 follows. */
 export const PICTURE = /^data:image\/(?:png|jpeg|webp);base64,/;
 
-/** A text of base64 after a beginning. Looks for what must not be there, one pass without going back. */
+/** Reads a text that is base64 after a beginning. Searches for wrong characters in one pass, without backtracking. */
 export function readBase64(
   value: unknown,
   path: string,

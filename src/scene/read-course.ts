@@ -5,7 +5,7 @@ import type { Fields, Reader } from './reader';
 import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/reading/robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
-/** The names of what `readCourseChanges` reads. */
+/** The properties that `readCourseChanges` reads. */
 export const courseKeys = ['name', 'description', 'size', 'task', 'background'] as const;
 
 /** Reads what is said of a course as a whole; what is left out stays left out. */
@@ -41,7 +41,7 @@ const given = <const K extends string, T>(
 ): Partial<Record<K, T>> | Record<K, T> =>
   fields[key] === undefined ? {} : ({ [key]: read(fields[key]) } as Record<K, T>);
 
-/** Looks at the shape only: whether the levels can be inflated shows when they are (`background.ts`). */
+/** Checks only the form: whether the levels can be inflated shows when they are (`background.ts`). */
 function readBackground(value: unknown, path: string, reader: Reader): Background | null {
   if (value === null) return null;
   const fields = reader.fields(value, path, ['at', 'size', 'cells', 'levels', 'picture']);

@@ -20,7 +20,7 @@ const MAX_PROBLEMS = 20;
 export class Reader {
   private readonly found: SceneProblem[] = [];
 
-  /** The problems found so far, at most 20, in the order of the file. */
+  /** The problems found so far, at most 20, in the order in which they were found. */
   get problems(): readonly SceneProblem[] {
     return this.found;
   }
@@ -48,7 +48,7 @@ export class Reader {
     });
   }
 
-  /** An object with no other properties than those named. */
+  /** An object; each property that is not among the known ones is a problem. */
   fields(value: unknown, path: string, known: readonly string[]): Fields {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       this.wrongType(value, path, 'an object { … }');

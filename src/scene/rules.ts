@@ -68,7 +68,7 @@ export function findProblems(scene: Scene, footprint: readonly Outline[]): reado
   return rules.flatMap((problems) => problems.slice(0, MOST_OF_A_KIND));
 }
 
-/** The objects of a course by what the rules ask. */
+/** The objects of a course, sorted as the rules need them. */
 interface Things {
   readonly checkpoints: readonly Zone[];
   readonly robotTargets: readonly Zone[];
@@ -102,7 +102,7 @@ function robotPlace(scene: Scene, footprint: readonly Outline[]): readonly RuleP
   }));
 }
 
-/** The places of further robots, each taken to be as large as the first one. */
+/** Problems of the further robots' starts; each robot is taken to be as large as the first one. */
 function furtherPlaces(scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] {
   const starts = scene.objects.filter((object): object is Start => object.type === 'start');
   return starts.flatMap(({ id, at, heading }) =>
@@ -148,8 +148,8 @@ function taskProblems({ robot, task }: Scene, things: Things): readonly RuleProb
 }
 
 /**
- * Faults of robots that must stay in the ring but do not start in it: the first one, and those at the course's
- * starts.
+ * Problems of a task in which the robots must stay in the ring: there is no ring, or a robot does not start in it (the
+ * first one, or one at a start of the course).
  */
 function ringProblems({ robot, objects }: Scene, { robotTargets: ring }: Things): readonly RuleProblem[] {
   if (ring.length === 0) {
@@ -190,7 +190,7 @@ function numbersTwice({ checkpoints }: Things): readonly RuleProblem[] {
   });
 }
 
-/** The groups of things that have something in common; who is alone is left out. */
+/** The things with the same key, group by group; groups of one are left out. */
 function groupsOf<T>(things: readonly T[], keyOf: (thing: T) => unknown): readonly (readonly T[])[] {
   const groups = new Map<unknown, T[]>();
   for (const thing of things) {
@@ -224,7 +224,7 @@ function tooManyBlocks({ blockTargets, blocks }: Things): readonly RuleProblem[]
   return [{ code: 'target-wants-too-many-blocks', params: { wanted, there }, message, at: first.at, ids }];
 }
 
-/** Only what cannot be, however the block is turned: a block's shorter side longer than the target's. */
+/** Targets that no block fits into, however it is turned: each block's shorter side is longer than the target's. */
 function tooSmallTargets({ blockTargets, blocks }: Things): readonly RuleProblem[] {
   const smallest = blocks.reduce((least, { size }) => Math.min(least, size[0], size[1]), Infinity);
   if (blocks.length === 0) return [];

@@ -2,7 +2,7 @@ import { unpackLevels } from './background';
 import { isHeap, MOST_STUCK_PAIRS } from './overlaps';
 import type { Scene } from './scene';
 
-/** Chosen: each looks out for all it might push. A hundred are far beyond any lesson; two thousand take a second for a step. */
+/** Maximum number of movers in a run. Chosen: each checks all it might push; 2000 take a second for a step. */
 const MOST_MOVERS = 100;
 
 /** The message about a background whose grid cannot be unpacked. */

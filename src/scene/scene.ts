@@ -11,7 +11,7 @@ export type Point = readonly [x: number, y: number];
 /** The properties that every object may have. */
 interface Common {
   readonly id: string;
-  /** The editor leaves it as it is. Left out: it does not. */
+  /** The editor does not change it. Left out: it does. */
   readonly lock?: true;
   /** Name of the group to which it belongs, with at least one more object; left out: none. */
   readonly group?: string;
@@ -89,7 +89,7 @@ export interface Spikes extends Common, Shaped {
  */
 export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly type: 'mover';
-  /** Its centre at the second stop. `at` itself: it has no way. */
+  /** Its centre at the second stop. The same as `at`, and no `stops`: it has no way. */
   readonly to: Point;
   /** In mm/s. */
   readonly speed: number;
@@ -105,7 +105,7 @@ export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly phase?: number;
   /** Degrees per second that it turns about its centre, counter-clockwise positive; left out: 0. */
   readonly spin?: number;
-  /** Whom it runs after; left out: nobody. Then it has no way: only `at` counts. */
+  /** The robots it runs after; left out: none. With it there is no way: only `at` counts. */
   readonly chases?: Chase;
 }
 

@@ -18,8 +18,8 @@ import {
 
 /**
  * A course as its file: fixed order of properties, defaults left out, one object per line, ending in a newline.
- * Reading it back gives an equal scene, and the same scene always gives the same text. A course is written in
- * the oldest version that can say it, from 2 on, so that older apps open it as well.
+ * Reading it back gives an equal scene without groups of one, and the same scene always gives the same text. A course
+ * is written in the oldest version that can say it, from 2 on, so that older apps open it as well.
  */
 export function serializeScene(scene: Scene): string {
   const version = versionFor(scene);
@@ -61,7 +61,7 @@ function robotText(robot: RobotStart): string {
   ]);
 }
 
-/** A card has long texts, and lines for them. */
+/** The task on one line; a card, with its long texts, has lines of its own. */
 function taskProperty({ seconds, noTouch, allows, robots, stars, card }: Task): string[] {
   const standard = sceneDefaults.task;
   const task = [
@@ -93,7 +93,7 @@ const wordsText = ({ language, title, hints }: Pick<TaskText, 'language' | 'titl
   ...(hints.length === 0 ? [] : [`"hints": ${JSON.stringify(hints)}`]),
 ];
 
-/** Its language is always said. */
+/** A translation on one line; its language is always written. */
 function textText({ language, title, text, hints }: TaskText): string {
   const words = wordsText({ language: '', title, hints });
   return braces([`"language": ${JSON.stringify(language)}`, ...words, ...property('text', text, '')]);

@@ -8,8 +8,8 @@ import { boundsOfSelection, freeObjects, only, takenBy } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /**
- * The line that things are aligned on: left edges, middles from left to right, …; `level` and `upright` are the
- * middles.
+ * The line on which things are aligned: one of their edges, or their middles, on an `upright` line (side to side) or a
+ * `level` one (up and down).
  */
 export type Alignment = 'left' | 'upright' | 'right' | 'top' | 'level' | 'bottom';
 
@@ -51,7 +51,7 @@ function stepTo(to: Alignment, unit: Bounds, all: Bounds): { readonly x: number;
   }
 }
 
-/** Leaves the same gap between all that is selected; the outermost stay. `null` for fewer than three, or as it is. */
+/** Leaves the same gap between all that is selected; the outermost stay. `null` for fewer than three, or if none move. */
 export function distributed(
   scene: Scene,
   selection: Selection,

@@ -18,13 +18,13 @@ export const unlocked = (scene: Scene, selection: Selection): SceneEdit | null =
       .map(withoutLock),
   );
 
-/** An object that is not locked, else as it is. */
+/** An object without its lock; the same object if it is not locked. */
 export function withoutLock(object: SceneObject): SceneObject {
   const { lock, ...rest } = object;
   return lock === undefined ? object : rest;
 }
 
-/** Makes all that is selected one group; those that were groups are parts of it no more. `null`: it is one, or fewer than two. */
+/** Makes all that is selected one new group; it leaves its old groups. `null`: it is one already, or fewer than two. */
 export function grouped(scene: Scene, selection: Selection): SceneEdit | null {
   const objects = freeObjects(scene, selection);
   const [first] = objects;
@@ -38,7 +38,7 @@ export function grouped(scene: Scene, selection: Selection): SceneEdit | null {
   return isGroup ? null : changing(objects.map((object) => ({ ...object, group })));
 }
 
-/** Dissolves every group of which something is selected; `null`: nothing is in one. */
+/** Dissolves every group of which something is selected, but for its locked members; `null`: nothing is in one. */
 export function ungrouped(scene: Scene, selection: Selection): SceneEdit | null {
   const names = new Set(freeObjects(scene, selection).map(({ group }) => group));
   return changing(

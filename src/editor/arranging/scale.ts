@@ -31,7 +31,7 @@ export function scaledBy(
   ]);
 }
 
-/** The upright rectangle around a selection with one of its corners or sides at a place. */
+/** Scales a selection so that a corner or side of the upright rectangle around it comes to a place. */
 export function sizedTogether(side: Point, place: Vec, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, selection, footprint } = context;
   const around = boundsOfSelection(scene, selection, footprint);

@@ -18,7 +18,7 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   span(object: O): Vec | null;
   /** The place it turns about. Turned about it, it stays where it is, so that eight taps lead back. */
   middle(object: O): Vec;
-  /** The length of a line, the smaller side of a box. */
+  /** Its extent for the pointer: a wall's length, a box's shorter side, the longer side around a stroke or words. */
   extentMm(object: O): number;
   /** Distance of a place from it; 0 on it. */
   distanceMm(object: O, place: Vec): number;
@@ -32,7 +32,7 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   mirrored(object: O, axis: Axis, atMm: number): O;
   /** Made larger or smaller about a place, along the arena's x and y. Lines keep their width. `null`: it cannot be so. */
   scaled(object: O, about: Vec, factor: Vec): O | null;
-  /** The points where it can be grabbed. `reachMm`: of the pointer; knobs keep this distance from it. */
+  /** The points where it can be grabbed. `reachMm`: of the pointer; knobs stand twice as far from it. */
   handles(object: O, reachMm: number): readonly Handle[];
   /**
    * With the corner or side that its handle holds at a place; left out: it is scaled like several things. `side`: see

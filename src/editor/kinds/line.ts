@@ -39,7 +39,7 @@ export function turnedEnds(from: Point, to: Point, pivot: Vec, angleDeg: number)
   return [start, toPoint({ x: start[0] + extent[0], y: start[1] + extent[1] })];
 }
 
-/** From one place to another after a rotation, in whole mm. */
+/** The displacement from one place to another after a rotation, in whole mm. */
 export function turnedExtent(from: Point, to: Point, angleDeg: number): Point {
   const before = { x: to[0] - from[0], y: to[1] - from[1] };
   const [x, y] = toPoint(turned(before, angleDeg));

@@ -8,7 +8,7 @@ import { turnedOff, usualStop } from './mover-stops';
 /** How fast one turns that does nothing else, in degrees per second. Chosen: a full turn in 4 s. */
 const USUAL_SPIN = 90;
 
-/** A mover that does something else; what it does no more is left out of it. */
+/** A mover that moves in another way; the properties of its old way are left out. */
 export function withWay(mover: Mover, way: MoverWay, scene: Scene): Mover {
   const { stops, waits, loops: _loops, phase, chases, ...rest } = mover;
   const stays = { ...rest, to: rest.at };
@@ -39,7 +39,7 @@ function goingRound(mover: Mover, { size }: Scene): Mover {
   return { ...mover, loops: true, stops: mover.stops ?? [turnedOff(mover.at, mover.to, size)] };
 }
 
-/** The nearest zone; in a course without zones the next target that is put. */
+/** The id of the nearest zone; in a course without zones that of the next target to be put. */
 function zoneFor({ at }: Mover, scene: Scene): string {
   const farness = (place: Mover['at']): number => distanceMm(toVec(place), toVec(at));
   const [nearest] = scene.objects.filter(isZone).sort((one, other) => farness(one.at) - farness(other.at));

@@ -9,8 +9,8 @@ import type { Drag, Handle } from '../tools/tool';
 const USUAL_TRACK_MM = 200;
 
 /**
- * The stops of a mover after the first, to be dragged, and where further ones can be dragged out of: beyond the last
- * one, and in the middle of each leg that is long enough. The first stop is its place.
+ * The handles of a mover's stops after the first, which is its place, and of new ones to be dragged out: in the middle
+ * of each leg that is long enough, and beyond the last stop unless the way goes round.
  */
 export function stopHandles(mover: Mover, reachMm: number): readonly Handle[] {
   const { id } = mover;
@@ -63,7 +63,7 @@ export function withoutStop(mover: Mover, index: number): Mover | null {
   return stops.length < 3 ? null : withStops(mover, stops.toSpliced(index, 1));
 }
 
-/** A mover with a stop more, beyond its last one; `null`: it has as many as there may be, or no way. */
+/** A mover with one more stop, beside its last one (`turnedOff`); `null`: it has as many as there may be, or no way. */
 export function withFurtherStop(mover: Mover, arena: Point): Mover | null {
   const stops = stopsOf(mover);
   const [before, last] = [stops.at(-2), stops.at(-1)];
@@ -87,7 +87,7 @@ export function stopPlace(place: Vec, before: Point, arena: Point, { free, reach
   return distanceMm(start, toVec(to)) < sceneLimits.blockMm.min ? usualStop(before, arena) : to;
 }
 
-/** To the right, or to the left where there is more room. */
+/** The stop of a new way: to the right, or to the left where the right has no room for it. */
 export function usualStop([x, y]: Point, [width]: Point): Point {
   const way = Math.min(USUAL_TRACK_MM, Math.max(width - x, x));
   return x + way <= width ? [x + way, y] : [x - way, y];

@@ -115,13 +115,13 @@ function wayFields(mover: Mover): readonly Field<Mover>[] {
   ];
 }
 
-/** 0: it notices robots at any distance. */
+/** A mover that notices robots as far as this; with less than the least reach, at any distance. */
 function withReach(mover: Mover, mm: number): Mover {
   const { reach: _reach, ...chases } = mover.chases ?? {};
   return { ...mover, chases: mm < sceneLimits.reachMm.min ? chases : { ...chases, reach: mm } };
 }
 
-/** Gives a mover that stays in place a spin, without which it would do nothing. */
+/** A mover with another spin, in degrees per second; 0 is left out. */
 function withSpin(mover: Mover, spin: number): Mover {
   const { spin: _spin, ...rest } = mover;
   return spin === 0 ? rest : { ...rest, spin };

@@ -11,11 +11,11 @@ import { intoArena } from '../snap';
 /** The figure of a polygon before its corners are moved: a triangle. */
 const TRIANGLE: readonly Point[] = [[0, 0], [2, 0], [1, 2]]; // prettier-ignore
 
-/** The properties that give a new body or zone its shape. */
+/** The corners of a new body or zone: a triangle for a polygon, otherwise none. */
 export const cornersOf = (shape: ShapeName): Pick<Shaped, 'corners'> =>
   shape === 'polygon' ? { corners: TRIANGLE } : {};
 
-/** The same of a body, which says that it is round only if it is. */
+/** The properties that give a new body its shape; `round` is left out unless it is true. */
 export const bodyShape = (shape: ShapeName): { readonly round?: true; readonly corners?: readonly Point[] } => ({
   ...(shape === 'round' ? { round: true } : {}),
   ...cornersOf(shape),
@@ -41,8 +41,8 @@ const TOLERANCES_MM = [2, 4, 8, 16, 32, 64];
 const SMALLEST_MM = 10;
 
 /**
- * The polygon whose outline a hand has drawn, closed by a straight line; where the outline crosses itself, the one around
- * it. `null`: it encloses nothing.
+ * The polygon whose outline a hand has drawn, closed by a straight line; if the outline crosses itself, its convex
+ * hull. `null`: it encloses nothing, or is narrower than 10 mm.
  */
 export function drawnPolygon(path: readonly Vec[], arena: Point): ReturnType<typeof polygonThrough> | null {
   const inside = path.map((place) => intoArena(place, arena));

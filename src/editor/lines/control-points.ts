@@ -12,7 +12,7 @@ export interface BentLine {
   /** The points; of a closed line without the repeated first one. */
   readonly places: readonly Vec[];
   readonly isClosed: boolean;
-  /** Which of the places are taken hold of, in their order. */
+  /** Indices of the places that can be taken hold of, in order. */
   readonly controls: readonly number[];
 }
 
@@ -166,7 +166,7 @@ function denser(line: BentLine, at: number): BentLine {
 /** Rises from 0 to 1 without a kink at either end. */
 const smoothly = (share: number): number => share * share * (3 - 2 * share);
 
-/** How much the inner places of a part go along with the control at its end, or at its beginning. */
+/** Notes how far the inner places of a part go along with the control at its beginning, or at its end: 0 … 1. */
 function weigh(
   line: BentLine,
   after: number,

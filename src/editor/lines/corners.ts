@@ -19,7 +19,7 @@ export interface Chain {
 
 const nothing: Chain = { corners: [], isClosed: false, isDone: true };
 
-/** As many corners make an area. */
+/** Corners from which on a chain can be closed: as many make an area. */
 const CLOSES_FROM = 3;
 
 /**

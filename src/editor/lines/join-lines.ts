@@ -83,7 +83,7 @@ function otherAt(scene: Scene, stroke: Stroke, place: Point, without: readonly s
 
 const reversed = (points: readonly Point[]): readonly Point[] => [...points].reverse();
 
-/** The points of a line in that direction in which it begins at one of its ends. */
+/** The points of a line in the direction in which it begins at `start`, one of its ends. */
 const startingAt = (points: readonly Point[], start: Point): readonly Point[] =>
   points[0] && isSame(points[0], start) ? points : reversed(points);
 

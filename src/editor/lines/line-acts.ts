@@ -13,7 +13,7 @@ import { bridged, closed, type Look } from './join-lines';
 export const selectedLines = (scene: Scene, selection: Selection): readonly Stroke[] =>
   freeObjects(scene, selection).filter((object) => object.type === 'stroke');
 
-/** Gives all selected lines a width, a colour, or both; `null` when they have them. */
+/** Gives all selected lines a width, a colour, or both; `null` when they have them already. */
 export const restyled = (scene: Scene, selection: Selection, look: Partial<Look>): SceneEdit | null =>
   changed(scene, selection, (stroke) => ({ ...stroke, ...look }));
 
@@ -26,7 +26,7 @@ export const smoothed = (scene: Scene, selection: Selection): SceneEdit | null =
     withPoints(stroke, simplified(smooth(stroke.points.map(toVec)), SMOOTH_MM), stroke.points.length > 2),
   );
 
-/** Tolerances for simplifying a line, in mm: the first that leaves fewer points counts. */
+/** Tolerances for simplifying a line, in mm: the first that takes away a tenth of its points counts. */
 const TOLERANCES_MM = [FINGER_TOLERANCE_MM, 4, 8, 16];
 
 /** Leaves points of the selected lines out, as many as one step coarser allows. `null` when nothing changes. */

@@ -24,7 +24,7 @@ export function polyline(drag: Drag, context: ToolContext): readonly Point[] {
 /** An arc has two ends and a place that it passes. */
 const ARC_PLACES = 3;
 
-/** Whether an arc is settled: by its third click, or by a drag that bends. */
+/** True if an arc is complete: by its third click, by a second one on its beginning, or by a drag that bends. */
 export const isArcDone = (drag: Drag): boolean =>
   drag.corners === undefined ? !isTap(drag) && bendOf(drag) !== null : isArcEnded(drag);
 

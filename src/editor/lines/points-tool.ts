@@ -87,7 +87,7 @@ function holdAt(line: BentLine, place: Vec, reachMm: number): Hold | null {
 
 interface Bent {
   readonly before: Bendable;
-  /** `null`: so it cannot be. */
+  /** `null`: it cannot be bent so. */
   readonly after: Bendable | null;
   /** The end of another line to which its end has come. */
   readonly ring: Vec | null;

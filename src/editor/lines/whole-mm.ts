@@ -4,12 +4,12 @@ import type { Point } from '#scene/scene';
 import { toPoint, toVec } from '../plane';
 
 /**
- * How far a curve and the straight pieces it is kept as may lie apart, in mm. Chosen: a tenth of the spot that a line
- * sensor sees, so that no robot feels a corner.
+ * How far a curve and the straight pieces that stand for it may lie apart, in mm. Chosen: less than a tenth of the spot
+ * that a line sensor sees, so that no robot feels a corner.
  */
 const APART_MM = 0.2;
 
-/** Factor up to which the distance is extended where no whole millimetre is near enough. */
+/** The search for a whole millimetre goes on until the piece lies this many times as far from the curve. */
 const TRIES = 3;
 
 /**

@@ -36,7 +36,7 @@ export function wayToRoom(parts: readonly Outline[], others: readonly Outline[],
   return null;
 }
 
-/** The least way of a rectangle into the arena, in whole mm; `null`: it is larger than that. */
+/** The least way of a rectangle into the arena, in whole mm; `null`: it is larger than the arena. */
 export function wayInside({ minX, minY, maxX, maxY }: Bounds, [width, height]: Point): Point | null {
   const along = (min: number, max: number, length: number): number | null => {
     const [least, most] = [Math.ceil(-min - ROUNDING_MM), Math.floor(length - max + ROUNDING_MM)];

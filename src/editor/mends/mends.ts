@@ -38,9 +38,9 @@ export interface Mend {
   readonly edit: SceneEdit;
 }
 
-/** The time that a task gets which would never end, in s. Chosen: long enough for a first try. */
+/** The time limit given to a task that would never end, in s. Chosen: long enough for a first try. */
 const TIME_LIMIT_S = 60;
-/** A target that was too small is this much longer than the block, in mm: it can be pushed in at a slant. */
+/** A target that was too small gets this much longer than the block, in mm: it can be pushed in at a slant. */
 const ROOM_IN_TARGET_MM = 20;
 
 /**
@@ -53,7 +53,7 @@ export function mendOf(scene: Scene, problem: RuleProblem, footprint: readonly O
   return mend && isAllowed(scene, mend.edit) ? mend : null;
 }
 
-/** True if an edit leaves all that is locked as it is. */
+/** True if an edit changes nothing that is locked. */
 function isAllowed({ objects }: Scene, edit: SceneEdit): boolean {
   const locked = new Set(objects.flatMap(({ id, lock }) => (lock ? [id] : [])));
   const changed = singleEdits(edit).flatMap((one) => {

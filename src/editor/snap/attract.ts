@@ -12,7 +12,7 @@ import { equalSteps } from './row';
 /** Things attract from this far, in mm: half as far as the grid, so that its lines can be met beside them, too. */
 const thingsReachMm = (reachMm: number): number => Math.min(reachMm, ATTRACTS_MM) / 2;
 
-/** The moved things, as they were before. */
+/** The things that are moved, before they are. */
 export interface Moving {
   readonly frame: Frame;
   /** The ends of the lines among few things, as of a part of a track; they go onto ends of other lines. */

@@ -27,7 +27,7 @@ export interface UsedTool {
 }
 
 /**
- * The figures of what an edit would do. Guide lines show what is in line afterwards; they stay away when nothing snaps.
+ * The figures of an edit. Guide lines show what is in line afterwards; there are none while a drag is free.
  *
  * @param used the tool and its drag; `null`: keys move what is selected
  */
@@ -54,7 +54,7 @@ const editReading = (edit: SceneEdit | null, { scene }: ToolContext, used: UsedT
 export const readingBy = (tool: Tool, drag: Drag, context: ToolContext): Reading | null =>
   turnReading({ tool, drag }, context) ?? editReading(tool.edit(drag, context), context, { tool, drag });
 
-/** How long a line is that is drawn freely. */
+/** The length of a line that is drawn freely, without a direction. */
 export function inkReading(path: readonly Vec[]): Reading {
   let mm = 0;
   let before = path[0];

@@ -70,7 +70,7 @@ function alongLine(whole: Frame, ends: Frame): Frame {
 /** How long a thing is along an axis. */
 export const lengthOf = ({ min, max }: Span): number => max - min;
 
-/** The frame of the robot at its start, with the place that its numbers tell as its middle; `null`: no robot. */
+/** The frame of the robot at its start, with `at` (the middle of its axle) as its middle; `null`: no robot. */
 export function frameOfRobot({ robot }: Scene, footprint: readonly Outline[]): Frame | null {
   const around = boundsAll(robotOutlines(robot, footprint).map(boundsOfOutline));
   if (around === null) return null;

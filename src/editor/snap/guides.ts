@@ -7,7 +7,7 @@ import { gapBetween, rowOf, widthOf, type Gap } from './row';
 /** Tolerance of an alignment in mm: things are placed on whole mm. */
 const SAME_MM = 0.6;
 
-/** Narrower gaps are not told: the things touch. */
+/** Gaps up to this, in mm, are not shown: the things touch. */
 const GAP_MM = 0.5;
 
 /** The guide lines of a thing: along its middle, or else its edges, where those of another thing lie in line with them. */

@@ -34,9 +34,9 @@ const CORRECTIONS = 4;
 
 /**
  * The drag that leads to typed numbers: cm of length, of a movement along the drag, of width and height; degrees of a turn.
- * It ends where the tool itself then tells these numbers, so that it works for every tool.
+ * It ends where the tool's own reading shows these numbers, so that it works for every tool.
  *
- * @returns the same drag if it tells nothing that could be typed
+ * @returns the same drag if it has no reading or no number was typed
  */
 export function typedDrag(tool: Tool, given: Drag, context: ToolContext, numbers: readonly number[]): Drag {
   const drag = leaning(tool, given, context);
@@ -83,7 +83,7 @@ interface Ending {
   readonly readingAt: (end: Vec) => Reading | null;
 }
 
-/** How the end of the drag has to go on; `snapped`: what the drag itself tells, which has the direction. */
+/** The step that the end of the drag has yet to go; `snapped`: the reading of the drag itself, which has the direction. */
 function stepTo(reading: Reading, snapped: Reading, numbers: readonly number[], ending: Ending): Vec | null {
   const [first = 0, second] = numbers;
   if (reading.type === 'length' && snapped.type === 'length' && snapped.deg !== null) {
@@ -125,7 +125,7 @@ type Size = Extract<Reading, { type: 'size' }>;
 /** Distance by which the end is moved to find its effect on width and height, in mm. */
 const TRIAL_MM = 50;
 
-/** How the end has to go on for a width and a height; a handle that changes but one of them takes the first number. */
+/** The step of the end to a width and a height; a handle that changes only one of them takes the first number. */
 function sizeStep(
   size: Size,
   [width, height]: readonly [number, number | null],

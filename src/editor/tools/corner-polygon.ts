@@ -10,7 +10,7 @@ import { toVec } from '../plane';
 import type { Attractors } from '../snap';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
-/** The polygon that a polygon tool places. */
+/** The type and the shape of the object that a tool is set to put. */
 export interface Wish {
   readonly type: SceneObject['type'];
   readonly shape: ShapeName;
@@ -25,7 +25,7 @@ const chain = (drag: Drag, context: ToolContext): Chain => chainOf(drag, context
 export const setsCorners = ({ type, shape }: Wish, drag: Drag): boolean =>
   shape === 'polygon' && type !== 'mover' && (drag.corners !== undefined || isTap(drag));
 
-/** The polygon through the corners so far; `null`: they enclose nothing. */
+/** Puts the polygon through the corners so far; `null`: they enclose nothing. */
 export function cornerPolygon({ type }: Wish, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, options } = context;
   const polygon = drawnPolygon(chain(drag, context).corners.map(toVec), scene.size);
@@ -33,7 +33,7 @@ export function cornerPolygon({ type }: Wish, drag: Drag, context: ToolContext):
   return object && addingOnce(scene, { ...(object as SceneObject & Shaped), ...polygon });
 }
 
-/** How a tool whose options name such a wish goes on from corner to corner, and what is seen meanwhile. */
+/** The part of a tool that goes on from corner to corner, with the marks meanwhile; `wishOf` reads its options. */
 export const cornerByCorner = (wishOf: (context: ToolContext) => Wish): Required<Pick<Tool, 'goesOn' | 'marks'>> => ({
   goesOn: (drag, context) => setsCorners(wishOf(context), drag) && !chain(drag, context).isDone,
   marks(drag, context): readonly Mark[] {

@@ -32,7 +32,7 @@ export const eraserTool: Tool = {
   },
 };
 
-/** A tap on a thing takes just that: the line below it stays whole. */
+/** True for a tap on a thing, which takes just that: the line below it stays whole. */
 const isOnThing = (drag: Drag, gone: readonly SceneObject[]): boolean => isTap(drag) && gone.length > 0;
 
 /** The rests of the strokes that were cut, by the id of the whole stroke. */
@@ -58,7 +58,7 @@ const cutsAlong = alongPath<Cuts>({
   },
 });
 
-/** A path with fewer places, nowhere farther off than the rounding plus this. */
+/** A path with fewer places, nowhere farther off than the rounding and `BESIDE_MM`. */
 const fewer = (places: readonly Vec[]): readonly Vec[] => simplified(places, BESIDE_MM).map(toVec);
 
 const BESIDE_MM = 0.5; // chosen: less than what is rounded

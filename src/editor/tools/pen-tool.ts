@@ -110,7 +110,7 @@ function closedLine(path: readonly Vec[], { free, reachMm }: Drag, widthMm: numb
   return path.some((place) => distanceMm(start, place) > AWAY * closesMm) ? [...path, start] : path;
 }
 
-/** A line with as few points as needed, and never more than there is room for: then it gets coarser, but no gap. */
+/** A line with as few points as needed, and never more than there is room for: then it is coarser, but has no gap. */
 function thinned(line: readonly Vec[], finestMm: number, room: number): readonly Point[] {
   if (room < 2) return [];
   for (let toleranceMm = finestMm; ; toleranceMm *= 2) {
@@ -120,7 +120,7 @@ function thinned(line: readonly Vec[], finestMm: number, room: number): readonly
   }
 }
 
-/** A finger reaches further than a mouse and trembles more: what it did not mean is not kept, nor carried in a link. */
+/** The tolerance of a drag in mm. A finger reaches further than a mouse and trembles more: its tremble is left out. */
 const toleranceOf = ({ reachMm }: Drag): number =>
   Math.min(FINGER_TOLERANCE_MM, Math.max(TOLERANCE_MM, reachMm / REACHES));
 

@@ -87,10 +87,10 @@ function caught(drag: Drag, { scene, options, footprint }: ToolContext): Selecti
     : thingsIn(scene, startOf(drag), endOf(drag), footprint);
 }
 
-/** Whether a tap or drag adds to what is selected. */
+/** True if a tap or drag adds to what is selected. */
 const adds = (drag: Drag, { options }: ToolContext): boolean => drag.adds || options.several;
 
-/** The things that a drag has grabbed. */
+/** The handle, the things or the floor that a drag has grabbed. */
 type Grip =
   | { readonly type: 'handle'; readonly handle: Handle }
   /** `held`: the thing right under the pointer; it is the one that the grid attracts. */
@@ -99,7 +99,7 @@ type Grip =
 
 const grips = new WeakMap<Vec, { readonly context: ToolContext; readonly drag: Drag; readonly grip: Grip }>();
 
-/** The thing that a drag has grabbed, cached per starting place: it is needed on every move. */
+/** The grip of a drag, cached per starting place: it is needed on every move. */
 function gripOf(drag: Drag, context: ToolContext): Grip {
   const start = startOf(drag);
   const known = grips.get(start);

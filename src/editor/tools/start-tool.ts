@@ -11,7 +11,7 @@ import type { Drag, Selection, Tool, ToolContext } from './tool';
 /** Steps of the robot's heading: what set squares have, and whole degrees when free. */
 const STEP_DEG = 15;
 
-/** Grabbed by its start. */
+/** The selection of the robot alone. */
 const ROBOT: Selection = { ids: [], robot: true };
 
 /**
@@ -38,7 +38,7 @@ export const startTool: Tool = {
       : (selectTool.turns?.(drag, { ...context, selection: ROBOT }) ?? null),
 };
 
-/** Whether a drag began on the robot or on the knob by which it is turned. */
+/** True if a drag began on the robot or on the knob by which it is turned. */
 function isOnRobot(drag: Drag, { scene, footprint }: ToolContext): boolean {
   const start = startOf(drag);
   if (handleAt(scene, ROBOT, footprint, start, drag.reachMm) !== null) return true;

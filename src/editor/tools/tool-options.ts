@@ -35,7 +35,7 @@ export interface OptionRange {
   readonly step: number;
 }
 
-/** Ranges of the options, in mm, mm/s or a count. Upper bounds: those of a course (`sceneLimits`), or chosen. */
+/** Ranges of the options, in mm, mm/s, s, °/s or a count. Bounds: those of a course (`sceneLimits`), or chosen. */
 export const toolOptionRanges = {
   penWidth: { ...sceneLimits.widthMm, step: 1 },
   eraserWidth: { min: 5, max: 300, step: 5 },

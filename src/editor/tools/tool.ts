@@ -128,11 +128,11 @@ export interface Handle {
   /** World mm. */
   readonly at: Vec;
   /**
-   * Place of a `size` handle in the thing's own frame: −1, 0 or 1 along its x and its y. Both 0 for all other
+   * Place of a `size` handle in the thing's own frame: −1, 0 or 1 along its x and its y. Left out for all other
    * handles.
    */
   readonly side?: Point;
-  /** The object, or `null` for the robot. */
+  /** The object, of several the first, or `null` for the robot. */
   readonly id: string | null;
   /** Index: of a `point` among the points of its object; of an `add` the index that the new point will have. */
   readonly index?: number;

@@ -29,7 +29,7 @@ export const isIdle = (mover: Mover): boolean => isStill(mover) && mover.spin ==
 
 const isStill = ({ at, to, stops }: Mover): boolean => stops === undefined && at[0] === to[0] && at[1] === to[1];
 
-/** A mover with other stops, 1 to 20 of them; what one of them leaves out of its way is left out of the mover. */
+/** A mover with other stops; any beyond the 20th are left out, and without one it stays at its place. */
 export function withStops(mover: Mover, given: readonly MoverStop[]): Mover {
   const { stops: _stops, waits: _waits, ...rest } = mover;
   const kept = given.slice(0, sceneLimits.stops);

@@ -143,7 +143,7 @@ const centreOf = ({ column, row }: Cell, { cellMm }: MazeWish): Point => [
   Math.round((row + 0.5) * cellMm),
 ];
 
-/** The target fills its cell except for a rim; the black line lies across the entrance. */
+/** The target, which fills its cell except for a rim, and a black line through its middle, across the way in. */
 function finish(cell: Cell, headingDeg: number, wish: MazeWish): SceneObject[] {
   const at = centreOf(cell, wish);
   const side = wish.cellMm - 40; // chosen: the walls stay clear of it

@@ -17,7 +17,7 @@ export interface TrackWish {
 export const trackLimits = {
   bends: { min: 4, max: 14 },
   sizeMm: { min: 900, max: 4000 },
-  /** Chosen: followed at half speed by robots with two line sensors. */
+  /** The least radius of a bend. Chosen: followed at half speed by robots with two line sensors. */
   radiusMm: 120,
   /** From one part of the line to another, edge to edge: no sensor sees both. */
   gapMm: 60,
@@ -103,7 +103,7 @@ const key = (x: number, y: number): string => `${String(x)},${String(y)}`;
 
 /**
  * A patch of squares without holes, grown square by square. Of all patches on the way that cover half of the grid or
- * more, the one whose outline has nearest to this many corners is taken.
+ * more, the first whose outline has at least this many corners is taken, or else the one with the most.
  */
 function grow(bends: number, { columns, rows }: Grid, rng: Rng): ReadonlySet<string> {
   const any = (count: number): number => Math.floor(rng.unit() * count);
@@ -135,7 +135,7 @@ const AROUND = [
   [1, -1],
 ] as const;
 
-/** A free square that touches the patch by one stretch of its rim, by a side of it: no hole and no pinch comes of it. */
+/** True for a free square that touches the patch in one stretch of its rim, by one or two sides: no hole, no pinch. */
 function isGrowth(patch: ReadonlySet<string>, x: number, y: number): boolean {
   if (patch.has(key(x, y))) return false;
   const around = AROUND.map(([dx, dy]) => patch.has(key(x + dx, y + dy)));

@@ -49,7 +49,7 @@ export function readAngle({ reader, at }: Unread): number {
 /** The properties that every object may have in a file. */
 export const commonProperties = ['id', 'type', 'lock', 'group'] as const;
 
-/** True if the editor leaves an object as it is, and its group. */
+/** Reads the lock and the group of an object; what is left out stays left out. */
 export function readCommon({ reader, at }: Unread): Pick<SceneObject, 'lock' | 'group'> {
   const [group, path] = at('group');
   return {
@@ -64,7 +64,7 @@ export const readShape = (given: Unread): Omit<Shaped, 'round'> & { readonly id:
   return { id: readId(given), at: readPlace(given, 'at'), size, angle: readAngle(given), ...readCorners(given, size) };
 };
 
-/** A shape that says that it is round only if it is. */
+/** Reads a shape with `round`, which is left out unless it is true. */
 export function readBody(given: Unread): Omit<Shaped, 'round'> & { readonly id: string; readonly round?: true } {
   const isRound = given.reader.flag(...given.at('round'), sceneDefaults.round);
   return { ...readShape(given), ...(isRound ? { round: true } : {}) };

@@ -2,7 +2,7 @@ import { sceneDefaults, sceneLimits, type Wall } from '../../scene';
 import type { KindReader } from './kind-reader';
 import { readId, readPlace, type Unread } from './unread';
 
-/** One without length has no direction, and is refused. */
+/** Reads walls. One without length has no direction, and is refused. */
 export const wall: KindReader<Wall> = { properties: ['from', 'to', 'thickness'], read };
 
 function read(given: Unread): Wall {
