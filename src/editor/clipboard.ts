@@ -27,7 +27,7 @@ export interface Pasted {
   readonly selection: Selection;
 }
 
-/** Least gap between a copy and its original, in mm; the step is rounded up to whole cm. Chosen: both can be grabbed. */
+/** Least gap between a copy and its original, in mm; steps are rounded up to whole cm. Chosen: both can be grabbed. */
 const GAP_MM = 10;
 
 /** Distance of a copy that has no room beside its original, in mm. Chosen: two lines of the grid. */
@@ -44,7 +44,7 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
 
 /**
  * Pastes copied objects into a course, with new ids and the next numbers for checkpoints: where they were copied from,
- * or with their middle at a place. If something of their layer is in the way, they go beside it, to the first free side.
+ * or with their middle at a place. If something of their layer is in the way, they go to the first free side.
  *
  * @returns an edit that a full course refuses; `null` if there is nothing to paste, or no number left for a checkpoint
  */
@@ -61,7 +61,7 @@ export function pasted(
   return putMoved(scene, there, isFreeBy(scene, there, footprint)([0, 0]) ? [0, 0] : freeStep(scene, there, footprint));
 }
 
-/** Copies that were made, and the lower left corner of the rectangle around their originals, to go on by the same step. */
+/** Copies that were made, and the lower left corner around their originals, to go on by the same step. */
 export interface Copies {
   readonly ids: readonly string[];
   readonly from: Vec;

@@ -14,7 +14,7 @@ import type { MoverWay } from '#scene/kinds/mover-way';
 import type { ShapeName } from '#scene/shape/shape';
 import { within } from './plane';
 
-/** A number of an object that can be typed in. `x` and `y`: its place (a line: its start); `endX` and `endY`: its end. */
+/** A number of an object that can be typed in. `x` and `y`: its place, of a line its start; `endX`, `endY`: its end. */
 export type NumberName =
   | 'x'
   | 'y'

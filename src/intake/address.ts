@@ -76,7 +76,7 @@ const NEWER_LINK = 'The link is from a newer version. Update Parcours.';
 const DAMAGED: LinkProblem = { code: 'damaged', message: DAMAGED_LINK, params: {}, problems: [] };
 const NEWER: LinkProblem = { code: 'newer-version', message: NEWER_LINK, params: {}, problems: [] };
 
-/** The codes of faults of a series link itself, apart from those of the series in it. */
+/** The messages for faults of a series link itself, apart from those of the series in it. */
 const SERIES_FAULTS = {
   damaged: DAMAGED_LINK,
   newer: NEWER_LINK,

@@ -16,7 +16,7 @@ import { Budget, chosenIn, readBeside, type TreeFile } from './tree';
 /** The content of a source: a hand-in, or the reason why there is none. */
 export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
 
-/** Zips in zips that are opened. Chosen: a platform's around a pupil's around what was packed. */
+/** Maximum depth of zips in zips. Chosen: a platform's around a pupil's around a packed program. */
 const MOST_LEVELS = 3;
 
 /** The place of a hand-in within zips. */
@@ -121,7 +121,7 @@ function handInOfProject(project: Project): Content {
   return 'problem' in read ? unread(read.isNewer ? 'newer' : 'project', { detail: read.problem }) : read;
 }
 
-/** The project of a recorded run. What the run came to does not count: it is run anyway. */
+/** The hand-in of a recorded run: its project. The outcome of the run does not count: it is run anew. */
 function handInOfRun(text: string): Content {
   const read = parseTape(text);
   if ('problem' in read) return unread(read.fault === 'newer' ? 'newer' : 'project', { detail: read.problem });
@@ -133,7 +133,7 @@ function handInOfRun(text: string): Content {
   return isEdited && 'handIn' in content ? { handIn: { ...content.handIn, isEdited } } : content;
 }
 
-/** One alone is main.py, whatever its file is called. */
+/** The hand-in of program files; one alone is main.py, whatever its file is called. */
 function handInOfPrograms(files: readonly SourceFile[]): Content {
   if (files.length > projectLimits.files)
     return unread('many-files', { count: files.length, most: projectLimits.files });

@@ -49,7 +49,7 @@ export interface ProgramDocument {
   readonly kind: 'program';
   /** main.py first in an address; in a file the one program, under the file's name. */
   readonly files: readonly SourceFile[];
-  /** Id of the microcomputer it is for; `null`: nobody says. */
+  /** Id of the microcomputer it is for; `null`: not said. */
   readonly device: string | null;
   /** Id of the ready course that the address also names; `null`: none. */
   readonly course: string | null;
@@ -58,9 +58,9 @@ export interface ProgramDocument {
 /** A ready course. */
 export interface ReadyDocument {
   readonly kind: 'ready';
-  /** Its id; perhaps nobody has one of it. */
+  /** Its id; there may be no such course. */
   readonly course: string;
-  /** With its program. */
+  /** True if it is opened with its program. */
   readonly isWhole: boolean;
 }
 
@@ -93,7 +93,7 @@ export interface RecordingDocument {
 /** One thing that is wrong inside a file. */
 export type FileProblem = ProjectProblem | SceneProblem | SeriesProblem;
 
-/** Nothing that can be read, and why. */
+/** Something that cannot be read, and why. */
 export interface Unreadable {
   readonly kind: 'unreadable';
   /** By code and parameters, as reports have it. */

@@ -27,7 +27,7 @@ export function documentOf(path: string, bytes: Uint8Array, courses: ReadyCourse
   return { kind: 'program', files: [{ name, text }], device: null, course: null };
 }
 
-/** Reads a file that is not too large for its kind. Never rejects. @param most as the door has it, else as its name says */
+/** Reads a file of at most `most` bytes; left out: as many as its name allows (`mostBytes`). Never rejects. */
 export async function openFile(file: TreeFile, courses: ReadyCourses, most?: number): Promise<Document> {
   const format = formatOf(file.path);
   if (format === 'picture') return { kind: 'picture' };
@@ -47,7 +47,7 @@ export async function openLog(file: TreeFile): Promise<Document> {
   return 'bytes' in read ? { kind: 'log', bytes: read.bytes } : unreadable(read.problem);
 }
 
-/** The bytes of a file, or why there are none. Never rejects. @param unpacked the most that comes of it, whatever it says */
+/** The bytes of a file, or why there are none. Never rejects. @param unpacked the most that is read of it, in bytes */
 export async function bytesOf(file: TreeFile, most: number, unpacked = most): Promise<Bytes> {
   try {
     if (file.size > most) return unread('large', { file: lastOf(file.path), most });

@@ -81,5 +81,5 @@ export function mostBytes(name: string): number {
   return LINKED.includes(format) ? limits.links : LOGS.includes(format) ? limits.log : limits.json;
 }
 
-/** Bytes as people are told them, in whole MB. */
+/** Bytes in whole MB for a message, rounded up. */
 export const inMB = (bytes: number): number => Math.ceil(bytes / 1024 / 1024);

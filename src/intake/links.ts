@@ -3,15 +3,15 @@ import { readMail } from './mail';
 
 /** A link in a text, and who it is from. */
 export interface NamedLink {
-  /** Empty: nobody says. */
+  /** Empty: none stands beside it. */
   readonly name: string;
   readonly address: string;
 }
 
-/** An address of a project, a run or a program, or only the part of it from `#` on. */
+/** A web address, or the part from `#` on of a link of a project or a run. */
 const ADDRESS = /(?:https?:\/\/[^\s<>"']+|#(?:p=\d{1,9}|r=\d{1,9}\.\d{1,12})\.[\w-]+=*)/gi;
 
-/** Chosen: a name stands on the line of its link or before it, and is short. */
+/** The longest text that is taken for a name. Chosen: names are short. */
 const NAME_CHARACTERS = 60;
 
 /** The links in a file, by its ending: a table, a page, or a text such as a whole e-mail. */
@@ -63,7 +63,7 @@ function addressesIn(
   })).filter(({ address }) => /[#?&]([pr]=\d|code=)/.test(address));
 }
 
-/** The words without what parts them from the link. */
+/** The name in the words before a link, without the signs around it; empty if it is too long for a name. */
 function nameIn(text: string): string {
   const ended = text.slice(0, lengthWithout(text, AFTER_NAME));
   let start = 0;
@@ -74,7 +74,7 @@ function nameIn(text: string): string {
 /** Characters that end a sentence or a bracket and not an address; characters around names. */
 const [AFTER_ADDRESS, BEFORE_NAME, AFTER_NAME] = [/[.,;:)\]}!?]/, /[\s\-*•<>|"'([{,;]/, /[\s\-–:=<>|"'([{,;]/];
 
-/** Sign by sign: a pattern would take hours for a megabyte of spaces that somebody hands in. */
+/** The length of a text without such signs at its end. A pattern would take hours for a megabyte of spaces. */
 function lengthWithout(text: string, sign: RegExp): number {
   let end = text.length;
   while (end > 0 && sign.test(text.charAt(end - 1))) end -= 1;
@@ -137,7 +137,7 @@ function closingQuote(text: string, open: number): number {
   return close;
 }
 
-/** The text of a page with the addresses of its links; tag by tag, for the same reason. */
+/** The text of a page with the addresses of its links. Read tag by tag: a pattern would take hours for some pages. */
 function textOfPage(html: string): string {
   const parts: string[] = [];
   let link: { readonly address: string; readonly from: number } | null = null;

@@ -102,7 +102,7 @@ async function textsIn(all: readonly Opened[]) {
   return { texts, refused };
 }
 
-/** The JSON files of a zip; more than a teacher has is told, and never unpacked. */
+/** The JSON files of a zip; more than `limits.tasksInZip` is a problem, and never unpacked. */
 function jsonInZip(
   zip: NonNullable<Opened['zip']>,
 ): { readonly files: readonly TreeFile[] } | { readonly problem: Unread } {

@@ -53,10 +53,10 @@ export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, is
   return plainly(document.links.map((link, place) => linkSource(link, place, courses)));
 }
 
-/** Those that have their own names. */
+/** Hand-ins that have names of their own. */
 const plainly = (sources: readonly Source[]): Given => ({ name: '', isTree: false, sources });
 
-/** All hand-ins of what was given together: of several things, one that has a single hand-in says whose it is. */
+/** All hand-ins of what was given together. Beside other things, a folder or zip of one hand-in gives it its name. */
 export const together = (all: readonly Given[]): readonly Source[] =>
   all.flatMap(({ name, isTree, sources }) => {
     const [only, another] = sources;
@@ -79,15 +79,15 @@ export const givenFolder = (
   sources: treeSources(name, files, { courses, isAlone, isWhole: (below) => !isClass(below) }),
 });
 
-/** Several folders with a program in each are not one pupil's. */
+/** True for several folders with a program in each: they are not one pupil's. */
 const isClass = (files: readonly TreeFile[]): boolean =>
   !isHandIn(files) && foldersIn(files).filter((inside) => 'program' in chosenIn(inside)).length > 1;
 
-/** How a folder or a zip is looked at. */
+/** The way in which a folder or a zip is searched for hand-ins. */
 interface Looking {
   readonly courses: ReadyCourses;
   readonly isAlone: boolean;
-  /** Says of what lies below the folder that all lies in that the folder is one hand-in. */
+  /** True if the folder that contains everything is one hand-in; `below`: what lies in it. */
   readonly isWhole: (below: readonly TreeFile[]) => boolean;
 }
 
@@ -109,7 +109,7 @@ function treeSources(
   );
 }
 
-/** Beside a main.py there are those of others: in several folders, or programs that it could not import, such as `main (1).py`. */
+/** True if there are others' programs beside main.py: in several folders, or with names like `main (1).py`. */
 const hasOthers = (files: readonly TreeFile[]): boolean =>
   foldersIn(files).filter((inside) => inside.some(({ path }) => lastOf(path) === MAIN)).length > 1 ||
   files.some(({ path }) => !path.includes('/') && formatOf(path) === 'program' && nameProblem(path, []) !== null);
@@ -155,12 +155,12 @@ function givenZip(file: string, zip: Zip, courses: ReadyCourses, isAlone: boolea
 
 const isOpened = (path: string): boolean => !['picture', 'sheet', 'other'].includes(formatOf(path));
 
-/** The folder of a hand-in says whose it is. */
+/** True if main.py lies at the top: the folder is one hand-in, and its name says whose. */
 const isHandIn = (files: readonly TreeFile[]): boolean => files.some(({ path }) => path === MAIN);
 
 /**
- * The hand-ins behind the links in a text, whatever stands around them. Those beside which nobody is named have the name
- * that their pupil has typed, else their number.
+ * The hand-ins behind the links in a text, whatever stands around them. A link without a name beside it has the name
+ * that its pupil has typed, else its number.
  *
  * @param file what the text is, by the ending of its file; left out: something that was pasted
  */
@@ -169,7 +169,7 @@ export function listSources(text: string, courses: ReadyCourses, file?: string):
   return links.map((link, place) => linkSource(link, place, courses));
 }
 
-/** A link. */
+/** The hand-in behind a link. Without a name it has the alias in its project, else its number, `place + 1`. */
 export function linkSource({ name, address }: NamedLink, place: number, courses: ReadyCourses): Source {
   const read = (): Content => handInOfLink(address, courses);
   const content = name === '' ? read() : null;
@@ -186,7 +186,7 @@ export async function contentOf(source: Source): Promise<Content> {
   }
 }
 
-/** `anna`, `anna (2)`, …: of several with one name each gets its own, and none that only looks like another's. `taken`: names that others have already. */
+/** Sources with names of their own: `anna`, `anna (2)`, …; no two only look alike. `taken`: names in use already. */
 export function withOwnNames(sources: readonly Source[], taken: Iterable<string> = []): readonly Source[] {
   const names = new Set(taken);
   return sources.map((source) => {

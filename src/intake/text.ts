@@ -32,7 +32,7 @@ export function documentOfText(text: string, courses: ReadyCourses): TextDocumen
   return 'scene' in parsed ? { kind: 'course', scene: parsed.scene } : wrongInside(parsed.problem, parsed.problems);
 }
 
-/** How our files begin. */
+/** True if a text begins as our files do. */
 export const isOurs = (text: string): boolean => /^\ufeff?\s*\{\s*"format"\s*:\s*"parcours-/.test(text);
 
 /**

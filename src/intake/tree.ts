@@ -16,7 +16,7 @@ export interface TreeFile {
   read(maxBytes: number): Bytes | Promise<Bytes>;
 }
 
-/** The files of one hand-in, by their names alone. */
+/** The files of one hand-in, chosen by their names alone. */
 interface Chosen {
   /** The file that is opened first. */
   readonly program: TreeFile;
@@ -44,10 +44,10 @@ export class Budget {
   }
 }
 
-/** With the `/` at its end; empty: at the top. */
+/** The folder of a file, with the `/` at its end; empty: at the top. */
 const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
 
-/** The files that are somebody's, at any depth. */
+/** The files at any depth without those that operating systems leave (`isLitter`). */
 export const withoutLitter = <T extends { readonly path: string }>(all: readonly T[]): readonly T[] =>
   all.filter(({ path }) => !path.split('/').some(isLitter));
 
@@ -78,8 +78,8 @@ function several(files: readonly TreeFile[]): { readonly problem: Unread } {
 }
 
 /**
- * Reads what the board has beside a main.py. What it could not hold, such as a film or a picture, is left out; too many
- * programs, or one that is too large, are told before any of them is read.
+ * Reads what the board has beside a main.py. What it could not hold, such as a film or a picture, is left out. Too many
+ * programs are refused before any is read, and one that is too large before it is.
  */
 export async function readBeside(
   beside: readonly TreeFile[],

@@ -30,7 +30,7 @@ const ZIP64 = 0xffffffff;
 /** Chosen: ten thousand hand-ins, and as many files beside them. */
 const MOST_ENTRIES = 20_000;
 
-/** Folders around what was packed that are looked into. Chosen: more than anybody packs. */
+/** Maximum number of folders around the content that are skipped. Chosen: more than anybody packs. */
 const MOST_FOLDERS = 20;
 
 /**
@@ -72,7 +72,7 @@ function overlap(places: readonly Place[]): boolean {
   return sorted.some(({ from }, index) => from < (sorted[index - 1]?.to ?? 0));
 }
 
-/** The end of the directory stands at the end, before a comment of any length. */
+/** The place of the record that ends the directory, before a comment of any length; `null`: there is none. */
 function endOf(view: DataView): number | null {
   const first = Math.max(0, view.byteLength - END_BYTES - 0xffff);
   for (let at = view.byteLength - END_BYTES; at >= first; at--) if (view.getUint32(at, true) === END) return at;
@@ -86,7 +86,7 @@ export const isLitter = (name: string): boolean =>
 /**
  * The content of a zip or a folder below common leading folders: packing a folder means its content.
  *
- * @param isWhole says of what lies below one more folder that the folder belongs to it
+ * @param isWhole true if a folder counts as a whole and stays; `below`: what lies in it
  */
 export function belowFolders<T extends { readonly path: string }>(
   all: readonly T[],

@@ -15,7 +15,7 @@ export interface CourseColors {
   readonly wall: string;
   readonly wallLight: string;
   readonly wallInk: string;
-  /** A target, its ground and what is written on it. */
+  /** A target's edge and sign, and its ground. */
   readonly target: string;
   readonly targetFill: string;
   readonly checkpoint: string;

@@ -97,7 +97,7 @@ export interface Room {
   readonly acrossMm: number;
 }
 
-/** Places that are tried along each side of a polygon. Chosen: near enough to the best by eye. */
+/** Places that are tried along each axis of a polygon. Chosen: near enough to the best by eye. */
 const TRIED = 16;
 
 /** The place in a form with the most room around it: of a rectangle and an ellipse the middle. */

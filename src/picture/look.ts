@@ -3,13 +3,13 @@ import type { CourseColors } from './colors';
 /** The view of a picture: the detail that can be distinguished, and the colours. */
 export interface Look {
   readonly colors: CourseColors;
-  /** Size of a pixel, in mm: smaller things are left out, thin lines are that wide. On paper a quarter more than a mm. */
+  /** Size of a pixel, in mm: details too small for it are left out, and edges are no thinner than about 1.5 of it. */
   readonly px: number;
-  /** Lines and walls are no thinner, in mm; left out: they are as wide as they are. */
+  /** Least width of lines and walls, in mm; left out: none. */
   readonly leastLineMm?: number;
-  /** No sign of a zone and no name of a start is set in smaller type, in mm; left out: all as it is. */
+  /** Least size of signs of zones, names of starts and waiting times, in mm; left out: none. */
   readonly leastTypeMm?: number | undefined;
-  /** How long a mover waits, in the language that is shown. */
+  /** Writes a number of seconds for which a mover waits, in the language that is shown. */
   readonly seconds: (seconds: number) => string;
 }
 

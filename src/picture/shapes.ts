@@ -74,7 +74,7 @@ export interface Group {
  */
 export type Shape = ((Geometry | Icon) & Paint) | Words | Group;
 
-/** A frame somewhere, by default upright. */
+/** Shapes in a frame at a place, by default upright. */
 export const group = (at: Point, inside: readonly Shape[], turn = 0): Group => ({ form: 'group', at, turn, inside });
 
 /** A circle. */

@@ -20,7 +20,7 @@ export function escapeXml(text: string): string {
     .replace(/[&<>"']/g, (sign) => `&#${String(sign.charCodeAt(0))};`);
 }
 
-/** A path through points given as x and y in turn. */
+/** The path data (`d`) of a line through places. */
 export function pathThrough(places: readonly (readonly [number, number])[], isClosed = false): string {
   const steps = places.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${figure(x)} ${figure(y)}`);
   return steps.join('') + (isClosed ? 'Z' : '');

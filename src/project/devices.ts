@@ -25,7 +25,7 @@ export function filesOfDevice(project: Project, place: number): readonly SourceF
   return named?.files ?? project.files;
 }
 
-/** The same as a run takes them. */
+/** The files of the device at this place as a run takes them: name → text. */
 export const runFilesOf = (project: Project, place: number): Readonly<Record<string, string>> =>
   filesByName(filesOfDevice(project, place));
 
@@ -52,7 +52,7 @@ export function withDevice(project: Project, place: number, change: Partial<Furt
 /**
  * The project with one device more, at the end of the list.
  *
- * @param first what the first device is called if it was the only one
+ * @param first name of the first device, if it was the only one
  */
 export function addedDevice(project: Project, device: FurtherDevice, first: string): Project {
   const { devices = { first, others: [] } } = project;

@@ -128,7 +128,7 @@ export function completeName(typed: string): string {
   return name === '' || name.includes('.') ? name : `${name}.py`;
 }
 
-/** A name like `name` that no file has yet: `drive.py`, `drive2.py`, `drive3.py`, … */
+/** A name like `name`, with a number, that no file has yet: for `drive.py` it is `drive2.py`, `drive3.py`, … */
 export function freeName(name: string, files: readonly SourceFile[]): string {
   const [, stem = name, ending = ''] = /^(.*?)(\.[^.]*)?$/.exec(name) ?? [];
   for (let number = 2; ; number += 1) {
@@ -137,7 +137,7 @@ export function freeName(name: string, files: readonly SourceFile[]): string {
   }
 }
 
-/** The files as a run takes them. */
+/** The files as a run takes them: name → text. */
 export function filesByName(files: readonly SourceFile[]): Readonly<Record<string, string>> {
   return Object.fromEntries(files.map((file) => [file.name, file.text]));
 }

@@ -3,7 +3,7 @@ import { join, type Fields, type Reader } from '#scene/reader';
 
 import { anyHardware, projectLimits, type HardwareWish } from './project';
 
-/** Reads what a program is to run on, out of the object at `path`. */
+/** Reads the hardware that a program is meant for, out of the object at `path`. */
 export function readHardware(fields: Fields, path: string, reader: Reader): HardwareWish {
   const id = (key: 'device' | 'firmware' | 'robot'): string =>
     reader.text(fields[key], join(path, key), projectLimits.idCharacters, anyHardware[key]);

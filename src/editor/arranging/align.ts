@@ -51,7 +51,7 @@ function stepTo(to: Alignment, unit: Bounds, all: Bounds): { readonly x: number;
   }
 }
 
-/** Leaves the same gap between all that is selected; the outermost stay. `null` for fewer than three, or if none move. */
+/** Leaves the same gap between all that is selected; the outermost stay. `null` for fewer than three, or if it does. */
 export function distributed(
   scene: Scene,
   selection: Selection,

@@ -10,8 +10,8 @@ import { minus, toPoint, toVec } from '../plane';
 import { nothingSelected, type Drag, type ToolContext } from '../tools/tool';
 
 /**
- * Puts a part into the course with its middle at a place. It snaps like things that are moved: ends of its lines go onto
- * ends of lines that are there, else edges, middles and the grid attract it.
+ * Puts a part into the course with its middle at a place. It snaps like things that are moved: ends of its lines go
+ * onto ends of lines that are there, else edges, middles and the grid attract it.
  *
  * @returns `null`: it is empty, or there is no number left for its checkpoint
  */

@@ -83,7 +83,7 @@ interface Ending {
   readonly readingAt: (end: Vec) => Reading | null;
 }
 
-/** The step that the end of the drag has yet to go; `snapped`: the reading of the drag itself, which has the direction. */
+/** The step that the end of the drag has yet to go; `snapped`: the reading of the drag itself, for its direction. */
 function stepTo(reading: Reading, snapped: Reading, numbers: readonly number[], ending: Ending): Vec | null {
   const [first = 0, second] = numbers;
   if (reading.type === 'length' && snapped.type === 'length' && snapped.deg !== null) {

@@ -29,7 +29,7 @@ export interface PictureKind<O extends AnyObject = SceneObject> {
   shade?(object: O, fill: string): Shape;
   /** On paper true to scale, on which the real robot drives: thin lines where zones are. Left out: nothing of it lies on the floor. */
   paper?(object: O, look: Look): readonly Shape[];
-  /** The outline that a frame is drawn around; `null`: it is a line. */
+  /** The turned rectangle around it, for the frame of the selection; `null`: it is a painted line. */
   frame(object: O): Frame | null;
 }
 

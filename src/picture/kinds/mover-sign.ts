@@ -25,6 +25,6 @@ export function moverSignRad(mover: Mover): number {
   return exactAtan2(to[1] - at[1], to[0] - at[0]);
 }
 
-/** The places along which a mover's way is drawn, without its end: closed when it goes round. */
+/** The places along which a mover's way is drawn: its stops, and the first one again if it goes round. */
 export const closedWay = (mover: Mover, stops: readonly Point[]): readonly Point[] =>
   mover.loops && stops.length > 2 ? [...stops, ...stops.slice(0, 1)] : stops;

@@ -42,8 +42,8 @@ export function moverShapes(mover: Mover, turnDeg: number, look: Look): readonly
 }
 
 /**
- * The way of a mover on the floor: dashes from stop to stop, its outline where it turns round, and how long it waits. Of one
- * that chases only so far as it looks, and to which zone.
+ * The way of a mover on the floor: dashes from stop to stop, its outline where it turns round, and how long it waits.
+ * Of one that chases, how far it notices robots, and a line to the zone that it guards.
  */
 function wayShapes(mover: Mover, look: Look, around: readonly SceneObject[] = []): readonly Shape[] {
   const width = Math.max(1.5 * look.px, 2.5);
@@ -70,7 +70,7 @@ function stopShapes(mover: Mover, look: Look, line: Line): readonly Shape[] {
   ];
 }
 
-/** Beside the mover, which may cover its stop. */
+/** How long a mover waits at a stop, written beside the mover, which may cover the stop. */
 function waitShape(mover: Mover, at: Point, wait: number, { colors, px, seconds, leastTypeMm = 0 }: Look): Shape {
   const off = Math.min(...mover.size) / 2 + 6 * px;
   const size = Math.max(12 * px, leastTypeMm);

@@ -15,10 +15,10 @@ export const stroke: PictureKind<Stroke> = {
   frame: () => null,
 };
 
-/** White and yellow lines have a rim of this many px, so that they remain visible on a light floor. */
+/** White and yellow lines lie on one that is this many px wider, so that they remain visible on a light floor. */
 export const RIM_PX = 1.5;
 
-/** Whether a light floor would swallow a line of this colour. */
+/** True if a light floor would swallow a line of this colour. */
 export const needsRim = ({ color }: Pick<Stroke, 'color'>): boolean => color === 'white' || color === 'yellow';
 
 function strokeShapes(stroke: Stroke, { colors, px, leastLineMm = 0 }: Look): readonly Shape[] {

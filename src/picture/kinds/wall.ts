@@ -18,7 +18,7 @@ export const wall: PictureKind<Wall> = {
   }),
 };
 
-/** How high a course of bricks is at least, in mm; walls of 10 mm have two of them. */
+/** Height of a course of bricks, in mm, about: a wall has at least two, and one beyond 60 mm has higher ones. */
 const COURSE_MM = 5;
 
 /** Ratio of a brick's length to its height. */

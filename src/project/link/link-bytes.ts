@@ -2,7 +2,7 @@
  * The bytes of a link (`link.ts`), by its version:
  *
  *     1   length of the deflated figures (3 bytes, lowest first), figures and words (`columns.ts`), each deflated (RFC 1951)
- *     2   the values one after the other, arithmetically coded by how likely a model finds them (`modelled.ts`)
+ *     2   the values one after the other, arithmetically coded by how likely a model finds them (`model-coder.ts`)
  *
  *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
  *     4   for a robot of one's own: as 3, with that robot
@@ -71,7 +71,7 @@ function packedContent(content: Content, packing: Packing): { way: 1 | 2; bytes:
   return { way: 2, bytes: modelled.bytes() };
 }
 
-/** How much several links may still unpack to together, in bytes: each that is read takes from it, the last one also more. */
+/** How much several links may still unpack to together, in bytes: each that is read takes from it, even below 0. */
 export interface Room {
   left: number;
 }

@@ -92,7 +92,7 @@ export function linkOf(
   return last;
 }
 
-/** The parts that may be left out of a course, the least important first; the last is made whatever its length. */
+/** The ways to leave parts out of a course, from none to most; the link of the last way is made whatever its length. */
 function omissions({ background, task }: Scene): readonly (readonly Omitted[])[] {
   const ways: readonly (readonly Omitted[])[] = [
     [],
@@ -263,7 +263,7 @@ function failed(
   return { problem: { code, message, params, problems } };
 }
 
-/** The message in English. */
+/** The message about a damaged link, in English. */
 export const DAMAGED_LINK = 'The link is damaged: a part of it is missing or changed. Copy it again, whole.';
 
 const damaged = (): ReadLink => failed('damaged', DAMAGED_LINK, {});

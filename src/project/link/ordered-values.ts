@@ -28,7 +28,7 @@ export abstract class OrderedWriter implements ValueWriter {
   }
 }
 
-/** The way back. */
+/** Common to all readers: numbers from 0 become signs, differences and words again. */
 export abstract class OrderedReader implements ValueReader {
   private readonly last: number[] = [];
   private readonly words: string[] = [];

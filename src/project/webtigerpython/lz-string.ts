@@ -8,7 +8,7 @@
  * the previous piece and the first character of the present one make a new entry.
  */
 
-/** A text that could not be unpacked: it is not packed text, or exceeds the limit. */
+/** Why a text could not be unpacked: it is not packed text, or it exceeds the limit. */
 export type LzProblem = 'damaged' | 'too-large';
 
 const END = 2;

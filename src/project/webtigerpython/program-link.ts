@@ -37,7 +37,7 @@ export interface ProgramLinkProblem {
   readonly problems: readonly ProjectProblem[];
 }
 
-/** Whether an address, or a part of one, has a program of WebTigerPython in it. */
+/** True if an address, or a part of one, has a program of WebTigerPython in it. */
 export const hasProgram = (address: string): boolean => /[?&](code|fs)=/.test(address);
 
 /** Reads a whole address, or its query or fragment. Never throws; a link with a problem opens nothing. */
