@@ -17,8 +17,8 @@ export interface ProgramMoment {
 }
 
 /**
- * Stops, steps, variables and the past. Nothing of it changes what a run comes to. A name of a device that is left out
- * means the first. Wrong values are refused, never thrown.
+ * Stops, steps, variables and the past. None of it changes how a run comes out. A name of a device that is left out means
+ * the first. Wrong values are refused, never thrown.
  */
 export interface EmbeddedDebugger {
   /** The break points of a device's program, by file and line, or why there are none. */
@@ -32,9 +32,9 @@ export interface EmbeddedDebugger {
    * resolves when the line is shown.
    */
   step(step: HostStep, device?: string): Promise<Refusal>;
-  /** Pauses and shows a moment of the run that has been. */
+  /** Pauses the run and shows a moment that it has been through, in simulated µs. */
   lookAt(timeUs: number): Promise<Refusal>;
-  /** Shows the present again, which goes on standing. */
+  /** Shows the present again; the run stays paused. */
   lookNow(): Refusal;
   /** Lets the run go on from the moment that is looked at; resolves when it is there. What came after is gone. */
   goOn(paused: boolean): Promise<Refusal>;

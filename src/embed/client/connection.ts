@@ -45,7 +45,7 @@ export class Connection {
     return this.greeting;
   }
 
-  /** The page may have been loaded anew: finds out. */
+  /** Finds out whether the page was loaded anew, by another hello. */
   greetAgain(): void {
     if (this.welcome !== null && !this.isClosed) this.greet().catch(() => undefined);
   }

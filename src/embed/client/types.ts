@@ -55,7 +55,7 @@ export interface Parcours {
   reset(): Promise<void>;
   pause(): Promise<void>;
   resume(): Promise<void>;
-  /** 20 ms of simulated time. */
+  /** Lets 20 ms of simulated time pass. */
   step(): Promise<void>;
 
   /** Gets the place of the program and its variables: at the moment that is looked at, else now. */
@@ -92,11 +92,11 @@ export interface Parcours {
   press(button: 'a' | 'b', down: boolean, device?: string): Promise<void>;
   touch(pad: string, down: boolean, device?: string): Promise<void>;
   setSensor(sensor: string, value: number | string, device?: string): Promise<void>;
-  /** True if compass, accelerometer and light sensor measure the arena. */
+  /** Chooses whether compass, accelerometer and light sensor measure the arena. */
   setArenaSenses(on: boolean): Promise<void>;
   /** Types text into the serial line: for `input()` or the REPL. */
   serial(text: string, device?: string): Promise<void>;
-  /** KeyboardInterrupt in the program. */
+  /** Raises KeyboardInterrupt in the program. */
   interrupt(device?: string): Promise<void>;
   /** Delivers a radio packet, as `radio.send` of another board sends it, or bytes: to all microcomputers, or to one. */
   radio(packet: string | readonly number[] | Uint8Array, device?: string): Promise<void>;

@@ -1,7 +1,7 @@
 /** Attributes that have the same names in the page's address. */
 const PARAMETERS = ['show', 'lang', 'theme', 'speed', 'robot', 'board', 'seed', 'reality', 'world', 'task'] as const;
 
-/** Attributes that take effect by their presence. Frameworks write `false` for absence. */
+/** True if an attribute that takes effect by its presence is there. Frameworks write `false` for absence. */
 export const isOn = (value: string | null): boolean => value !== null && value !== 'false';
 
 /** The value of an attribute of the element, or `null`. */

@@ -52,7 +52,7 @@ export const CHECKED: readonly string[] = Object.keys(checks);
  *
  * @param value as it stands in the element; `null` and `''`: left out
  * @param page what the page knows
- * @returns `null` if nothing is
+ * @returns `null` if there is none
  */
 export function attributeProblem(name: string, value: string | null, page: Abilities): ParcoursError | null {
   const problem = value === null || value === '' ? null : checks[name]?.(value, page);

@@ -1,6 +1,6 @@
 import type { Parcours } from '../client/types';
 
-/** Outside a browser, where the element can be imported but has no effect. */
+/** The class of all elements; outside a browser, where the element can be imported but has no effect, an empty one. */
 const Base: typeof HTMLElement = 'HTMLElement' in globalThis ? HTMLElement : (class {} as typeof HTMLElement);
 
 /** The client's methods on an element: each waits until the page has answered. */

@@ -65,16 +65,16 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
   /** Data that the host has set by script. */
   private given: Given = { project: null, scene: null, files: null };
   private page: PageFrame | null = null;
-  /** The page that is ready and has everything. */
+  /** The client of the page, once it is ready and has everything. */
   private client: Parcours | null = null;
   private promised: Promised | null = null;
-  /** The page did not answer: callers are told so until another page is loaded. */
+  /** The page did not answer: callers get that error until another page is loaded. */
   private isMissing = false;
   private watch: IntersectionObserver | null = null;
   private isAnewPlanned = false;
-  /** The reason for which the frame was loaded. */
+  /** The values of the `LOADED_ANEW` attributes with which the frame was loaded. */
   private shown = '';
-  /** An address that could not be one, once it has been told. */
+  /** The wrong address that was reported last. */
   private wrongAddress: string | null = null;
   /** Attributes that have changed since the frame got its address. */
   private readonly changed = new Set<string>();
@@ -309,7 +309,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     this.bring((it) => this.wish(it, 'loading'));
   }
 
-  /** Without an address there is nothing to show yet; one that is none is told once. */
+  /** Reports a wrong address once; without an address there is nothing to show yet. */
   private complainOfAddress(): void {
     const { src } = this;
     if (src === null || src === '' || src === this.wrongAddress) return;

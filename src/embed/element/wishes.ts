@@ -6,7 +6,7 @@ import { PARTS } from '../simulator';
 import { isOn } from './address';
 import { THEMES } from './attribute-problem';
 
-/** How an attribute's new value reaches a running page. `null`: the attribute was removed, back to the default. */
+/** Sends an attribute's new value to a running page. `null`: the attribute was removed, back to the default. */
 type Wish = (parcours: Parcours, value: string | null) => Promise<void>;
 
 /** Attributes that change a running page. */
@@ -37,5 +37,5 @@ export function snapshotHzOf(value: string | null): number {
   return Number.isNaN(hz) ? 0 : Math.min(limits.snapshotHz, Math.max(0, hz));
 }
 
-/** Those that a project brings, too: an attribute that is set wins. */
+/** The attributes whose settings a project has as well: an attribute that is set wins. */
 export const ABOVE_PROJECT: readonly string[] = ['robot', 'board', 'seed', 'reality'];

@@ -20,7 +20,7 @@ export class Work {
   /**
    * Sends a page its data: the latest work, otherwise that of the host.
    *
-   * @returns whether it was a project, which has settings of its own
+   * @returns whether it sent a project, which has settings of its own
    * @throws ParcoursError, or TypeError if an address cannot be fetched (as a rejection)
    */
   async bring(parcours: Parcours, { project, scene, files }: Given): Promise<boolean> {
@@ -47,7 +47,7 @@ export class Work {
     }, SETTLED_MS);
   }
 
-  /** There is no work: the host's data count again. */
+  /** Forgets the work: the host's data count again. */
   forget(): void {
     clearTimeout(this.timer);
     this.latest = null;

@@ -16,7 +16,7 @@ import { LogColumns } from './log-columns';
 import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent, type MicrobitState } from './messages';
 import { pressedId, StateModel } from './state';
 
-/** As in the official simulator: a new board, without the pupil's own settings of other pages. */
+/** The settings at the start, as in the official simulator: a new board, without the pupil's own settings. */
 const PLAIN: HostSettings = {
   device: 'auto',
   firmware: '',

@@ -9,7 +9,7 @@ type RowMessage = Extract<MicrobitEvent, { kind: 'log_output' }>;
 export class LogColumns {
   private columns: readonly string[] = [];
 
-  /** The host's table is empty. */
+  /** Forgets the columns: the host's table is empty. */
   clear(): void {
     this.columns = [];
   }

@@ -105,7 +105,7 @@ export class StateModel {
     else if (typeof value === 'number') this.values = { ...this.values, [id]: value };
   }
 
-  /** Whether the button or pad is touched. */
+  /** True if the button is pressed or the pad touched. */
   isDown(id: string): boolean {
     return (this.values[id] ?? 0) >= 0.5;
   }

@@ -70,7 +70,7 @@ class ParcoursAdapter implements Adapter {
     this.fallSilent();
   }
 
-  /** One command after the other: answers stay in order. */
+  /** Carries out the waiting commands, one after the other: answers stay in order. */
   private goOn(): void {
     while (this.busyWith === null && !this.isClosed) {
       const next = this.waiting.shift();

@@ -8,10 +8,10 @@ export interface DataRoom {
 }
 
 /**
- * Whether a message is plain data (objects, lists, texts, numbers, booleans, `null`) within its limits. The cost is
+ * Checks that a message is plain data (objects, lists, texts, numbers, booleans, `null`) within its limits. The cost is
  * bounded by the limits: a message that contains itself is found by its size.
  *
- * @returns what is wrong, or `null`
+ * @returns the problem, or `null`
  */
 export function dataProblem(message: object, room: DataRoom): 'not-plain' | 'too-large' | null {
   let { values, characters } = room;

@@ -249,7 +249,7 @@ export interface Commands {
   resume: Command<Nothing, Nothing>;
   step: Command<Nothing, Nothing>;
   'get-break-points': Command<OfDevice, { readonly points: readonly BreakPoint[] }>;
-  /** Instead of all that the device's program had. */
+  /** Replaces all break points of the device's program. */
   'set-break-points': Command<{ readonly points: readonly BreakPoint[] } & OfDevice, Nothing>;
   'get-position': Command<OfDevice, Position>;
   'step-line': Command<{ readonly step: Step | 'back' } & OfDevice, Nothing>;

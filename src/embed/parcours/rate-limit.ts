@@ -5,7 +5,7 @@ const MESSAGE_CHARACTERS = 200;
 
 /**
  * Rate limit for one kind of event to a host: one second's worth at once, refilled over time. Whatever comes faster is
- * cut at its end, left out and counted.
+ * left out and counted.
  */
 export class RateLimit {
   /** Number left out since the last count was taken. */

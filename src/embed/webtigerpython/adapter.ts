@@ -77,7 +77,7 @@ function bring(
   if (problem !== null) sender.complain(problem);
 }
 
-/** Applies each field separately: one that fails does not affect the others. */
+/** The settings of a message, field by field: one that is refused does not affect the others. */
 function settingsOf(data: SettingsData, shown: readonly Part[]): readonly HostSettings[] {
   const language = languageOf(data.lang ?? '');
   const isDark = flagOf(data.dark_mode);
@@ -102,7 +102,7 @@ function partsOf(data: SettingsData, shown: readonly Part[]): readonly Part[] | 
   return asked;
 }
 
-/** Tells the host about the run. */
+/** Sends the host the output of the run, and when it begins and ends. */
 class EventSender {
   private readonly printing = new Printing((data) => this.post({ type: 'output', data }));
   private heldSinceMs = 0;

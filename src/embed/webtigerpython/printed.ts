@@ -1,4 +1,4 @@
-/** How a traceback begins. */
+/** The first line of a traceback. */
 const HEAD = 'Traceback (most recent call last):\n';
 
 /** A complete traceback: its head, the lines below, and the line with the exception. */
