@@ -17,8 +17,8 @@ export interface ProgramMoment {
 }
 
 /**
- * Stops, steps, variables and the past. None of it changes how a run comes out. A name of a device that is left out means
- * the first. Wrong values are refused, never thrown.
+ * Stops, steps, variables and the past. None of it changes how a run comes out. A name of a device that is left out
+ * means the first. Wrong values are refused, never thrown.
  */
 export interface EmbeddedDebugger {
   /** The break points of a device's program, by file and line, or why there are none. */

@@ -67,7 +67,7 @@ export type SimulatorEvent =
       readonly type: 'sensed';
       readonly action: Extract<InputAction, { type: 'button' | 'touch' | 'sensor' }>;
     } & FromDevice)
-  /** The user changed settings that hosts know of. */
+  /** Settings that hosts know of were changed, no matter who did it. */
   | { readonly type: 'settings'; readonly settings: HostSettings }
   /** An input that the run refused, in one English sentence. */
   | { readonly type: 'refused'; readonly message: string }

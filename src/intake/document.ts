@@ -86,7 +86,7 @@ export interface SeriesDocument {
 export interface RecordingDocument {
   readonly kind: 'recording';
   readonly text: string;
-  /** The moment from which it is looked at. */
+  /** The moment that is shown first, in simulated µs. */
   readonly atUs: number;
 }
 

@@ -11,8 +11,8 @@ import type { SelectionActs } from './state/selection-acts';
 export type PasteParts = Pick<PageParts, 'notices'> & WorkParts & CourseEditorParts;
 
 /**
- * Pastes the objects that a text of the system's clipboard holds. Any other text is told, unless something was copied here
- * that has not reached that clipboard.
+ * Pastes the objects that a text of the system's clipboard holds. For any other text a message says that it holds none,
+ * unless something was copied here that has not reached that clipboard: then that is pasted.
  *
  * @param at where they shall lie, world mm; left out: where the pointer is, or where they came from
  */

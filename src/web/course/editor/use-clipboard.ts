@@ -23,7 +23,7 @@ export interface ClipboardPorts {
   readonly app: PasteParts;
   /** Does something at once if the acts are loaded, and else as soon as they are. */
   readonly withActs: (act: (acts: SelectionActs) => void) => void;
-  /** True if the arena is what Ctrl+V means now. */
+  /** True if Ctrl+V pastes into the arena now. */
   readonly pastes: (target: EventTarget | null) => boolean;
 }
 

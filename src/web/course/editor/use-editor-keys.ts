@@ -189,7 +189,7 @@ function useLastPlace(): Readonly<ShallowRef<Place>> {
   return last;
 }
 
-/** Text fields, the code, open menus and dialogs have keys of their own; in the editor's windows undo still works. */
+/** True for what has keys of its own: text fields, the code, open menus, and dialogs but for the editor's windows. */
 function takesKeys(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
   if (target.closest('input, textarea, select, [contenteditable="true"], [role="menu"], [role="listbox"]') !== null)

@@ -111,10 +111,10 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
   };
 }
 
-/** Why a host is refused an edit of the past. */
+/** The refusal of an edit while a moment of the past is shown. */
 const LOOKED_BACK = 'A moment of the past is shown, and stays as it was: look-now shows the present.';
 
-/** Why a host is refused what the open task locks. */
+/** The refusal of what the open task locks. */
 const KEPT = 'The task that is open keeps this as it is.';
 
 function changeSettings(app: WorkParts & VisitParts, wish: HostSettings): Refusal {
@@ -173,7 +173,7 @@ function settingsOf({
   return { ...chosen, language, theme, speed, muted, parts: layout.parts.value };
 }
 
-/** Everything that happens, from what the page itself watches. @returns ends it */
+/** Reports everything that happens in the page to `tell`. @returns ends it */
 function listenTo(app: HostedPage, tell: (event: SimulatorEvent) => void): () => void {
   const { run, work, host } = app;
   const atOnce = { flush: 'sync' } as const;

@@ -57,7 +57,7 @@ export function hostDebugger(app: HostedPage): EmbeddedDebugger {
   };
 }
 
-/** Reports lines and moments of the page to `listen`. @returns ends it */
+/** Reports lines, moments and break points of the page to `tell`. @returns ends it */
 export function listenToDebugger(app: HostedPage, tell: (event: SimulatorEvent) => void): () => void {
   const { run, work, slot } = app;
   const atOnce = { flush: 'sync' } as const;
@@ -138,7 +138,7 @@ function pointsOf({ work, slot }: HostedPage, place: number): readonly BreakPoin
   );
 }
 
-/** Why a program cannot stop there. @param where the place in the host's message */
+/** Why a program cannot stop at a line, or `null`. @param where the place in the host's message */
 function placeProblem({ work }: HostedPage, place: number, { file, line }: BreakPoint, where: string): Refusal {
   const files = filesOfDevice(work.work.value.project, place);
   const found = files.find(({ name }) => name === file);
@@ -148,7 +148,7 @@ function placeProblem({ work }: HostedPage, place: number, { file, line }: Break
   return line <= lines ? null : `${where}: ${file} has ${lines} lines, no line ${line}.`;
 }
 
-/** The lines of all devices at which they stop, when those of one have changed. */
+/** Reports all break points of a device whenever they have changed. @returns ends it */
 function watchPoints(app: HostedPage, tell: (points: readonly BreakPoint[], place: number) => void): () => void {
   const all = (): readonly string[] => app.work.devices.value.map((_, place) => JSON.stringify(pointsOf(app, place)));
   let told = all();

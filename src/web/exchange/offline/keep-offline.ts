@@ -4,7 +4,7 @@ import { versionLock, type ToServiceWorker } from './versions';
 /** A page that stays open looks for a new version at most so often, in ms. */
 const LOOK_EVERY_MS = 3_600_000; // chosen: a school day has a few lessons
 
-/** Keeps the app for visits without a network, and offers new versions. Quietly nothing where the browser has no service workers. */
+/** Keeps the app for visits without a network, and offers new versions; nothing in a browser without service workers. */
 export async function keepOffline(): Promise<void> {
   const workers = serviceWorkers();
   const entry = document.querySelector<HTMLScriptElement>('script[type=module][src]')?.src;
@@ -32,13 +32,13 @@ function serviceWorkers(): ServiceWorkerContainer | null {
   }
 }
 
-/** In a frame only where its host asks for it, as with the official simulator of the micro:bit: `flag=sw`. */
+/** True for a page of its own; in a frame only if the host asks for it, as with the micro:bit simulator: `flag=sw`. */
 function isWanted(): boolean {
   const flags = new URLSearchParams(location.search).getAll('flag');
   return self === top || flags.includes('sw') || flags.includes('*');
 }
 
-/** Says as long as this page lives that files of its version are needed. */
+/** Holds the lock of this page's version as long as the page lives: the files of that version are needed. */
 function holdVersion(entry: string): Promise<void> {
   return new Promise((resolve) => {
     navigator.locks

@@ -42,7 +42,7 @@ export const takeFiles = (app: TakesFiles, files: Iterable<File>): Promise<void>
     }),
   );
 
-/** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
+/** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides, unless that one is empty. */
 export async function loadFiles(
   app: TakesFiles,
   files: Iterable<File>,
@@ -67,7 +67,7 @@ export async function loadFiles(
   }
 }
 
-/** Opens what is no program. A series is opened with the tasks in the others, and no work besides. */
+/** Opens files that are no programs. A series is opened with the tasks in the others, and no work besides. */
 async function takeOthers(app: TakesFiles, files: readonly File[]): Promise<void> {
   const opened = await Promise.all(files.map((file) => openGiven(asTree(file))));
   const among = await seriesAmong(opened, readyScene);
@@ -89,7 +89,7 @@ async function takeOthers(app: TakesFiles, files: readonly File[]): Promise<void
 
 const asTree = (file: File): TreeFile => treeFile({ path: file.name, file });
 
-/** Loads the parts that only some files need. */
+/** Uses a part of the page that only some files need, once it is loaded; a message says if it cannot be. */
 async function late<T>(
   { notices }: TakesFiles,
   part: Promise<T>,

@@ -21,7 +21,7 @@ import words from './words';
  * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs
  * it; a recorded run alone is repeated, silently, before it is looked at.
  *
- * @param wish as `held`, the other settings in the address hold for this visit; otherwise a program brings its
+ * @param wish `held`: the other settings in the address hold for this visit; `brought`: a program brings its
  *   microcomputer along
  * @returns `null` on success, otherwise why it failed; then nothing has changed
  */

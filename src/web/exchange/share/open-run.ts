@@ -31,14 +31,14 @@ const words = shareWords.run;
 /** The devices' own clocks may end this much after the first one's, in µs: a program that ends then has ended. */
 const END_US = 4000;
 
-/** A recorded run as it came. */
+/** A recorded run to be opened. */
 interface Given {
   readonly text: string;
   /** Its name in messages: that of its file. */
   readonly file: string;
   /** Name of the file without its ending; left out: it came in a link. */
   readonly stem?: string;
-  /** The moment from which it is looked at. */
+  /** The moment that is shown first, in simulated µs. */
   readonly atUs: number;
 }
 
@@ -79,7 +79,7 @@ function openProject(app: Workplace, setup: RunSetup, stem?: string): string | n
   return null;
 }
 
-/** A run does not know the task that it is of: the open one, if that was handed out and the program may be in it. */
+/** The project in the open task, if that was handed out and allows the program: a run does not know its task. */
 function inTask({ work }: Workplace, ofRun: Project): Project {
   const { project: before } = work.work.value;
   const { locks } = work;
@@ -91,7 +91,7 @@ function inTask({ work }: Workplace, ofRun: Project): Project {
   return { ...ofRun, files, task, ...(handIn && { handIn }), ...(settings && { settings }) };
 }
 
-/** A run does not know its ready course: one that is called and described so. */
+/** The id of the ready course with the same name and description, or `null`: a run does not know its course. */
 function courseOf({ name, description }: Scene): string | null {
   const isCalledSo = ({ scene }: Course): boolean => scene.name === name && scene.description === description;
   return readyCourses.find(isCalledSo)?.id ?? null;
@@ -131,7 +131,7 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
   }
 }
 
-/** Looks at a run that was repeated. */
+/** Shows a run that was repeated. */
 async function show(
   app: Workplace,
   { first, pieces }: Pick<RunAgain, 'first' | 'pieces'>,
@@ -155,7 +155,7 @@ function watchLate({ work, run }: Workplace, act: () => void): { (): boolean; re
   return Object.assign(() => isLate, { end });
 }
 
-/** Says it in the place of what the opening has said, whose way back to the work of before stays. */
+/** Shows a message in place of the one about the opening, and keeps its way back to the earlier work. */
 function tell(
   { notices }: Workplace,
   kind: 'ok' | 'info' | 'warn',

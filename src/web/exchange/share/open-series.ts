@@ -12,7 +12,7 @@ export interface ShowsSeries {
   readonly router: { open(name: string, id: string): void };
 }
 
-/** A series that can be shown, or in words why not; `isOld`: it could not be fetched now, and is as it was then. */
+/** A series that can be shown, or in words why not; `isOld`: it could not be fetched now, this is an earlier copy. */
 export type FoundSeries = { readonly series: Series; readonly isOld?: true } | { readonly problem: string };
 
 /** Shows a series that came in files; one that cannot be read gives a message. */
@@ -37,11 +37,11 @@ export async function shownAndKept(
   return { series };
 }
 
-/** As pupils get it, whatever the file holds, but with the places of what cannot be read: it is told there. */
+/** A series as pupils get it, whatever its file holds. Tasks that cannot be read keep their places. */
 export function shownSeries(series: Series): Series {
   const given = new Map(seriesForPupils(series).tasks.map((task) => [task.id, task]));
   return { ...series, tasks: series.tasks.map((task) => given.get(task.id) ?? { ...task, from: bare(task.from) }) };
 }
 
-/** Without what the file says: it may hold what pupils must not see. */
+/** An unread task without its content in the file, which may hold what pupils must not see. */
 const bare = (from: TaskSource): TaskSource => (from.kind === 'unread' ? { ...from, value: null } : from);

@@ -9,7 +9,7 @@ import { nameToSave, workName } from '../../session/work/work-name';
 import { fileName } from '../../session/work/save-file';
 import { travelling } from '../../session/work/settings/travelling';
 
-/** The present work with what it runs on: what is saved and shared. */
+/** The present work with the settings of its run, to be saved or shared. */
 export function presentProject({ work, settings }: WorkParts): Project {
   return { ...work.work.value.project, settings: travelling(settings.current.value) };
 }
@@ -17,8 +17,8 @@ export function presentProject({ work, settings }: WorkParts): Project {
 /**
  * Saves everything as one file.
  *
- * @param project what is saved; left out: the present work
- * @param name what the file is called; left out: as the work
+ * @param project left out: the present work
+ * @param name name of the file; left out: that of the work
  */
 export function saveProject(
   app: Pick<PageParts, 'notices'> & WorkParts,

@@ -19,7 +19,7 @@ export function useCommands(app: TakesFiles) {
     picker.click();
   }
 
-  /** Taking files in, and saving others than programs, comes late. */
+  /** Does something with a part of the page once that is loaded; a message says if it cannot be. */
   function late<T>(part: Promise<T>, act: (part: T) => void): void {
     part.then(act).catch(() => app.notices.show(latePart));
   }
@@ -27,10 +27,10 @@ export function useCommands(app: TakesFiles) {
   return {
     take,
     load,
-    /** Everything as one file. */
+    /** Saves everything as one file. */
     save: (): void => late(import('./save-work'), ({ saveProject }) => saveProject(app)),
     saveScene: (): void => late(import('./save-work'), ({ saveScene }) => saveScene(app)),
-    /** The file that is shown. */
+    /** Saves the file that is shown. */
     saveProgram: (): void => saveFile(app, app.work.open.value),
   };
 }

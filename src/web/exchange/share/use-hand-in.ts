@@ -29,14 +29,14 @@ export interface HandInWish {
   readonly said: ComputedRef<Said | null>;
 }
 
-/** Longest name, in signs. */
+/** Longest name, in characters. */
 export const MOST_ALIAS = handInLimits.aliasCharacters;
 
 /**
  * A hand-in of the present project.
  *
  * @param tries number of runs so far
- * @param noticed what the page tells of the work
+ * @param noticed the page's remarks on the work
  */
 export function useHandIn(
   project: () => Project,
@@ -86,13 +86,13 @@ export function verdictOf(run: WorldResult | null): Said['verdict'] {
   return run.passed ? 'passed' : 'failed';
 }
 
-/** The run of the visible world, with what is asked of the program itself: who passes here is not surprised later. */
+/** The run of the visible world, judged with the checks of the program itself, as the teacher's check will be. */
 export function seenRun(task: ClassTask, result: CheckResult): WorldResult | null {
   const [world] = result.worlds;
   return world === undefined ? null : { ...world, passed: result.passed, reason: mainReason(task, result) };
 }
 
-/** In a worker of its own. */
+/** Runs the check of the visible world in a worker of its own. */
 async function proved(task: ClassTask, project: Project): Promise<WorldResult | null> {
   const seen = visibleTask(task);
   const run = new CheckRun();

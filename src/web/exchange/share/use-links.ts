@@ -10,12 +10,12 @@ import { latePart } from '../../kit/late-part';
 
 /** Parameters that carry work: a program (WebTigerPython's, or one in a course of ours), or a course. */
 const OPENED = ['code', 'fs', 'world', 'task'] as const;
-/** Those that bring a program from outside, as our own links also do. */
+/** The parameters that bring a program from outside, as our own links also do. */
 const PROGRAMS: readonly string[] = ['code', 'fs'];
 
 /**
  * Opens the link with which the page was called, and those that follow; nothing runs. Once it is open, the address is
- * that of the app again, with what a reload needs beside the work: the work itself is then as it has become.
+ * that of the app again. Its other parameters stay for a reload, which brings the work back as the pupil left it.
  */
 export function useLinks(app: Workplace & VisitParts): void {
   const { settings, host } = app;

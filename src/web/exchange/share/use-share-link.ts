@@ -17,7 +17,7 @@ export interface ShareLink {
   readonly omitted: ComputedRef<readonly Omitted[]>;
 }
 
-/** @param project what is shared */
+/** Makes the link to a project, anew whenever that changes. */
 export function useShareLink(project: () => Project): ShareLink {
   const program = shallowRef(true);
   const made = computed(() => linkOf(project(), { courses: readyScene, program: program.value }));

@@ -11,7 +11,7 @@ import { LONGEST_PX, type OpenedPicture } from './read-image';
 import { inLight, levelsOf, type SensorView } from './sensor-view';
 import { straightened } from './straighten';
 
-/** The use of an opened picture. */
+/** How an opened picture is to become the floor. */
 export interface FloorWish {
   /** In pixels of the picture. */
   readonly quad: Quad;

@@ -45,7 +45,7 @@ export function canvasOf({ data, width, height }: Pixels): HTMLCanvasElement {
   return canvas;
 }
 
-/** The same, smaller. */
+/** A canvas scaled down by this factor; from 1 on the canvas itself. */
 export function scaled(source: HTMLCanvasElement, scale: number): HTMLCanvasElement {
   if (scale >= 1) return source;
   const canvas = document.createElement('canvas');

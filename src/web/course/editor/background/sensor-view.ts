@@ -13,7 +13,7 @@ export interface SensorView {
   readonly isEven: boolean;
 }
 
-/** The cells in the light in which they are judged. */
+/** The cells as they are judged: with shadows taken out (`isEven`), or as they are. */
 export const inLight = (cells: Cells, isEven: boolean): Cells => (isEven ? evened(cells) : cells);
 
 /**

@@ -18,7 +18,7 @@ export interface ToldProblem {
   readonly mend: { readonly text: string; readonly edit: SceneEdit } | null;
 }
 
-/** Tells of a problem in words. */
+/** A problem in words, with its quick fix. */
 export function told(problem: RuleProblem, scene: Scene, footprint: readonly Outline[]): ToldProblem {
   const mend = mendOf(scene, problem, footprint);
   return {

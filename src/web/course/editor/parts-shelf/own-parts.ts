@@ -21,7 +21,7 @@ export interface OwnParts {
   rename(id: string, name: string): void;
   /** Takes a part away. @returns puts it back in its place */
   remove(id: string): () => void;
-  /** Another tab may have changed them. */
+  /** Reads them again: another tab may have changed them. */
   look(): void;
 }
 
@@ -31,7 +31,7 @@ export type PartStore = Pick<Storage, 'getItem' | 'setItem'>;
 /** The key of the parts in the browser's storage. */
 export const PARTS_KEY = 'parcours.parts';
 
-/** An entry of the list as it is stored; `part` is `null` where it cannot be read: it is written back as it was. */
+/** An entry of the list as it is stored; `part` is `null` if it cannot be read: it is written back unchanged. */
 interface Entry {
   readonly part: OwnPart | null;
   readonly raw: unknown;
@@ -43,7 +43,7 @@ interface Read {
   readonly foreign: string | null;
 }
 
-/** @param store `null`: this page keeps nothing */
+/** The parts of a store. @param store `null`: this page keeps nothing */
 export function createOwnParts(store: PartStore | null): OwnParts {
   const parts = shallowRef<readonly OwnPart[]>([]);
   const unread = shallowRef(0);
@@ -97,7 +97,7 @@ export function createOwnParts(store: PartStore | null): OwnParts {
 
 const entryOf = (part: OwnPart): Entry => ({ part, raw: rawOf(part) });
 
-/** As it is stored: its objects in the format of the clipboard. */
+/** A part as it is stored: its objects in the format of the clipboard. */
 const rawOf = ({ id, name, clip }: OwnPart): unknown => ({ id, name, clip: JSON.parse(clipText(clip)) as unknown });
 
 function read(store: PartStore): Read {

@@ -28,7 +28,7 @@ export interface PartDragPorts {
   readonly course: () => Pick<ToolContext, 'scene' | 'footprint'>;
 }
 
-/** Leads a part by mouse, pen or finger. It ends with the shelf. */
+/** The drag of parts by mouse, pen or finger. It ends with the shelf. */
 export function usePartDrag(ports: PartDragPorts): PartDrag {
   const drag = new PartDrag(ports);
   onScopeDispose(drag.drop);
@@ -86,7 +86,7 @@ export class PartDrag {
     else if (event.pointerType === 'touch' && farPx > REST_PX) this.drop(); // it scrolls
   };
 
-  /** Lets go; what is over the arena lies there. */
+  /** Lets go: a part that is over the arena is put there. */
   private readonly up = (event: PointerEvent): void => {
     if (event.pointerId !== this.press?.id) return;
     const lies = this.carried.value === null ? null : this.made;

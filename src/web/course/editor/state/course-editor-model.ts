@@ -144,7 +144,7 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
   return editor;
 }
 
-/** Its functions do not use `this` and can be passed on alone. */
+/** The functions of the model are bound to it and can be passed on alone. */
 class CourseEditor implements CourseEditorModel {
   readonly tool: ComputedRef<ArenaTool>;
   private readonly chosen = shallowRef<ArenaTool>('hand');

@@ -8,7 +8,7 @@ import type { WorkParts } from '../../../session/work/model/parts';
 /** The parts of the editor that have a window of their own. */
 export type EditorPanel = 'list' | 'course' | 'background' | 'print' | 'parts';
 
-/** Which of the editor's windows is open. */
+/** The editor's windows, of which at most one is open. */
 export interface EditorPanels {
   /** `null`: none. */
   readonly shown: Readonly<ShallowRef<EditorPanel | null>>;

@@ -71,7 +71,7 @@ export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse
       clipboard.copies = made?.copies ?? clipboard.copies;
     },
     remove,
-    /** Eighths of a turn, counter-clockwise. */
+    /** Turns what is selected by eighths of a full turn, counter-clockwise. */
     turn: (eighths: number): void => commit(turned(scene(), selection(), eighths, course().footprint)),
     selectAll: (): void => {
       editor.choose('select');

@@ -4,7 +4,7 @@ import type { LayoutParts } from '../../../session/layout/parts';
 import type { CourseEditorParts } from './parts';
 
 /**
- * Whether palette, undo and shortcuts may load now: if they are visible, as soon as the page is idle, otherwise on
+ * True once palette, undo and shortcuts may load: if they are visible, as soon as the page is idle, otherwise on
  * demand. Everything else they need is loaded with the first tool.
  */
 export function useLateTools({

@@ -31,7 +31,7 @@ const TOOL_PX = 44;
 /** Height of all tools in one column, in px, with the four lines between them and the border. */
 const COLUMN_PX = TOOLS * TOOL_PX + 4 * 3 + 8;
 const EDGES_PX = 8;
-/** As many columns as it takes, but no more than a share of the arena. */
+/** The forms of several columns, the narrowest first: the first that shows all tools is taken. */
 const GRIDS = ['pairs', 'threes', 'fours'] as const;
 /** The least width that leaves room for names: below it they would make the course smaller. Chosen by eye. */
 const NAMES_PX = 752;
@@ -47,7 +47,7 @@ export function paletteForm(
   return GRIDS.find((form) => PALETTE_COLUMNS[form] * rows >= TOOLS) ?? 'fours';
 }
 
-/** Follows the size of the element that holds palette and arena. */
+/** The form of the palette, which follows the size of the element that holds palette and arena. */
 export function usePaletteForm(
   host: Readonly<ShallowRef<HTMLElement | null>>,
   kind: Readonly<ShallowRef<LayoutKind>>,
