@@ -68,8 +68,8 @@ export interface Copies {
 }
 
 /**
- * Copies what is selected to its first free side. If the last copy is selected, the new one goes on by the step from
- * which that one now lies from its original.
+ * Copies what is selected to its first free side. If the last copy is selected, the new one goes on by the step between
+ * that one and its original.
  */
 export function duplicated(
   scene: Scene,
@@ -148,7 +148,7 @@ function sidesOf({ minX, minY, maxX, maxY }: Bounds): readonly Point[] {
 const holds = (arena: Bounds, { minX, minY, maxX, maxY }: Bounds): boolean =>
   minX >= arena.minX && minY >= arena.minY && maxX <= arena.maxX && maxY <= arena.maxY;
 
-/** The layer of what stands on the floor, as the robot does. */
+/** The layer of things that stand on the floor, as the robot does. */
 const STANDING = 3;
 
 /** A test that is true if objects, moved by a step, meet nothing of their own layer there. */

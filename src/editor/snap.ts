@@ -21,7 +21,7 @@ export function gridMm(mm: number, reachMm: number): number {
 /** A place drawn onto the nearest grid lines within reach, each coordinate on its own. */
 export const onGrid = ({ x, y }: Vec, reachMm: number): Vec => ({ x: gridMm(x, reachMm), y: gridMm(y, reachMm) });
 
-/** A place drawn onto the nearest thing, or else the nearest grid line, each coordinate on its own; as it is when free. */
+/** A place drawn onto the nearest thing, else the nearest grid line, each coordinate on its own; unchanged if free. */
 export const snappedPlace = ({ x, y }: Vec, { free, reachMm, lure }: Omit<Drag, 'path' | 'adds'>): Vec =>
   free ? { x, y } : { x: lure?.(x, 'x') ?? gridMm(x, reachMm), y: lure?.(y, 'y') ?? gridMm(y, reachMm) };
 

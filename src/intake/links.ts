@@ -1,7 +1,7 @@
 import { formatOf } from './formats';
 import { readMail } from './mail';
 
-/** A link in a text, and who it is from. */
+/** A link in a text, and the name of the person it is from. */
 export interface NamedLink {
   /** Empty: none stands beside it. */
   readonly name: string;

@@ -17,10 +17,10 @@ export interface Reading {
   readonly textOfPage: (html: string) => string;
 }
 
-/** Chosen: nobody forwards an e-mail so often as a part of another. */
+/** Maximum depth of e-mails in e-mails. Chosen: nobody forwards one so often. */
 const MOST_LEVELS = 12;
 
-/** An e-mail as it was saved (RFC 5322, 2045, 2047): its texts are decoded, what hangs on it besides is left out. Never throws. */
+/** Reads a saved e-mail (RFC 5322, 2045, 2047): its texts are decoded, attachments are left out. Never throws. */
 export function readMail(source: string, reading: Reading): Mail {
   return { from: senderIn(partOf(source).headers.get('from') ?? ''), text: textOf(source, reading, 0) };
 }

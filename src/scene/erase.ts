@@ -128,7 +128,7 @@ const between = (from: Point, to: Point, share: number): Point => [
   Math.round(from[1] + (to[1] - from[1]) * share) + 0,
 ];
 
-/** Which parts of a straight line lie within reach of the eraser: in order, none touching another. */
+/** The parts of a straight line within reach of the eraser: in order, none touching another. */
 function erasedParts(from: Vec, to: Vec, eraser: Eraser, reachMm: number): readonly Interval[] {
   const around = grown(boundsOfOutline([from, to]), reachMm);
   const found: Interval[] = [];

@@ -38,7 +38,7 @@ export const stepOf = (scene: Scene, edit: SceneEdit): Step => ({
   characters: JSON.stringify(edit).length,
 });
 
-/** One step further; what was taken back before is given up. An edit that changes nothing is no step. */
+/** One step further; steps that were taken back are given up. An edit that changes nothing is no step. */
 export function advanced(history: History, edit: SceneEdit): History {
   const present = applyEdit(history.present, edit);
   if (present === history.present) return history;
@@ -47,7 +47,7 @@ export function advanced(history: History, edit: SceneEdit): History {
 
 /** The things that a step changes, whether it is done or undone. */
 export interface Touched {
-  /** Those that come, go or change, as they are before and after. */
+  /** The objects that come, go or change, in their state before and after. */
   readonly objects: readonly SceneObject[];
   /** The robot's start. */
   readonly robot: boolean;

@@ -8,7 +8,7 @@ import { sceneLimits, type Background, type RobotStart } from './scene';
 /** The properties that `readCourseChanges` reads. */
 export const courseKeys = ['name', 'description', 'size', 'task', 'background'] as const;
 
-/** Reads what is said of a course as a whole; what is left out stays left out. */
+/** Reads the properties of a course as a whole; what is left out stays left out. */
 export function readCourseChanges(fields: Fields, path: string, reader: Reader): CourseChanges {
   const { nameCharacters, descriptionCharacters, sizeMm } = sceneLimits;
   return {
@@ -20,7 +20,7 @@ export function readCourseChanges(fields: Fields, path: string, reader: Reader):
   };
 }
 
-/** Reads what is said of the robot's start; what is left out stays left out. */
+/** Reads the properties of the robot's start; what is left out stays left out. */
 export function readRobotChanges(value: unknown, path: string, reader: Reader): Partial<RobotStart> {
   const fields = reader.fields(value, path, ['type', 'at', 'heading', 'scale', 'options', 'name', 'color']);
   return {

@@ -143,7 +143,7 @@ export class Reader {
     return value;
   }
 
-  /** One of the words. */
+  /** One of the words; `ifMissing` also stands in for an unknown one. */
   word<const W extends string>(value: unknown, path: string, words: readonly W[], ifMissing: W): W {
     if (value === undefined) return ifMissing;
     const word = words.find((candidate) => candidate === value);

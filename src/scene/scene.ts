@@ -109,7 +109,7 @@ export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly chases?: Chase;
 }
 
-/** Which robots a mover runs after: the nearest of them. */
+/** The robots after which a mover runs; of several, after the nearest. */
 export interface Chase {
   /**
    * Id of the zone that it guards: it runs after robots that touch it, and back to its place when none does any more.
@@ -125,7 +125,7 @@ export interface Label extends Common {
   readonly type: 'label';
   /** Middle of the text. */
   readonly at: Point;
-  /** One line. */
+  /** A single line, not empty. */
   readonly text: string;
   /** Height of its capitals in mm. */
   readonly height: number;

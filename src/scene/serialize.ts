@@ -113,7 +113,7 @@ function backgroundProperty(background: Background | null): string[] {
   return [`"background": {\n    ${lines.join(',\n    ')}\n  }`];
 }
 
-/** One object in the form of a file of the newest version, or of an older one, which says rotations in its own manner. */
+/** One object in the form of a file of the newest version, or with its rotation in the manner of an older one. */
 export const objectText = (object: SceneObject, rotation: Rotation = asAngle): string =>
   braces([
     `"id": ${JSON.stringify(object.id)}`,

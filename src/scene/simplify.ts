@@ -36,7 +36,7 @@ const wholeMm = (mm: number): number => Math.round(mm) + 0;
  */
 const PIECE = 2048;
 
-/** Those places of a path that are needed, as they are; the others lie no further from the straight lines than the tolerance. */
+/** The places of a path that are needed; the others lie no further from the lines between them than the tolerance. */
 export function thinned(path: readonly Vec[], toleranceMm: number): readonly Vec[] {
   const squaredTolerance = toleranceMm * toleranceMm;
   const stays = new Uint8Array(path.length);

@@ -5,7 +5,7 @@ import { freeIds } from '../ids';
 import { distanceMm, toVec } from '../plane';
 import { turnedOff, usualStop } from './mover-stops';
 
-/** How fast one turns that does nothing else, in degrees per second. Chosen: a full turn in 4 s. */
+/** Spin of a mover that only turns, until another one is set, in degrees per second. Chosen: a full turn in 4 s. */
 const USUAL_SPIN = 90;
 
 /** A mover that moves in another way; the properties of its old way are left out. */

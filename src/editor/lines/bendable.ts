@@ -23,7 +23,7 @@ export function bendableOf(scene: Scene, { ids: [id, ...more], robot }: Selectio
 export const isBendable = (object: SceneObject): object is Bendable =>
   object.type === 'stroke' ? object.points.length > 1 : 'corners' in object;
 
-/** A thing as a line with what can be taken hold of; that of a polygon is closed. */
+/** A thing as a line with its controls; that of a polygon is closed, and each corner is a control. */
 export function lineAlong(object: Bendable): BentLine {
   if (object.type === 'stroke') return bentLine(object);
   const places = shapeOutline(object);
@@ -41,7 +41,7 @@ export function bentAlong(object: Bendable, line: BentLine): Bendable | null {
   return points.length < 2 ? null : { ...object, points };
 }
 
-/** It stays turned as it is, and the corners that stay keep their places. */
+/** A polygon with other corners; its rotation stays, and so do the places of corners that were not moved. */
 function polygonAlong(polygon: Polygon, { places }: BentLine): Polygon | null {
   const { at, angle, size } = polygon;
   const [width, height] = size;

@@ -22,7 +22,7 @@ const SHAPE_MM = 4;
 /** Maximum number of draggable points. Chosen: more cannot be told apart on a tablet. */
 const MOST = 40;
 
-/** The line of a stroke with what can be taken hold of. */
+/** The line of a stroke with its controls: as few points as make its shape. */
 export function bentLine({ points }: Pick<Stroke, 'points'>): BentLine {
   const path = points.map(toVec);
   const [first, last] = [points[0], points[points.length - 1]];

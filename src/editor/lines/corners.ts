@@ -46,7 +46,7 @@ export function chainOf(drag: Drag, context: ToolContext, to: Attractors, free =
 
 const isOn = (place: Vec, corner: Point, { reachMm }: Drag): boolean => distanceMm(place, toVec(corner)) <= reachMm;
 
-/** The corners as they were pointed at: of a first tap its place, of a first drag its two ends. */
+/** The corners as they were pointed at, without snapping: of a first tap its place, of a first drag its two ends. */
 export function placesOf(drag: Drag): readonly Vec[] {
   if (drag.corners !== undefined) return drag.path;
   return isTap(drag) ? [startOf(drag)] : [startOf(drag), endOf(drag)];

@@ -12,7 +12,7 @@ export type ReadyGroup = keyof typeof readyGroups;
 /** The name of a ready part. */
 export type ReadyName = (typeof readyGroups)[ReadyGroup][number];
 
-/** Each is what the clipboard gets when it is copied: draw it, copy it, and paste it into a new file. */
+/** Each is the clipboard's text for the copied part: draw one, copy it, and paste it into a new file. */
 const files = import.meta.glob<string>('./ready/*.json', { query: '?raw', import: 'default', eager: true });
 
 /** A ready part at true size. */

@@ -33,7 +33,7 @@ interface Known {
   readonly lures: Lures;
 }
 
-/** Those of the last gesture in a course. */
+/** The attractors of the last gesture in a course. */
 const known = new WeakMap<Scene, Known>();
 
 /** The attractors in a course: all things except the moved ones, and the arena. */

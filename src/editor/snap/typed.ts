@@ -59,7 +59,7 @@ export function typedDrag(tool: Tool, given: Drag, context: ToolContext, numbers
 const NOWHERE: Vec = { x: 0, y: 0 };
 const NEAR_MM = 0.01;
 
-/** As far as a drag that has not begun yet is taken to go, so that it has a direction: to the right, and up. */
+/** A drag that has not moved yet is taken to go this far, in mm, so that it has a direction: to the right, and up. */
 const LEANS_MM = 100;
 
 function leaning(tool: Tool, drag: Drag, context: ToolContext): Drag {

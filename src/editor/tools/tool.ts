@@ -91,7 +91,7 @@ export interface ToolOptions {
 
 /** The surroundings of a tool. */
 export interface ToolContext {
-  /** The course as it was when the drag began. */
+  /** The course at the beginning of the drag. */
   readonly scene: Scene;
   readonly selection: Selection;
   readonly options: ToolOptions;
@@ -103,13 +103,13 @@ export interface ToolContext {
 export type Mark =
   /** The frame that catches objects. */
   | { readonly type: 'frame'; readonly from: Vec; readonly to: Vec }
-  /** The line around what it catches; its end is joined to its beginning. */
+  /** The lasso, or the outline of a polygon so far; its end is joined to its beginning. */
   | { readonly type: 'lasso'; readonly path: readonly Vec[] }
   /** The ruler's line; the page writes length, angle, x and y beside it. */
   | { readonly type: 'measure'; readonly from: Vec; readonly to: Vec }
-  /** The point to which an end has snapped. */
+  /** A ring around a point: an end has snapped to it, or a tap on it ends a line. */
   | { readonly type: 'snap'; readonly at: Vec }
-  /** A point of the line that is being bent; `isNew`: there one can be drawn out of it. */
+  /** A point of the line or polygon that is being bent; `isNew`: a new one can be drawn out of it there. */
   | { readonly type: 'point'; readonly at: Vec; readonly isNew: boolean }
   /** The area of the eraser. */
   | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }

@@ -71,7 +71,7 @@ export interface Parcours {
    * step from a moment of the past, resolves when the line is shown.
    */
   stepLine(step: Commands['step-line']['fields']['step'], device?: string): Promise<void>;
-  /** The same, until a line begins. */
+  /** Lets a program that stands run on until a line begins; otherwise like `stepLine`. */
   runTo(place: BreakPoint, device?: string): Promise<void>;
   /** Pauses, and shows a moment that the run has been through, in simulated ms. */
   lookAt(atMs: number): Promise<void>;

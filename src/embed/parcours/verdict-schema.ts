@@ -35,7 +35,7 @@ const robot = v.strictObject({
   touches,
 });
 
-/** How well the task of the course is done. */
+/** The schema of a verdict: how well the task of the course is done. */
 export const verdict = pipe(
   v.nullable(
     v.strictObject({

@@ -20,7 +20,7 @@ export const start: PictureKind<Start> = {
 
 const SIDE = START_SIDE_MM;
 const NAME_MM = 0.16 * SIDE;
-/** Its tip and its wings, in the robot's frame. */
+/** The tip and the wings of the arrow, in the robot's frame. */
 const ARROW: readonly Point[] = [
   [0.42 * SIDE, 0],
   [0.24 * SIDE, 0.14 * SIDE],

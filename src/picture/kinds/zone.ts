@@ -20,7 +20,7 @@ export const zone: PictureKind<Zone> = {
 const SQUARE_MM = 11;
 const ROWS = 2;
 
-/** The ground of a zone: dashes around a pale colour. */
+/** The ground of a zone: a pale colour with an edge, which is dashed except for forbidden zones. */
 function groundShapes(zone: Zone, look: Look): readonly Shape[] {
   const [width, height] = zone.size;
   const line = Math.max(1.5 * look.px, Math.min(3, Math.min(width, height) / 12));

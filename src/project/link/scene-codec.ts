@@ -313,7 +313,7 @@ export function additionsCodec({ columns, word }: SharedCodecs): Codec<readonly 
   return columns.list(placed, sceneLimits.objects);
 }
 
-/** Additions with `null` for what is not said. */
+/** Additions with `null` for those that are left out. */
 type SaidOrNull = { readonly [K in keyof Additions]: Additions[K] | null };
 
 /** A chase in the same manner. */

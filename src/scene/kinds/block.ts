@@ -3,7 +3,7 @@ import { sceneDefaults, type Block, type Spikes } from '../scene';
 import { shapeParts } from '../shape/shape';
 import { standing, type SceneKind } from './kind';
 
-/** A kind of which nothing is said but where it stands, its shape and how it is turned. */
+/** A kind whose only properties are its place, its shape and its rotation. */
 const bodyKind = (name: string): SceneKind<Block | Spikes> => ({
   name,
   write: (body, rotation) => [

@@ -17,7 +17,7 @@ export function wayOf({ at, to, stops, loops, chases }: Mover): MoverWay {
   return stops === undefined && at[0] === to[0] && at[1] === to[1] ? 'stays' : 'to-and-fro';
 }
 
-/** The stops of a mover in their order; what has no way has its place alone. */
+/** The stops of a mover in their order; one without a way has its place alone. */
 export function stopsOf(mover: Mover): readonly MoverStop[] {
   const { at, to, stops = [], waits = [] } = mover;
   const places = mover.chases || isStill(mover) ? [at] : [at, to, ...stops];

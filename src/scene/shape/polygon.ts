@@ -40,7 +40,7 @@ function doubleArea(corners: readonly Point[]): number {
 /** More than 0: the way from `a` over `b` to `c` bends to the left. */
 const bend = (a: Point, b: Point, c: Point): number => (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]);
 
-/** Whether an edge runs back along the one before it, or has no length. */
+/** True if an edge runs back along the one before it, or has no length. */
 function turnsBack(a: Point, b: Point, c: Point): boolean {
   const ahead = (b[0] - a[0]) * (c[0] - b[0]) + (b[1] - a[1]) * (c[1] - b[1]);
   return bend(a, b, c) === 0 && ahead <= 0;

@@ -94,7 +94,7 @@ export function toOwnFrame({ at, angle }: Pick<Shaped, 'at' | 'angle'>, place: V
   return { x: x * cos + y * sin, y: y * cos - x * sin };
 }
 
-/** Whether a place lies inside an outline, which may be concave, or nearer than `edgeMm` to its edge. */
+/** True if a place lies inside an outline, which may be concave, or at most `edgeMm` from its edge. */
 export function outlineHolds(outline: Outline, place: Vec, edgeMm: number): boolean {
   let isInside = false;
   for (const [index, from] of outline.entries()) {

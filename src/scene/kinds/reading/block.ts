@@ -2,7 +2,7 @@ import type { Block, Spikes } from '../../scene';
 import type { KindReader } from './kind-reader';
 import { readBody } from './unread';
 
-/** Reads a kind of which nothing is said but where it stands, its shape and how it is turned. */
+/** Reads a kind whose only properties are its place, its shape and its rotation. */
 const bodyReader = (type: (Block | Spikes)['type']): KindReader<Block | Spikes> => ({
   properties: ['at', 'size', 'angle', 'round', 'corners'],
   read: (given) => ({ type, ...readBody(given) }),

@@ -34,7 +34,7 @@ export const readId = ({ reader, at }: Unread): string => readObjectId(...at('id
 export const readPlace = ({ reader, at }: Unread, name: string): Point =>
   reader.point(...at(name), sceneLimits.placeMm);
 
-/** A rotation in degrees. `turn`, in eighths of a full turn, is what older files and recordings say. */
+/** A rotation in degrees. Older files and recordings have `turn` instead, in eighths of a full turn. */
 export function readAngle({ reader, at }: Unread): number {
   const [turn, turnPath] = at('turn');
   const [angle, path] = at('angle');

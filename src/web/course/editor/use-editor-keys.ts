@@ -121,7 +121,7 @@ const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.len
 const removes = (key: string, isSelected: boolean): 'remove' | null =>
   isSelected && (key === 'delete' || key === 'backspace') ? 'remove' : null;
 
-/** True if what is selected in the arena is what gets copied: not where text is selected on the page. */
+/** True if a copy is of the selection in the arena, because no text is selected on the page. */
 const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
 
 /** The act of a key pressed with Ctrl, besides the clipboard; `null` leaves it to the browser. */
@@ -139,7 +139,7 @@ function commandOf(
 /** Elements that Escape closes, and the lists of the editor's windows, where it is no key of the arena. */
 const ESCAPE_USERS = '[role="dialog"], [data-testid="guide"], [aria-expanded="true"]';
 
-/** Escape lets go of what is selected. @returns whether anything was, and the key was for it */
+/** Deselects everything, for Escape. @returns whether something was selected, and the key was meant for it */
 function letsGo({ target }: Event, editor: Editor): boolean {
   const { ids, robot } = editor.selection.value;
   if (ids.length === 0 && !robot) return false;

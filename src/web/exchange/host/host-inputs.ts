@@ -12,11 +12,11 @@ import { hardwareNow } from '../../session/work/hardware/use-hardware';
 export interface HostInputs {
   /** @param device its name; left out: the first, and for radio all */
   take(action: InputAction, device?: string): Refusal;
-  /** True if what is done to the run at this moment is the host's. */
+  /** True while an action of the host is being done to the run. */
   isOwn(): boolean;
 }
 
-/** Takes what a host does to the run of this app. A page without a run refuses what the run itself would. */
+/** Takes a host's actions on the run of this app. Without a run it refuses what the run itself would refuse. */
 export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts): HostInputs {
   const { run, work, sensors } = parts;
   let isOwn = false;

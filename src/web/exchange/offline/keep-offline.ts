@@ -4,7 +4,7 @@ import { versionLock, type ToServiceWorker } from './versions';
 /** A page that stays open looks for a new version at most so often, in ms. */
 const LOOK_EVERY_MS = 3_600_000; // chosen: a school day has a few lessons
 
-/** Keeps the app for visits without a network, and offers new versions; nothing in a browser without service workers. */
+/** Keeps the app for visits without a network, and offers new versions, if the browser has service workers. */
 export async function keepOffline(): Promise<void> {
   const workers = serviceWorkers();
   const entry = document.querySelector<HTMLScriptElement>('script[type=module][src]')?.src;

@@ -2,7 +2,7 @@ import { keepOffline } from './keep-offline';
 import { lateBar } from './late-bar';
 
 /**
- * Sets up networks and storage once the page has nothing more urgent to do.
+ * Keeps the app for visits without a network, and warns if the browser can store no work.
  *
  * @param keepsWork whether the work is to be kept here, and not by a page around this one
  */

@@ -25,7 +25,7 @@ export const versionLock = (entryUrl: string): string => VERSION + entryUrl;
 export const versionLocks = (held: readonly string[]): readonly string[] =>
   held.filter((name) => name.startsWith(VERSION)).map((name) => name.slice(VERSION.length));
 
-/** The file behind a page's address: without what it asks, and with the name that a folder's page has. */
+/** The file behind a page's address: without its query and fragment, and with the name that a folder's page has. */
 export function pageUrl(address: string): string {
   const url = new URL(address);
   return url.origin + url.pathname.replace(/\/$/, '/index.html');

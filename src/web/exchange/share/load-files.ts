@@ -42,7 +42,7 @@ export const takeFiles = (app: TakesFiles, files: Iterable<File>): Promise<void>
     }),
   );
 
-/** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides, unless that one is empty. */
+/** Takes files in. One with a new name is shown at once; for a taken name `ask` decides, unless that file is blank. */
 export async function loadFiles(
   app: TakesFiles,
   files: Iterable<File>,

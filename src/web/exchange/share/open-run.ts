@@ -43,8 +43,8 @@ interface Given {
 }
 
 /**
- * Opens the project of a recorded run, then runs it again: if it comes to the same, it is looked back at, else a sentence
- * says what is wrong, and the project stays open.
+ * Opens the project of a recorded run, then runs it again: if the result is the same, the page looks back at it, else a
+ * message says what is wrong, and the project stays open.
  *
  * @returns why nothing was opened; `null`: the project is open, and the rest goes on by itself
  */
@@ -97,7 +97,7 @@ function courseOf({ name, description }: Scene): string | null {
   return readyCourses.find(isCalledSo)?.id ?? null;
 }
 
-/** Shows the run if it still comes to what it came to when it was recorded, or if only another physics makes the difference. */
+/** Repeats the run, and shows it if its result is the recorded one, or if the physics has changed since. */
 async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise<void> {
   const { setup, result, untilProgramEnds, madeBy, physics } = tape;
   const { action } = app.notices.current.value ?? {};

@@ -1,14 +1,14 @@
 import { sceneLimits, type Background, type Point } from '#scene/scene';
 
-/** Side of a cell in mm, unless that makes too many cells. Chosen: a line sensor sees a spot of about 2 mm. */
+/** Side of a cell in mm, unless that makes too many cells. Chosen: less than half of a line sensor's spot. */
 const CELL_MM = 2;
 
 /** Sheets of paper by their sides in mm (ISO 216), the longer first. */
 export const sheetsMm = { A4: [297, 210], A3: [420, 297], A2: [594, 420], A1: [841, 594] } as const;
 
 /**
- * How large a picture becomes: as large as fits in the arena without distorting it, exactly the arena, or a sheet of paper
- * at true size.
+ * The size that a picture gets: as large as fits in the arena without distorting it, exactly the arena, or a sheet of
+ * paper at true size.
  */
 export type FloorSize = 'fit' | 'arena' | keyof typeof sheetsMm;
 

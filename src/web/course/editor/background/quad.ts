@@ -78,7 +78,7 @@ function middleOf(quad: Quad): Point {
   return [x / 4, y / 4];
 }
 
-/** How much of an arm from a middle fits between 0 and a length; above 1: all of it. */
+/** The share of an arm from a middle that fits between 0 and a length; from 1 on, all of it. */
 function room(middle: number, arm: number, length: number): number {
   if (arm === 0) return 1;
   return arm > 0 ? (length - middle) / arm : middle / -arm;

@@ -12,7 +12,7 @@ export { problemsOf } from '../words/problem-words';
 
 const words = editingWords.mends;
 
-/** A problem of a course as people read it, and what a tap can do about it. */
+/** A problem of a course in words, and its quick fix; `null`: it has none. */
 export interface ToldProblem {
   readonly text: string;
   readonly mend: { readonly text: string; readonly edit: SceneEdit } | null;

@@ -13,7 +13,7 @@ export interface OwnPart {
 /** The parts that are kept in this browser. */
 export interface OwnParts {
   readonly parts: Readonly<ShallowRef<readonly OwnPart[]>>;
-  /** How many that are stored cannot be read. They stay where they are. */
+  /** Number of stored parts that cannot be read. They stay stored. */
   readonly unread: Readonly<ShallowRef<number>>;
   /** True if the last change could not be stored: it holds as long as the page is open. */
   readonly isUnsaved: Readonly<ShallowRef<boolean>>;

@@ -8,7 +8,7 @@ export interface ShelfBox {
 
 /** The least room beside or above the arena that is enough for the shelf, in px: two columns, or two rows of parts. */
 const LEAST = { width: 260, height: 200 } as const;
-/** Wider it would only have larger gaps. */
+/** The largest width of the shelf beside the arena, in px: beyond it there would only be larger gaps. */
 const MOST_WIDTH = 420;
 const GAP = 8;
 /** Share of the window's height that it covers where there is no room beside the arena, which stays in sight above. */
