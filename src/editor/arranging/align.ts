@@ -8,8 +8,8 @@ import { boundsOfSelection, freeObjects, only, takenBy } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /**
- * The line on which things are aligned: one of their edges, or their middles, on an `upright` line (side to side) or a
- * `level` one (up and down).
+ * The line on which things are aligned: one of their edges, or their middles, on an upright line (`upright`) or a
+ * level one (`level`).
  */
 export type Alignment = 'left' | 'upright' | 'right' | 'top' | 'level' | 'bottom';
 
@@ -51,7 +51,7 @@ function stepTo(to: Alignment, unit: Bounds, all: Bounds): { readonly x: number;
   }
 }
 
-/** Leaves the same gap between all that is selected; the outermost stay. `null` for fewer than three, or if it does. */
+/** Leaves the same gap between all that is selected; the outermost stay. `null`: fewer than three, or nothing moves. */
 export function distributed(
   scene: Scene,
   selection: Selection,

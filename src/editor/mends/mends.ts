@@ -40,7 +40,7 @@ export interface Mend {
 
 /** The time limit given to a task that would never end, in s. Chosen: long enough for a first try. */
 const TIME_LIMIT_S = 60;
-/** A target that was too small gets this much longer than the block, in mm: it can be pushed in at a slant. */
+/** A target that was too small becomes this much longer than the block, in mm: it can be pushed in at a slant. */
 const ROOM_IN_TARGET_MM = 20;
 
 /**
@@ -200,7 +200,7 @@ function fewerBlocks({ objects }: Scene): SceneEdit | null {
   );
 }
 
-/** The target as large as the smallest movable block needs it. */
+/** Enlarges the target to hold the smallest movable block; `null` if it would become too large. */
 function largerTarget({ objects }: Scene, about: readonly SceneObject[]): SceneEdit | null {
   const blocks = objects.filter((object): object is Block => object.type === 'block');
   const needed = Math.min(...blocks.map(({ size }) => Math.max(...size))) + ROOM_IN_TARGET_MM;
