@@ -4,7 +4,7 @@ import type { LineEvent, LineFinder } from './line-event';
 import { begins, rangeAt, type LineRange } from './lines';
 import { Names } from './names';
 
-/** A function that runs, as it was seen last. */
+/** A running function at the last look. */
 interface Seen {
   readonly state: number;
   readonly functionAt: number;
@@ -16,7 +16,7 @@ interface Seen {
 
 const NOWHERE: LineRange = { line: 0, from: 0, to: 0, start: 0 };
 
-/** Every line: the functions that run are compared from bytecode to bytecode. */
+/** Finds every line that begins or resumes: it compares the running functions from bytecode to bytecode. */
 export class AllLines implements LineFinder {
   private readonly names: Names;
   private readonly seen: Seen[] = [];

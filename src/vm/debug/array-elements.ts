@@ -23,7 +23,7 @@ const READERS: Readonly<Record<string, readonly [bytes: number, read: Reader]>> 
   d: [8, (view, at) => Math.fround(view.getFloat64(at, true))],
 };
 
-/** Elements of an array: numbers as text, those with a point as numbers. None of a type that is not known. */
+/** Elements of an array: whole numbers as text, floats as numbers. Empty if the type is not known. */
 export function elementsAt(memory: Memory, letter: string, start: number, count: number): readonly (string | number)[] {
   const reader = READERS[letter];
   if (reader === undefined) return [];

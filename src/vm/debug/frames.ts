@@ -13,7 +13,7 @@ export interface OwnCode extends Code {
   readonly lines: readonly LineRange[];
   /** The addresses where its generators resume: after a `yield`. */
   readonly resumes: ReadonlySet<number>;
-  /** Its `yield from`: there they go on with the same bytecode. */
+  /** The addresses of its `yield from`, where its generators go on with the same bytecode. */
   readonly delegates: ReadonlySet<number>;
 }
 
@@ -33,7 +33,7 @@ export interface Position {
   readonly depth: number;
 }
 
-/** The pupil's functions that run now, innermost first. Those of the library and of robot drivers that are no file of theirs are left out. */
+/** The pupil's functions that run now, innermost first, without those of the library and of built-in drivers. */
 export function readFrames(vm: Inspected, names = new Names(vm.memory, vm.interned)): readonly Frame[] {
   const { memory } = vm;
   const found: Frame[] = [];
@@ -52,7 +52,7 @@ export function readPosition(vm: Inspected, names?: Names): Position | null {
   return innermost ? { file: innermost.code.file, line: innermost.line, depth: frames.length - 1 } : null;
 }
 
-/** Read once: the code of a scope does not change, and what is compiled later has a scope of its own. */
+/** The code of each scope. It is read once, as it does not change: code compiled later has a scope of its own. */
 const known = new WeakMap<Scope, OwnCode>();
 
 /** The code that a code_state runs, or `null` if it is not the pupil's. */
@@ -68,9 +68,9 @@ export function ownCode(vm: Inspected, names: Names, state: number): OwnCode | n
 }
 
 /**
- * Whether a call begins at this address, or a generator goes on there: then so does its line.
+ * True if a call begins at this address or a generator goes on there: then its line begins, too.
  *
- * @param before the function's bytecode before it; the same: there was none, or it comes once more
+ * @param before address of the function's bytecode before it; `at` itself if there was none, or if it is repeated
  */
 export const entersLine = ({ place, resumes, delegates }: OwnCode, at: number, before: number): boolean =>
   at === place.first || resumes.has(at) || (at === before && delegates.has(at));

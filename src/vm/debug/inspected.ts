@@ -16,11 +16,11 @@ export interface Inspected {
   readonly heapStart: number;
   /** The library ends here, and the program's part of the heap begins. */
   readonly programStart: number;
-  /** The slots of a function's variables, by the address of its code; `undefined`: not compiled here. */
+  /** The module, class or function whose code has this address; `undefined`: it was not compiled here. */
   scopeOf(code: number): Scope | undefined;
-  /** The bytes of the object at an address of the heap; 0: there is none any more. */
+  /** Size of the object at an address of the heap, in bytes; 0: there is none any more. */
   sizeOf(address: number): number;
-  /** All that were compiled here; some may be gone. */
+  /** All scopes that were compiled here; the code of some may be gone. */
   readonly scopes: CompiledScopes;
   /** The bytecodes before which the interpreter asks. */
   readonly marks: CodeMarks;
@@ -32,13 +32,13 @@ export interface Inspected {
 export interface CompiledScopes {
   /** Addresses of their code. */
   readonly codes: Iterable<number>;
-  /** Hears of the code of each that is compiled from now on; `null`: nobody does. */
+  /** Called with the address of each code that is compiled from now on. */
   heard: ((code: number) => void) | null;
 }
 
 /** The bytecodes before which a watch is asked. */
 export interface CodeMarks {
-  /** Marks all of the program's, or none. */
+  /** Marks all of the program's bytecodes, or none. */
   begin(all: boolean): void;
   /** Marks the addresses from the first up to, not including, the last, or takes their marks away. */
   set(from: number, to: number, isMarked: boolean): void;

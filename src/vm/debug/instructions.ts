@@ -1,6 +1,6 @@
 import type { Memory } from '../run/values';
 
-/** A bytecode, as far as it tells how a program is built. */
+/** A bytecode: its place, its kind, and the address to which it may jump. */
 export interface Instruction {
   readonly at: number;
   /** Address of the one after it. */
@@ -18,7 +18,7 @@ export interface Instruction {
     /** `target` is where an exception, a `return` or the end of a loop leads to. */
     | 'handler'
     | 'other';
-  /** Its other target, for jumps and handlers. */
+  /** The address to which it may lead instead of `next`; `null`: it has none. */
   readonly target: number | null;
 }
 
@@ -42,7 +42,7 @@ const OP = {
 const SMALL_INTS = { first: 0x70, end: 0xb0 } as const;
 /** py/runtime0.h: MP_BC_BINARY_OP_MULTI + MP_BINARY_OP_INPLACE_ADD. */
 const ADD_IN_PLACE = 0xd7 + 14;
-/** Those of them whose offset is a signed number; all others lead forward. */
+/** The bytecodes whose offset is a signed number; all others lead forward. */
 const SIGNED: readonly number[] = [OP.unwindJump, OP.jump, OP.jumpIfTrue, OP.jumpIfFalse];
 
 /** The bytecodes of a function up to the return beyond which nothing leads: what follows is never run. */

@@ -10,18 +10,18 @@ export interface LineEvent extends Position {
   readonly kind: 'line' | 'return';
 }
 
-/** True if a program shall stop there. */
+/** Decides whether a program stops at a line. */
 export interface StopRule {
   (event: LineEvent): boolean;
-  /** It stops at the beginnings of these lines at most, and need not hear of others; left out: anywhere. */
+  /** The only lines at whose beginning it may stop; it is not asked about others. Left out: it may stop anywhere. */
   readonly only?: readonly { readonly file: string; readonly line: number }[];
 }
 
-/** Finds the lines that begin. */
+/** Finds the lines at which a debugger may stop. */
 export interface LineFinder {
   readonly vm: Inspected;
   /** Looks where the program is now: the line in which it stands does not begin any more. */
   start(): void;
-  /** The line that begins with the next bytecode, or `null`: a line goes on. */
+  /** The line that begins or resumes with the next bytecode, or `null`: a line goes on. */
   next(): LineEvent | null;
 }

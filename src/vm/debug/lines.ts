@@ -11,7 +11,7 @@ export interface LineRange {
   readonly start: number;
   /** A loop comes back to here: with each round the line begins anew. */
   readonly isLoop?: boolean;
-  /** The same, unless the program comes from this jump, with which the loop is entered. */
+  /** Address of the jump that enters the loop; coming from anywhere else, the line begins anew. */
   readonly entry?: number;
 }
 
@@ -73,7 +73,7 @@ function readTable(memory: Memory, { table, first }: CodePlace): readonly LineRa
   return [...ranges, { line, from, to: Infinity, start: from }];
 }
 
-/** The jump back of a `for` or of a `while True`. */
+/** Makes a line begin anew at the target of the jump back of a `for` or of a `while True`. */
 const markLoop = (ranges: readonly LineRange[], target: number): readonly LineRange[] =>
   ranges.flatMap((range) => {
     if (target < range.from || target >= range.to) return [range];
@@ -81,7 +81,7 @@ const markLoop = (ranges: readonly LineRange[], target: number): readonly LineRa
     return target === range.from ? [after] : [{ ...range, to: target }, after];
   });
 
-/** A loop is entered by a jump to its condition; below the condition, another jump leads back to after the first one. */
+/** Gives a loop's condition its line. A jump to it enters the loop; the jump at its end leads back to the body. */
 function markCondition(
   ranges: readonly LineRange[],
   instructions: readonly Instruction[],
@@ -101,7 +101,7 @@ function markCondition(
   return [...before, condition, ...after];
 }
 
-/** A `for` over a range adds its step before the condition: nothing else ends in an addition whose result stays. */
+/** Address at which a `for` over a range adds its step, just before the condition; `null`: it is another loop. */
 function countingBefore(instructions: readonly Instruction[], condition: number): number | null {
   const place = instructions.findIndex(({ at }) => at === condition);
   const [step, add] = instructions.slice(Math.max(place - 2, 0), Math.max(place, 0));

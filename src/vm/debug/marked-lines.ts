@@ -6,12 +6,12 @@ import type { LineEvent, LineFinder } from './line-event';
 import { begins, rangeAt } from './lines';
 import { Names } from './names';
 
-/** Instead of a bytecode: the function has come from another line. */
+/** In place of an address or a line: the function has come from a line without marks. */
 const ELSEWHERE = 0;
 
 /**
- * A few lines only: the interpreter asks before their bytecodes, and before those to which they lead, and runs all others
- * at full speed. So where a function comes from is known exactly as long as it comes from one of these lines.
+ * Finds the beginnings of a few lines. The interpreter asks before their bytecodes and before those to which they lead,
+ * and runs all others at full speed. So the line a function comes from is known only if it is one of these.
  */
 export class MarkedLines implements LineFinder {
   private readonly names: Names;
@@ -55,13 +55,13 @@ export class MarkedLines implements LineFinder {
     return isBegun || entersLine(code, at, before) ? this.event(code, range.line) : null;
   }
 
-  /** Code of which nobody knows from which file it is, before it runs: it is marked as a whole. */
+  /** Marks new code as a whole: before it runs, its file is not known. */
   private expect(start: number): void {
     this.known.delete(start);
     this.vm.marks.set(start, start + this.vm.sizeOf(start), true);
   }
 
-  /** A function that runs already. */
+  /** Takes in a function that runs already. */
   private find(state: number): void {
     const { memory } = this.vm;
     const start = codeOf(memory, memory.word(state + STATE.function));
@@ -70,7 +70,7 @@ export class MarkedLines implements LineFinder {
     this.last.set(state, memory.word(state + STATE.at));
   }
 
-  /** Marks what must be seen of code that runs now for the first time. @returns `null`: nothing */
+  /** Marks the wanted lines of code that runs for the first time. @returns the code; `null`: it has none of them */
   private learn(state: number, start: number): OwnCode | null {
     const { memory, marks } = this.vm;
     const own = ownCode(this.vm, this.names, state);

@@ -3,13 +3,13 @@ import { STATE } from './frames';
 import type { Inspected } from './inspected';
 import type { Entry, Objects } from './objects';
 
-/** The modules that a program can import, as far as they tell its own names from imported ones. */
+/** Distinguishes the globals that a program has made itself from imported ones. */
 export interface Modules {
-  /** The dict of the program's globals. */
+  /** Address of the dict of the program's globals. */
   readonly program: number;
   /** Whether a global is a module, or was imported from one, that is no file of the pupil's. */
   isImported(entry: Entry): boolean;
-  /** True if a module has been imported since. */
+  /** True if a module has been imported since they were read. */
   haveChanged(): boolean;
 }
 

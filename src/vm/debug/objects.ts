@@ -101,7 +101,7 @@ export class Objects {
 
   immediate = (object: number): string => IMMEDIATE[object]?.[1] ?? '?';
 
-  /** An int that has no object of its own. */
+  /** The value of a small int, which has no object of its own. */
   small = (object: number): number => object >> 1;
 
   /** py/objint_mpz.c. */
@@ -177,10 +177,10 @@ export class Objects {
     return null;
   }
 
-  /** The words after the type: what a range, a slice, a method, … consists of. */
+  /** A word after the type, counted from 0: a range, a slice, a method, … consists of these. */
   word = (object: number, place: number): number => this.memory.word(object + 4 + 4 * place);
 
-  /** The letter for the elements' type, and the first elements: numbers as text, those with a point as numbers. */
+  /** The letter for the elements' type, and the first elements: whole numbers as text, floats as numbers. */
   elements(array: number, most: number): { readonly letter: string; readonly items: readonly (string | number)[] } {
     const letter = String.fromCharCode(this.memory.byte(array + 4));
     const start = this.memory.word(array + 12);
@@ -201,13 +201,13 @@ export class Objects {
     return this.isOfPython(fun) ? readCode(this.memory, this.names, fun).name : '';
   }
 
-  /** A function that makes generators has the type of what it makes. */
+  /** True for a function that makes generators; its type is called `generator`, as theirs is. */
   isGeneratorFunction = (object: number): boolean => this.memory.byte(this.typeAt(object) + TYPE.call) !== 0;
 
   /** The function of a generator: py/objgenerator.c. */
   functionOfGenerator = (generator: number): number => this.memory.word(generator + 8);
 
-  /** A name in a table, or what stands for it. */
+  /** A key of a table as text, if it is a name or a str. */
   nameText = (key: number): string => new TextDecoder().decode(this.text(key, MOST_NAME).bytes);
 
   /** The module's own name; empty if it has none. */

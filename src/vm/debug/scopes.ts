@@ -18,7 +18,7 @@ const IS_PARAMETER = 1;
  * scope when it has finished it. Nothing is read again, and nothing is kept in Python's memory.
  */
 export class Scopes {
-  /** Hears of the code of each scope that is compiled. */
+  /** Called with the address of the code of each scope that is compiled. */
   heard: ((code: number) => void) | null = null;
   private readonly byCode = new Map<number, Scope>();
 
@@ -29,7 +29,7 @@ export class Scopes {
     return this.byCode;
   }
 
-  /** Takes over what the same memory's scopes were elsewhere. */
+  /** Takes over the scopes of another VM, of whose memory this one is a copy. */
   know(scopes: ReadonlyMap<number, Scope>): void {
     for (const [code, scope] of scopes) this.byCode.set(code, scope);
   }
@@ -43,7 +43,7 @@ export class Scopes {
     return this.byCode.get(code);
   }
 
-  /** A scope_t that was compiled. */
+  /** Reads a scope_t that was compiled. */
   add(scope: number): void {
     const code = this.memory.word(this.memory.word(scope + SCOPE.rawCode) + CODE_OF_RAW_CODE);
     if (code === 0) return; // the compiler has met an error

@@ -6,11 +6,11 @@ import { quotedBytes, quotedText } from './quoted';
 export interface Shown {
   /** `int`, `list`, the name of a class. */
   readonly type: string;
-  /** The text of `repr`, shortened; `<Robot object>` for objects with a `__repr__` of their own. */
+  /** The text of `repr`, shortened; `<Robot object>` for instances of a class, whose `__repr__` is not called. */
   readonly text: string;
   /** Its parts, if it can be unfolded. */
   readonly parts?: readonly Part[];
-  /** How many parts there are besides. */
+  /** Number of further parts, which are not shown. */
   readonly more?: number;
 }
 
@@ -35,7 +35,7 @@ const MOST_TEXT = 160;
 /** Items and levels in the text of a container. Chosen: more would not fit the text. */
 const MOST_ITEMS = 40;
 const MOST_LEVELS = 5;
-/** Digits of a whole number that are shown. Chosen: turning a number of 64 KiB into decimals takes seconds. */
+/** Largest whole number whose digits are shown. Chosen: turning a number of 64 KiB into decimals takes seconds. */
 const MOST_BIG = 1n << 512n;
 const REPR_DIGITS = 7; // py/objfloat.c, for single floats
 const LETTER_G = 'g'.charCodeAt(0);
@@ -190,7 +190,7 @@ function functionText(objects: Objects, fun: number): string {
 
 const bigText = (value: bigint): string => (value > MOST_BIG || value < -MOST_BIG ? '<int>' : value.toString());
 
-/** py/objfloat.c: what could be a whole number is told by a point. */
+/** py/objfloat.c: a float that looks like a whole number gets `.0`. */
 function floatText(objects: Objects, value: number): string {
   const text = formatSingle(objects.minor, value, LETTER_G, REPR_DIGITS, 0);
   return /[.en]/.test(text) ? text : `${text}.0`;

@@ -11,7 +11,7 @@ export interface Variable {
   readonly value: Shown;
 }
 
-/** A function of the pupil's that runs, with its variables; of a file, whose variables are the globals, none. */
+/** A function of the pupil's that runs, with its variables; for a file, which has only globals, there are none. */
 export interface StackEntry {
   /** `<module>` for a file. */
   readonly function: string;
@@ -32,7 +32,7 @@ export interface Variables {
 export const readVariables = (vm: Inspected, bounds: Bounds = USUAL_BOUNDS): Variables => variablesReader(vm, bounds)();
 
 /**
- * The same for who reads them often: what the modules hold is read again only when another one has been imported.
+ * Reads the variables again and again; the modules are read again only after another one has been imported.
  *
  * @param vm the MicroPython to read; after a reset of the board it is another one
  */
@@ -91,7 +91,7 @@ function globalsOf({ objects, bounds }: Reader, dict: number, modules: Modules):
   return entries.map(([key, value]) => variable(objects, bounds, key, value)).filter(isOwnName);
 }
 
-/** Chosen: a program has a dozen; one that makes them in a loop should not fill the page. */
+/** Most globals shown. Chosen: a program has a dozen; one that makes them in a loop should not fill the page. */
 const MOST_GLOBALS = 500;
 
 const variable = (objects: Objects, bounds: Bounds, key: number, value: number): Variable => ({

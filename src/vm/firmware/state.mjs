@@ -11,7 +11,7 @@ const MEMORY_PAGES = 64;
 /** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
 const STACK_LIMIT_BYTES = 72 * 1024;
 
-/** Gives the memory its size for good: the host refuses to let it grow (../run/firmware.ts, emscripten_resize_heap). */
+/** Fixes the memory's size: the host refuses to let it grow (../run/firmware.ts, emscripten_resize_heap). */
 export function fixMemory(module) {
   const [declared] = onlyMatch(module.head, 'memory', /\(memory \S+ 259 32768\)/);
   module.head = module.head.replace(declared, declared.replace('259 32768', `${MEMORY_PAGES} ${MEMORY_PAGES}`));

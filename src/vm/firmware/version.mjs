@@ -6,5 +6,5 @@ export function declareVersion(module) {
   module.head += '\n (global $minor (mut i32) (i32.const 18))\n (export "minor" (global $minor))';
 }
 
-/** True if the board's MicroPython is older than 1.`minor`, as an expression. */
+/** A WebAssembly expression: true if the board's MicroPython is older than 1.`minor`. */
 export const olderThan = (minor) => `(i32.lt_s (global.get $minor) (i32.const ${minor}))`;

@@ -6,7 +6,7 @@ export class ConsolePort {
   interruptByte: number | null = CTRL_C;
   /** Called when that byte comes. */
   onInterrupt: () => void = () => undefined;
-  /** A program waits in `input()` for a line. */
+  /** True while a program waits in `input()` for a line. */
   awaitsLine = false;
   private line: number[] = [];
   /** Index in `line` of the first byte that was not taken. */
@@ -60,13 +60,13 @@ export class ConsolePort {
     return byte;
   }
 
-  /** main.py begins: Ctrl-C interrupts, whatever the program before or the REPL made of it. */
+  /** Makes Ctrl-C interrupt again as main.py begins, whatever an earlier program or the REPL has set. */
   watchForInterrupt(): void {
     this.interruptByte = CTRL_C;
     this.awaitsLine = false;
   }
 
-  /** As after a reset: nothing received. */
+  /** Drops the bytes that were not taken, as a reset does. */
   reset(): void {
     this.line = [];
     this.next = 0;

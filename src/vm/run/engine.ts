@@ -139,7 +139,7 @@ export class Engine implements Machine {
     if (this.firmware.queued() & EXCEPTION_WAITS) this.firmware.set_pending(0);
   }
 
-  /** True if code that is compiled from now on prints the values of its expressions. */
+  /** Sets whether code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void {
     this.firmware.echo.value = Number(on);
   }
@@ -171,7 +171,7 @@ export class Engine implements Machine {
    * Runs `enter` (a call into the firmware) until it returns or the clock has reached the limit. If called again while
    * suspended, it continues.
    *
-   * @returns true once the call has returned, false while it is suspended
+   * @returns true once the call has returned or the program was ended, false while it is suspended
    */
   run(enter: () => void, limitUs: number): boolean {
     this.limitUs = limitUs;
@@ -187,7 +187,7 @@ export class Engine implements Machine {
     return this.ending;
   }
 
-  /** KeyboardInterrupt at the program's next jump. */
+  /** Raises KeyboardInterrupt at the program's next jump. */
   interrupt(): void {
     this.firmware.mp_sched_keyboard_interrupt();
   }

@@ -54,7 +54,7 @@ export interface Firmware {
   readonly reserve: WebAssembly.Global;
   /** 1: code that is compiled now prints the values of its expressions, as in the REPL. */
   readonly echo: WebAssembly.Global;
-  /** The board's MicroPython, such as 18 for 1.18: numbers, errors and names have been others then. */
+  /** The board's MicroPython, such as 18 for 1.18: numbers, errors and names differ between versions. */
   readonly minor: WebAssembly.Global;
   /** Address of the type of images, which MicroPython 1.18 cannot change in place (../firmware/operators.mjs). */
   readonly image_type: WebAssembly.Global;
@@ -62,7 +62,7 @@ export interface Firmware {
   readonly heap_start: WebAssembly.Global;
   /** End of the heap. */
   readonly heap_end: WebAssembly.Global;
-  /** End of the list of running functions (../debug/inspected.ts); it starts where the host sets it at first. */
+  /** End of the list of running functions (../debug/inspected.ts); the host sets it to the list's start at first. */
   readonly frames_end: WebAssembly.Global;
   /** Added to a bytecode's address it gives that of its mark (marks.ts); 0: nobody looks. */
   readonly marks: WebAssembly.Global;
@@ -108,7 +108,7 @@ export type HostCall = (
 ) => void;
 export type Given = Value | undefined;
 
-/** The firmware's state, as far as the engine knows it without asking. */
+/** The firmware's state that the host tracks itself, without asking for it. */
 export interface Flow {
   /** A suspended call is being resumed: the stack is built up again, down to where it was. */
   isRewinding: boolean;
@@ -164,7 +164,7 @@ export function instantiateFirmware(
   return { firmware, memory, flow, serve: (given) => void (loaded.host = given) };
 }
 
-/** Decimal numbers as the board writes and reads them; the build step takes the published ways out. */
+/** Decimal numbers as the board writes and reads them; the build step puts these in place of the published ones. */
 const decimals = (running: () => Firmware, memory: () => Memory): HostFunctions => {
   const minor = (): number => running().minor.value;
   return {

@@ -36,9 +36,9 @@ export function createDisplayCalls(machine: Machine, board: Board): SyscallTable
 interface Stage {
   /** A new picture or animation replaces the previous one; costs the call. */
   readonly begin: () => void;
-  /** Counts them. */
+  /** Number of pictures and animations so far. */
   readonly turn: () => number;
-  /** Valid until the image changes. */
+  /** The pixels of an image, 5 × 5; valid until the image changes. */
   readonly image: (address: Value | undefined) => Uint8Array;
 }
 

@@ -13,7 +13,7 @@ const ZERO = 0x30;
 const IMAGE_HEAD = 5;
 const CONSTANT = 4;
 
-/** The result of image_pixel, image_set and image_fill for a place outside the image. */
+/** The result of image_pixel, image_set and image_fill if they fail: a wrong place or brightness, a constant image. */
 const BAD_PLACE = -1;
 
 const single = Math.fround;
@@ -247,7 +247,7 @@ function pixelCalls(machine: Machine, board: Board, charge: Charge): SyscallTabl
 
 function partCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
   const { pixelMoveUs } = board.type.costsUs;
-  /** A part of the source that lies at (x, y) there, at (left, top) in the target. */
+  /** Copies a part of the source from (x, y) to (left, top) in the target. */
   const blit = (from: Picture, x: number, y: number, to: Picture, left: number, top: number, w: number, h: number) => {
     charge(Math.min(Math.max(w, 0) * Math.max(h, 0), MOST), pixelMoveUs);
     if (to.pixels.length < to.width * to.height) return;

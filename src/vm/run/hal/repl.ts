@@ -4,14 +4,14 @@ import type { Repl, Request } from '../repl';
 import type { SyscallTable, Wait } from '../syscall';
 
 const CTRL_C = 3;
-/** The Python form of a request. */
+/** The number that `repl()` gives Python for a request. */
 const Code = { statement: 1, program: 2, names: 3, reboot: 4, pasted: 2 } as const;
 
 /** The parts of the engine that the REPL's functions use. */
 export interface ReplMachine {
   /** Forgets a pending KeyboardInterrupt. */
   forgetInterrupt(): void;
-  /** True if code that is compiled from now on prints the values of its expressions. */
+  /** Sets whether code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void;
 }
 

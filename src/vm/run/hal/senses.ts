@@ -50,7 +50,7 @@ export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
   return { ...motion, ...others, ...furtherCalls(machine, board) };
 }
 
-/** Parts of a call that is already paid, where three values together are one object more; names; the light. */
+/** Calls with other costs: names, the light, further parts of a call that is paid (three values: one object more). */
 function furtherCalls(machine: Machine, { motion, sensors, type }: Board): SyscallTable {
   return {
     gesture_names: () => GESTURE_NAMES.join(SEPARATOR),
