@@ -1,7 +1,7 @@
 /** The power state of the board. */
 export type PowerState = 'on' | 'asleep' | 'off';
 
-/** A pin or button that can wake a sleeping board. */
+/** Something that can wake a sleeping board: a pin, a button, the serial line. */
 export interface WakeSource {
   /** Called when the board falls asleep; returns a function that becomes true to wake the board. */
   arm(): () => boolean;
@@ -30,7 +30,7 @@ export class Power {
     if (this.current === 'asleep') this.become('on');
   }
 
-  /** Until a reset. */
+  /** Switches the board off until a reset. */
   off(): void {
     this.become('off');
   }

@@ -19,7 +19,7 @@ export interface RadioConfig {
   readonly dataRate: number;
 }
 
-/** micropython-microbit-v2 drv_radio.h. */
+/** Settings after a start: micropython-microbit-v2 drv_radio.h. */
 export const START_RADIO: RadioConfig = {
   length: 32,
   queue: 3,

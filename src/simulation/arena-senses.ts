@@ -13,14 +13,14 @@ export interface Surroundings {
 }
 
 /**
- * Lets the board on the robot measure the arena: compass, accelerometer and light. While it does not, they stay as the hand
- * has set them; only the compass goes along when the robot turns, because a program that turns by it would never end.
+ * Lets the board on the robot measure the arena: compass, accelerometer and light. While it is off, they stay as they were
+ * set by hand; only the compass turns with the robot, because a program that turns by it would otherwise never end.
  */
 export interface ArenaSenses {
   readonly isOn: boolean;
   /** Switches it on, for all sensors, or off: that restores the earlier values of those that were measured. */
   switch(on: boolean): void;
-  /** Tells that the hand has set a sensor: it stays so, until this is switched on again. */
+  /** Call it when a sensor is set by hand: it is not measured until this is switched on again. */
   setByHand(id: string): void;
   /** Call it after each step of the world. */
   step(): void;

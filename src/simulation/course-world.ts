@@ -80,7 +80,7 @@ export class CourseWorld {
     this.showBackground(course.background);
   }
 
-  /** Has something in the world that shows the object. */
+  /** Makes the world show an object: adds its body, or changes or replaces the present one. */
   private bring(object: SceneObject): void {
     const shown = this.following.get(object.id);
     if (shown && isSame(shown.object, object)) return;

@@ -106,12 +106,12 @@ export class Device {
     return this.end;
   }
 
-  /** The program has switched the board off and does not run any more. */
+  /** True once the program has switched the board off and does not run any more. */
   get isOff(): boolean {
     return this.board.power.state === 'off';
   }
 
-  /** The program has ended, and nothing is set for later: no callback, tone, moving picture. */
+  /** True if the program has ended and nothing is set for later: no callback, tone, moving picture. */
   get isIdle(): boolean {
     return this.end !== null && this.clock.alarms <= this.ownAlarms;
   }
@@ -131,7 +131,7 @@ export class Device {
     return this.vm.heapFree();
   }
 
-  /** Senses where it is now; call it after each step of the world. */
+  /** Updates the sensors that depend on the arena; call it after each step of the world. */
   sense(): void {
     this.mounted?.step();
     this.hearing.step();
@@ -150,7 +150,7 @@ export class Device {
     while (this.clock.nowUs < us) this.resume(us);
   }
 
-  /** The interrupt that follows ends the program; its traceback is not printed. */
+  /** Makes the next interrupt a stop, whose traceback is not printed. */
   expectStop(): void {
     this.isStopped = true;
   }

@@ -131,7 +131,7 @@ function unknown(
   return { problem: `Unknown ${what} "${id}". Known ${all}: ${known.map((type) => type.id).join(', ')}.` };
 }
 
-/** The place of a problem in the scene's file, if it comes from there. */
+/** Puts the place in the scene's file before a problem that comes from there. */
 function placed(
   isInScene: boolean,
   where: string,

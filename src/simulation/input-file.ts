@@ -167,7 +167,7 @@ function readArenaSenses({ arenaSenses }: Fields): InputAction | Bad {
     : wrong('arenaSenses', 'true or false', arenaSenses);
 }
 
-/** True if it suits the course as it is then is checked when the run is made. */
+/** Reads an edit. Whether it suits the course at its time is checked when the run is made. */
 function readEdit({ edit }: Fields): InputAction | Bad {
   const parsed = parseEdit(edit);
   if ('edit' in parsed) return { type: 'edit', edit: parsed.edit };

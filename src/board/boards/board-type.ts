@@ -137,7 +137,7 @@ export interface BoardType {
   /** The firmwares it can run, the default first. */
   readonly firmwares: readonly [FirmwareType, ...FirmwareType[]];
   readonly pins: readonly PinType[];
-  /** It ends in the micro:bit's edge connector: five rings, and the contacts between them. */
+  /** True if it ends in the micro:bit's edge connector: five rings, and the contacts between them. */
   readonly edgeConnector: boolean;
   /** Python names of the pins of the two buttons. */
   readonly buttons: { readonly a: string; readonly b: string };
@@ -149,7 +149,7 @@ export interface BoardType {
   readonly musicPin: string;
   /** RGB LEDs (ws2812) soldered to the board: the Python name of their pin, and how many. */
   readonly rgb: { readonly pin: string; readonly count: number } | null;
-  /** The board's own motor driver: outputs turn while the Python pin `modePin` is high. */
+  /** The board's own motor driver: while the Python pin `modePin` is high, its pins are direction and speed. */
   readonly motors: { readonly modePin: string; readonly outputs: readonly MotorOutputType[] } | null;
   readonly costsUs: BoardCosts;
 }

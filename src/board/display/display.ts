@@ -154,7 +154,7 @@ export class Display {
     this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });
   }
 
-  /** The picture of a character, 25 brightnesses 0 or 9: of its first byte, as the device counts. */
+  /** The picture of one character, 25 brightnesses 0 or 9; that of `?` for a character beyond ASCII. */
   glyph(char: string): Uint8Array {
     return glyphOf(char);
   }

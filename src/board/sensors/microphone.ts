@@ -33,7 +33,7 @@ export class Microphone {
   private readonly were = new Set<SoundKind>();
   private history: SoundKind[] = [];
   private gain: number = MEDIUM_SENSITIVITY;
-  /** The level up to now; also called by a recording after a change. */
+  /** The present level, 0 … 255; a recording reads it. */
   private level: number;
   private noiseSinceUs: number | null = null;
   private silenceSinceUs: number;

@@ -3,7 +3,7 @@ import { Debounce } from './debounce';
 import type { Pin } from '../wires/pin';
 import type { TickGrid } from '../tick-grid';
 
-/** A pad that senses a finger: the logo, or pin 0, 1 or 2. Debounced like a button (codal-core TouchButton.cpp). */
+/** A pad that senses a finger: the logo or a touch pin. Debounced like a button (codal-core TouchButton.cpp). */
 export class Touch {
   private readonly contact: Debounce;
   private finger = false;

@@ -32,7 +32,7 @@ const rulesByLetter: ReadonlyMap<string, readonly Rule[]> = (() => {
 })();
 
 /**
- * Reads English text aloud: phonemes in the names of the micro:bit's speech module, words separated by spaces.
+ * Translates English text to phonemes, by their names in the micro:bit's speech module, words separated by spaces.
  *
  * By letter-to-sound rules in the manner of H. S. Elovitz et al., "Automatic Translation of English Text to Phonetics
  * by Means of Letter-to-Sound Rules", NRL Report 7948 (1976, public domain), with our own table. The device's rules

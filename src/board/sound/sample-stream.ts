@@ -46,7 +46,7 @@ export class SampleStream {
     this.askForMore = askForMore;
   }
 
-  /** Hands over the next block; an empty one sounds like one sample of silence, as on the device. */
+  /** Hands over the next block; an empty one lasts as long as 32 samples of silence, as on the device. */
   write(block: SampleBlock): void {
     if (this.playing) this.waiting = block;
     else this.begin(block, this.clock.nowUs);

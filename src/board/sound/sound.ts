@@ -91,7 +91,7 @@ export class Sound {
     return () => this.listeners.delete(listener);
   }
 
-  /** Back to silence, full volume, speaker on, no pin. `MusicPlayer.reset` resets the tone of music. */
+  /** Back to silence, full volume, speaker on, no pin. `MusicPlayer.stop` ends the tone of music. */
   reset(): void {
     for (const source of ['effect', 'samples', 'speech'] as const) this.silence(source);
     this.route.free();

@@ -22,7 +22,7 @@ export interface I2cWires {
 export interface I2cTransfer {
   /** False if no chip has the address: the controller sees no acknowledge (rule I1). */
   readonly acknowledged: boolean;
-  /** Time for which the bus was busy, in whole µs; equals `transferUs`. */
+  /** Time for which the bus was busy, in whole µs; equals `writeUs` or `readUs`. */
   readonly durationUs: number;
   /** The bytes read; empty for a write. */
   readonly bytes: Uint8Array;

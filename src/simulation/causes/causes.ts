@@ -5,13 +5,13 @@ import type { CodeLine, Output, OutputSet } from './output';
 /** Why an output is as it is at some moment. */
 export interface Cause {
   readonly output: Output;
-  /** Since when it is so: the line by which it became so has set it then. Of an event, when it was. */
+  /** When the output got this value, in µs; for an event, when it happened. */
   readonly sinceUs: number;
-  /** Innermost first; empty: it was typed at the REPL. */
+  /** The lines that set it then, innermost first; empty: it was typed at the REPL. */
   readonly lines: readonly CodeLine[];
   /** The value it was set to, as the robot or board reports it; `null`: it is an event. */
   readonly value: OutputSet['value'];
-  /** Others that have set it once more to what it was, the last ones; `null`: none have. */
+  /** Other lines, which were the last to set it to the same value again; `null`: there are none. */
   readonly again: readonly CodeLine[] | null;
 }
 
@@ -21,7 +21,7 @@ const MOST_ENTRIES = 72_000;
 /** Which lines set the outputs of a run's devices, and when: as far as any repetition of it has come. */
 export class Causes {
   private readonly devices: DeviceCauses[] = [];
-  /** All is known up to here. */
+  /** The causes are known up to this time, in µs. */
   untilUs = 0;
 
   /** Makes a listener to a repetition from its start. All listeners are the same: a report counts once. */
@@ -35,7 +35,7 @@ export class Causes {
     };
   }
 
-  /** A repetition has come to this time. */
+  /** Call it when a repetition has come to this time. */
   reached(us: number): void {
     this.untilUs = Math.max(this.untilUs, us);
   }
@@ -53,8 +53,8 @@ export class Causes {
   /**
    * Why a line stands in the console.
    *
-   * @param timeUs when the run says that it was printed: by the first device's clock as it last stood, at most one step of
-   *   the world before; lines of a few ms together
+   * @param timeUs the time of the line in the run's output, by the first device's clock: at most one step of the world
+   *   early; the lines of a few ms share it
    * @param place how many lines of the device have this same time and come before
    */
   printed(device: number, timeUs: number, place: number): Cause | null {

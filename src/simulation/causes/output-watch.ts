@@ -42,8 +42,8 @@ const NEWLINE = 10;
 const RETURN = 13;
 
 /**
- * Tells of each output that a program sets, with the lines that do it. It reads only: the run stays what it is. Put it
- * in as the VM's observer, and `onSet` as what the robot tells.
+ * Reports each output that a program sets, with the lines that do it. It only reads: the run stays the same. Give it to
+ * the VM as its observer, and `onSet` to the robot.
  */
 export class OutputWatch implements Observer {
   private names: Names | null = null;
@@ -101,7 +101,7 @@ export class OutputWatch implements Observer {
     this.setMotors(wire);
   }
 
-  /** A wire of the robot's counts as what it is for. */
+  /** The outputs that a wire carries: the robot's own if the robot uses it, else the pin itself. */
   private outputsOf(wire: Wire): readonly Output[] {
     return this.of.wires()[wire.name] ?? [`pin-${wire.name}`];
   }
@@ -114,7 +114,7 @@ export class OutputWatch implements Observer {
         this.setOnBoard(`motor-${place}`, board.motors[place]?.duty ?? 0);
   }
 
-  /** Those of a robot, that listens there, tell of themselves. */
+  /** Reports the LEDs on a pin: the board's own or a plugged-in chain. A robot reports its own LEDs itself. */
   private setLights(number: unknown): void {
     const { board } = this.of;
     const wire = this.wireOf(number);

@@ -22,12 +22,12 @@ export interface CodeLine {
   readonly line: number;
 }
 
-/** That a program sets an output, maybe to what it is already. */
+/** A report that a program sets an output, maybe to the value that it already has. */
 export interface OutputSet {
   readonly output: Output;
   /** In µs of the device's clock. */
   readonly timeUs: number;
-  /** The same as before if nothing has changed by it; `null`: it is an event, and none is like another. */
+  /** The value it is set to; `null`: it is an event, and each one counts. */
   readonly value: string | number | null;
   /** The lines that do it, innermost first: one for each of the pupil's functions that run. Empty: it was typed. */
   readonly lines: readonly CodeLine[];

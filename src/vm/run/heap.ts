@@ -96,7 +96,7 @@ export class Heap {
     this.endLibrary(this.firmware.program_start.value);
   }
 
-  /** The library ends there, unless that is known already. */
+  /** Sets the library's end, unless it is set already. */
   private endLibrary(address: number): void {
     if (this.firmware.library_end.value === 0) this.firmware.library_end.value = address;
   }

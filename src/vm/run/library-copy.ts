@@ -27,7 +27,7 @@ export interface LibraryCopy extends Heard {
   readonly globals: readonly { readonly name: string; readonly value: number }[];
 }
 
-/** The state of a VM in between. */
+/** The state of a VM before its library is loaded. */
 export interface VmState {
   readonly bytes: Uint8Array;
   readonly globals: ReadonlyMap<string, number>;
@@ -57,13 +57,13 @@ const suits = (one: LoadedFor, other: LoadedFor): boolean =>
   one.board.firmware === other.board.firmware &&
   isSame(one.fileNames, other.fileNames);
 
-/** Takes down the state of a VM. */
+/** Records the state of a VM. */
 export const stateOf = (firmware: Firmware, memory: Memory): VmState => ({
   bytes: memory.bytes.slice(),
   globals: new Map(globalsOf(firmware).map(([name, { value }]) => [name, value])),
 });
 
-/** Keeps what has become of a VM since a moment of its start. The oldest copy goes. */
+/** Stores all that has changed in a VM since `before`. When there are too many copies, the oldest one is dropped. */
 export function keepCopy(of: LoadedFor, before: VmState, firmware: Firmware, memory: Memory, heard: Heard): void {
   const copy: LibraryCopy = {
     agreed: heard.agreed,
@@ -78,7 +78,7 @@ export function keepCopy(of: LoadedFor, before: VmState, firmware: Firmware, mem
   copies.set(of.module, [...(copies.get(of.module) ?? []).slice(1 - MOST_COPIES), kept]);
 }
 
-/** Makes of a VM that was just started one whose library is loaded. */
+/** Gives a VM that was just started the loaded library. */
 export function restoreCopy({ pages, globals }: LibraryCopy, firmware: Firmware, memory: Memory): void {
   for (const { at, bytes } of pages) memory.bytes.set(bytes, at);
   const byName = new Map(globalsOf(firmware));

@@ -1,6 +1,6 @@
 import type { SyscallTable, Value } from './syscall';
 
-/** Hears of all that a program does to its board, in the midst of it: where the program is can be read meanwhile. */
+/** Hears of all that a program does to its board while it does it, so that the program's place can be read. */
 export interface Observer {
   /** A call of the device begins: what happens until `after` happens by it. */
   before(): void;
@@ -10,7 +10,7 @@ export interface Observer {
   print(bytes: Uint8Array): void;
 }
 
-/** The same calls, with somebody who hears of them. Their answers and their time stay what they are. */
+/** Wraps syscalls so that an observer hears of each. Their answers and costs stay the same. */
 export function observed(table: SyscallTable, observer: Observer): SyscallTable {
   const listenTo = ([name, call]: [string, SyscallTable[string]]): [string, SyscallTable[string]] => [
     name,

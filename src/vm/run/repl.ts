@@ -10,7 +10,7 @@ export type Request =
   | { readonly type: 'program'; readonly source: string }
   /** The same, pasted by a person: values of expressions are printed. */
   | { readonly type: 'pasted'; readonly source: string }
-  /** Lists the possible completions of the last name of `a.b.`. */
+  /** Asks for the names of the object `path` (`a.b`; empty: the program's own), for Tab to complete. */
   | { readonly type: 'names'; readonly path: string }
   | { readonly type: 'reboot' };
 

@@ -112,7 +112,7 @@ export class Session {
     return this.restartsAs ?? 'ended';
   }
 
-  /** KeyboardInterrupt at the program's next jump. */
+  /** Raises KeyboardInterrupt at the program's next jump. */
   interrupt(): void {
     this.engine.interrupt();
   }
@@ -282,7 +282,7 @@ export class Session {
 
   /**
    * Loads the library, which takes no time. What that makes of a VM is kept: the next one for such a board gets it as a copy.
-   * While somebody looks on, it is loaded before their eyes.
+   * With an observer or a watch there is no copy: they see the library load.
    */
   private loadLibrary(): void {
     this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;

@@ -35,7 +35,7 @@ export interface Digits {
   write(layout: Layout, text: string[], asked: Style): boolean;
 }
 
-/** Bytes of an exponent's sign, two digits and what goes with them: `9e+99` and a closing zero. */
+/** Bytes of the shortest number with an exponent: `9e+99` and a closing zero. */
 export const EXPONENT_ROOM = 6;
 
 /** Lays out a number below 1 that is shown with an exponent. */

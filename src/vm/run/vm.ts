@@ -26,7 +26,7 @@ export interface Vm {
   readonly awaitsInput: boolean;
   /** Raises KeyboardInterrupt in the program; in the REPL it is Ctrl-C. */
   interrupt(): void;
-  /** The same for good: the traceback of this interrupt is not shown to the user. Any other one is printed. */
+  /** The same, but from now on the traceback of a KeyboardInterrupt is not shown; that of any other exception is. */
   stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;

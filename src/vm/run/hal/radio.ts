@@ -9,7 +9,7 @@ const UNKNOWN = -1;
 const OUT_OF_RANGE = -2;
 const TICKS_MASK = 0x3fffffff; // MicroPython on 32 bits: ticks wrap at 2³⁰
 
-/** modradio.c, mod_radio_config; with power 8 from the code, 7 in the documentation. */
+/** modradio.c, mod_radio_config; the highest power is 7 as documented (8 in that code). */
 const LIMITS: Readonly<Record<string, readonly [setting: keyof RadioConfig, min: number, max: number]>> = {
   length: ['length', 1, 251],
   queue: ['queue', 1, 254],
