@@ -8,7 +8,7 @@ export interface DeviceOption {
   readonly files: readonly string[];
   /** Id of a robot type, `none`, or `auto`: the one whose module the program imports, else none. */
   readonly robot: string;
-  /** Id of a board type, or `auto`: the robot's, else by what the program imports. */
+  /** Id of a board type, or `auto`: the one whose own module the program imports, else the robot's. */
   readonly board: string;
 }
 

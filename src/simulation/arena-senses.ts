@@ -13,8 +13,8 @@ export interface Surroundings {
 }
 
 /**
- * Lets the board on the robot measure the arena: compass, accelerometer and light. While it is off, they stay as they were
- * set by hand; only the compass turns with the robot, because a program that turns by it would otherwise never end.
+ * Lets the board on the robot measure the arena: compass, accelerometer and light. While it is off, they stay as set by
+ * hand; only the compass turns with the robot, because a program that turns by it would otherwise never end.
  */
 export interface ArenaSenses {
   readonly isOn: boolean;

@@ -3,7 +3,7 @@ import { touchedBy, type Step } from '#scene/history';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
 
-/** True if the difference between two courses affects a run at once: not if it is in labels or waits for the next start. */
+/** True if the difference between two courses affects a run at once. Labels, and what waits for the next start, do not. */
 export function changesRun(before: Scene, after: Scene): boolean {
   if (before === after) return false;
   const rules = ({ task: { seconds, noTouch, robots } }: Scene) => [seconds, noTouch, robots];
@@ -14,7 +14,7 @@ export function changesRun(before: Scene, after: Scene): boolean {
 const feltIn = ({ objects }: Scene): readonly SceneObject[] =>
   objects.filter((object) => object.type !== 'label' && !isLasting(object));
 
-/** True if a step changes anything solid, the robot's start or the arena, so that pictures of an earlier run are wrong. */
+/** True if a step changes anything solid, the robot's start or the arena: pictures of an earlier run are then wrong. */
 export function movesBodies(step: Step): boolean {
   const { objects, robot, size } = touchedBy(step);
   return robot || size || objects.some((object) => isMovable(object) || isLasting(object));

@@ -73,7 +73,7 @@ export class InputQueue {
     return next;
   }
 
-  /** The button stays down: that it is let go at `timeUs` is off. */
+  /** Cancels the release at `timeUs`, so that the button stays down. */
   private takeBack(id: string, timeUs: number): void {
     const place = this.waiting.findLastIndex(
       (event) => event.timeUs === timeUs && pressOf(event.action, event.device)?.id === id,

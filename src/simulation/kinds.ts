@@ -25,7 +25,7 @@ export interface Body {
   remove?(): void;
 }
 
-/** A kind of object as a run has it. */
+/** The behaviour of a kind of object in a run. */
 export interface RunKind<O extends AnyObject = SceneObject> {
   /**
    * The effect of a change during a run. `lasting`: it waits for the next start, since the robot may just be
@@ -108,7 +108,7 @@ function wayIn(mover: Mover): Way {
   return { stops, loops: mover.loops ?? false, phaseS: mover.phase ?? 0 };
 }
 
-/** A guard looks where its zone is now; without it there is nobody for it. */
+/** The chase of a mover. A guard uses its zone as it is now; if the zone is gone, it chases nobody. */
 function chaseOf(at: Point, { zone: id, reach = Infinity }: Chase, zone: Around['zone']): WorldChase {
   const isIn = (name: string, body: readonly Outline[]): boolean => {
     const guarded = zone(name);

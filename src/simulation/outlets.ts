@@ -43,7 +43,7 @@ export interface RunOutlets {
   readonly log?: (event: TimedLogEvent, device: number) => void;
   readonly trail?: (point: TrailPoint, device: number) => void;
   readonly set?: (set: OutputSet, device: number) => void;
-  /** Every step of the world, and the beginning, once the judge has looked: who listens asks the run what it wants to know. */
+  /** Called at the beginning and after every step of the world, once the judge has looked; the run can then be read. */
   readonly step?: () => void;
   /** Receives the state of the run every 20 ms of simulated time, after the world has moved. */
   readonly moment?: (snapshot: Snapshot) => void;
@@ -51,7 +51,7 @@ export interface RunOutlets {
   readonly isMomentWanted?: (timeUs: number) => boolean;
 }
 
-/** Those of them that one device tells. */
+/** The listeners for the events of one device. */
 export function outletsOf({ print, sound, radio, log, trail, set }: RunOutlets, device: number): DeviceOutlets {
   return {
     ...(print && { print: (text) => print(text, device) }),

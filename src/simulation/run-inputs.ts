@@ -31,7 +31,7 @@ export class RunInputs {
     this.waiting = new InputQueue(replayed);
   }
 
-  /** Nothing waits for its time. */
+  /** True if no action waits for its time. */
   get isEmpty(): boolean {
     return this.waiting.isEmpty;
   }

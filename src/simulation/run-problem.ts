@@ -12,7 +12,7 @@ import { placeOfDevice } from './several/place-of-device';
 import type { RunSetup } from './run-setup';
 
 /**
- * Why a set-up cannot run: an unknown robot or board, a robot inside a wall, an impossible input.
+ * Checks whether a set-up can run: not with an unknown robot or board, a robot inside a wall, an impossible input.
  *
  * @returns one or several lines that name place and value, or the run's devices
  */
@@ -71,7 +71,7 @@ export function checkFor({ names, checks }: InputTargets, device: string | undef
 }
 
 /**
- * Makes the check of a run.
+ * Makes the check of one device of a run.
  *
  * @param began the course that the run begins with
  */
@@ -102,7 +102,7 @@ export function createInputCheck(board: BoardType, began: Scene, hasRobot: boole
   };
 }
 
-/** Otherwise a damaged picture would show only when its levels are unpacked, in the middle of the run. */
+/** The problem of an edit, in words. A damaged picture is one: else it would show only in the middle of the run. */
 function editInWords(course: Scene, edit: SceneEdit): string | null {
   const problem = editProblem(course, edit);
   if (problem !== null) return `edit${problem.path === '' ? ': ' : '.'}${problem.message}`;

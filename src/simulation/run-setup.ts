@@ -52,6 +52,7 @@ export type SoloSetup = Omit<RunSetup, 'devices'> & Omit<DeviceSetup, 'name' | '
 /** Name of the device of a run that has only one. */
 export const SOLO = '1';
 
+/** The set-up of a run of one device. */
 export function soloRun({ files, robot, board, firmware, robotOptions, traits, ...run }: SoloSetup): RunSetup {
   const options = { ...(firmware !== undefined && { firmware }), ...(robotOptions && { robotOptions }) };
   return { ...run, devices: [{ name: SOLO, files, robot, board, ...options, ...(traits && { traits }) }] };

@@ -25,10 +25,10 @@ import type { Verdict } from './task/verdict';
 
 export type { Ended } from './device';
 
-/** Before the world moves, every device has come to this short a time before. */
+/** Before each step of the world, the other devices run up to this short a time before it. */
 const JUST_BEFORE_US = 1;
 
-/** A program stands where a debugger has stopped it. */
+/** True if a debugger has stopped the device's program. */
 const isHeld = ({ hold }: Device): boolean => hold.isHeld;
 
 /**
@@ -102,7 +102,7 @@ export class Simulation {
     return this.first.ended;
   }
 
-  /** Every program has ended. */
+  /** True once every program has ended. */
   get hasEnded(): boolean {
     return this.devices.every(({ ended }) => ended !== null);
   }
@@ -112,14 +112,14 @@ export class Simulation {
     return this.devices.map(({ ended }) => ended);
   }
 
-  /** The programs have switched all boards off and do not run any more. */
+  /** True once the programs have switched all boards off and do not run any more. */
   get isOff(): boolean {
     return this.devices.every(({ isOff }) => isOff);
   }
 
   /**
-   * All programs have ended, and nothing is set for later: no callback, tone, moving picture or time limit. While the
-   * world does not move either, nothing happens until the next input.
+   * True if all programs have ended and nothing is set for later: no callback, tone, moving picture or time limit. While
+   * the world does not move either, nothing happens until the next input.
    */
   get isIdle(): boolean {
     const isQuiet = this.inputs.isEmpty && this.air.isQuiet && this.judge?.awaitsTime !== true;
@@ -173,7 +173,7 @@ export class Simulation {
     return this.first.shine();
   }
 
-  /** The judge has decided. */
+  /** True once the judge has decided. */
   get isJudged(): boolean {
     return this.judge?.isFinal === true;
   }
@@ -188,14 +188,14 @@ export class Simulation {
     return this.devices[device]?.inspected ?? null;
   }
 
-  /** The clock of a device: while somebody steps, it may be some ms before or behind that of the first. */
+  /** The time on a device's clock: while a debugger steps, it may be some ms ahead of or behind that of the first. */
   timeOf(device: number): number {
     return this.devices[device]?.clock.nowUs ?? this.nowUs;
   }
 
   /**
-   * Stops the run at the lines of a device's program that the rule names; `null`: not any more. `heldBy` tells where it
-   * stands, and the next `advanceTo` goes on. Time, output, memory and trajectory stay what they are without.
+   * Stops the run at the lines of a device's program that the rule names; `null`: not any more. `heldBy` then names the
+   * device, and the next `advanceTo` goes on. Time, output, memory and trajectory are the same as without a rule.
    */
   watch(rule: StopRule | null, device = 0): void {
     const watched = this.devices[device];
@@ -234,8 +234,8 @@ export class Simulation {
   }
 
   /**
-   * While somebody steps, the devices after the first run before it: inside the step of the world none could stop. They meet
-   * only there, so the order makes no difference.
+   * While a debugger steps, the devices after the first run before it: inside the step of the world none could stop. They
+   * meet only there, so the order makes no difference.
    *
    * @returns false if one was stopped
    */
@@ -312,7 +312,7 @@ export class Simulation {
     this.observe();
   }
 
-  /** Judges, draws and writes down where everything is now. */
+  /** Lets the judge look at the present state, and reports and records it. */
   private observe(): void {
     this.judge?.step(this.nowUs);
     for (const device of this.devices) device.sendTrail();

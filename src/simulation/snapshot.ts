@@ -12,7 +12,7 @@ export interface BoardSnapshot {
   /** 25 levels 0 … 9, row by row. */
   readonly display: readonly number[];
   readonly buttons: { readonly a: boolean; readonly b: boolean };
-  /** True if each touch pad is touched, by its name. */
+  /** For each touch pad, by its sensor id (`pinLogo`): true if it is touched. */
   readonly touch: Readonly<Record<string, boolean>>;
   /** The colour LEDs on the board itself, 0 … 255 each; none on a micro:bit. */
   readonly rgb: readonly Rgb[];
@@ -28,7 +28,7 @@ export interface BoardSnapshot {
   readonly soundThresholds: { readonly quiet: number; readonly loud: number };
   readonly power: 'on' | 'asleep' | 'off';
   readonly radio: { readonly on: boolean; readonly group: number; readonly channel: number };
-  /** The data log is full. */
+  /** True if the data log is full. */
   readonly logFull: boolean;
   /** The present tone of music, or `null` for silence. */
   readonly sound: { readonly hz: number } | null;
@@ -42,9 +42,9 @@ export interface DeviceSnapshot extends BoardSnapshot {
   readonly name: string;
   /** `program` until its end, then `world`, in which the REPL waits. */
   readonly running: 'program' | 'world';
-  /** The program waits in `input()` for a line. */
+  /** True while the program waits in `input()` for a line. */
   readonly awaitsInput: boolean;
-  /** The REPL has greeted: it then receives the input. */
+  /** True once the REPL has greeted: it then receives the input. */
   readonly repl: boolean;
   /** Position of the program: the running line of the pupil's files, or the one that called what runs; `null`: none. */
   readonly position: Position | null;

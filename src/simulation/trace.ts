@@ -13,7 +13,7 @@ export interface TraceRow {
   readonly yMm: number;
   /** Counter-clockwise from +x, not wrapped. */
   readonly headingRad: number;
-  /** Speed of each wheel's rim over the ground. */
+  /** Speed of each wheel's rim, forward positive; a slipping wheel moves over the floor at another speed. */
   readonly leftMmPerS: number;
   readonly rightMmPerS: number;
   /** −1 … 1. */

@@ -67,13 +67,13 @@ export interface MoverShape extends Named, BodyForm {
 export interface Way {
   /** At least one; it is at the first at the start, and waits there first. */
   readonly stops: readonly { readonly atMm: Vec; readonly waitS: number }[];
-  /** From the last stop straight to the first; otherwise back over all the others. */
+  /** True if it goes from the last stop straight to the first; otherwise it goes back over all the others. */
   readonly loops: boolean;
   /** It starts where it would be after this time, from 0. */
   readonly phaseS: number;
 }
 
-/** After robots, as far as anything solid lets it. */
+/** A chase after robots, as far as solid things let it. */
 export interface Chase {
   /** Its middle at the start. */
   readonly homeMm: Vec;

@@ -50,7 +50,7 @@ const stop = (
 ): Phoneme => ({ kind: 'stop', ms, formants, voice, noise });
 const pause = (ms: number): Phoneme => ({ kind: 'pause', ms, formants: [500, 1500, 2500], voice: 0 });
 
-/** Formants of consonants by the place where they are made: the formants of the vowels beside them bend towards these. */
+/** Formants of consonants by the place where they are made: those of the vowels beside them bend towards these. */
 const LIPS = [300, 900, 2200] as const;
 const TEETH = [300, 1400, 2600] as const;
 const RIDGE = [300, 1750, 2700] as const;

@@ -205,7 +205,7 @@ export class Wire {
   }
 }
 
-/** Input thresholds: nRF52833 product specification, GPIO: V_IH 0.7 × VDD, V_IL 0.3 × VDD; in between as before (rule W7). */
+/** Input thresholds (nRF52833 product specification, GPIO): 0.7 and 0.3 × VDD; in between the level stays (rule W7). */
 function levelOf(drive: Drive, before: Level): Level {
   if (drive.kind === 'level') return drive.level;
   const fraction = drive.kind === 'analog' ? drive.fraction : drive.pwm.dutyFraction;

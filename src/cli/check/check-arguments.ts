@@ -26,7 +26,7 @@ export interface CheckOptions {
   readonly lang: Language;
 }
 
-/** The options of `check`, without `--`. */
+/** The options of `check` that take a value, without `--`. */
 export const checkTexts = ['jobs', 'report', 'junit', 'csv', 'shard', 'resume', 'merge', 'lang'] as const;
 const checkFlags: readonly string[] = ['json', 'quiet'];
 

@@ -174,7 +174,7 @@ async function equalIn(task: ClassTask, start: StartThread, language: Language):
   return equalTexts(equalWorlds(task, result), language);
 }
 
-/** Calls something now and then. @returns ends that */
+/** Calls something every so many ms. @returns a function that ends this */
 function every(ms: number, act: () => void): () => void {
   const timer = setInterval(act, ms);
   return () => clearInterval(timer);
@@ -195,7 +195,7 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
-/** The title of the task, as on the page: as given in its series, or the title of its ready course. */
+/** The task's name for reports: its id, else its title in its series, that of its ready course, or its course's name. */
 const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
   id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
 

@@ -94,7 +94,7 @@ export class ResultsFolder {
     writeWhole(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
   }
 
-  /** Hash of everything that the result of a hand-in depends on. @param problem why it cannot be read */
+  /** Hash of everything that the result of a hand-in depends on; of an unreadable one, of why it cannot be read. */
   keyFor(content: Content): string {
     return 'problem' in content
       ? keyOf(this.taskKey, JSON.stringify(content.problem))

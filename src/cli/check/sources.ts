@@ -19,7 +19,7 @@ import { isAddress } from '../read-work';
 import { readyCourse } from '../ready-courses';
 import { reasonOf } from '../reason-of';
 
-/** Folders in folders, and files in all of them, that are looked into. Chosen: more than any class has. */
+/** Most levels of folders, and most files in all of them, that are searched. Chosen: more than any class has. */
 const [MOST_DEPTH, MOST_FILES] = [20, 200_000];
 
 /**

@@ -42,7 +42,7 @@ const CAPTURE_DB = 10;
  * distance. With *reality* it wavers, weak and some other packets are lost, and packets that overlap disturb each other.
  */
 export class Air {
-  /** Sent, and not over before the last step; in order of their ends, then of the devices. */
+  /** Packets that were sent and are not delivered yet. */
   private flying: Packet[] = [];
   /** Packets sent shortly before, which may overlap with those in the air. */
   private past: readonly Packet[] = [];
@@ -59,7 +59,7 @@ export class Air {
     if (devices.length > 1) devices.forEach((device, from) => this.listenTo(device, from));
   }
 
-  /** Nothing is under way. */
+  /** True if no packet is under way. */
   get isQuiet(): boolean {
     return this.flying.length === 0;
   }

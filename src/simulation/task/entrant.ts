@@ -24,7 +24,7 @@ export type Failure = Pick<Verdict, 'reason' | 'by'>;
 /** Why a robot has failed. */
 export type RobotFailure = Pick<RobotVerdict, 'reason' | 'by'>;
 
-/** How it ended for a robot. */
+/** The state of the task for a robot. */
 type Outcome = Pick<RobotVerdict, 'state' | 'atMs' | 'reason' | 'by' | 'place'>;
 
 const OPEN: Outcome = { state: 'open', atMs: null, reason: null, by: null, place: null };
@@ -74,13 +74,13 @@ export class Entrant {
     return this.newTouch() ?? this.overForbidden(pose, hasMoved);
   }
 
-  /** The middle of its axle is in one of these zones. */
+  /** True if the middle of its axle is in one of these zones. */
   isIn(zones: readonly Zone[]): boolean {
     const { xMm: x, yMm: y } = this.robot.chassis.pose();
     return zones.some((zone) => zoneHolds(zone, { x, y }));
   }
 
-  /** Another robot touches it, or it touches another. */
+  /** True if it and this other robot touch. */
   isTouching(other: Chassis): boolean {
     return this.robot.chassis.isTouching(other);
   }

@@ -30,14 +30,14 @@ export interface Watched {
  * - *Failed*: any part of the robot, also what is fixed to it or held, is over a forbidden zone; it touches spikes; with `noTouch` it touches
  *   anything solid (except blocks, if blocks are to be delivered); the time is over. If a task passes and fails in the
  *   same step, it has failed.
- * - *Helped*: what would have been passed, had neither the hand moved anything nor the course been edited. Help that the
- *   task allows is told, and it is passed.
+ * - *Helped*: it would have been passed, had neither the hand moved anything nor the course been edited. Help that the
+ *   task allows is only reported: the task is passed.
  * - How several robots share it: `Task.robots`, and `sharing.ts`.
  */
 export class Judge {
   private brief: TaskBrief;
   private deliveries: Deliveries;
-  /** Those that count. */
+  /** The robots that count. */
   private entrants: readonly Entrant[];
   private readonly help = new Set<Help>();
   private delivered = 0;
@@ -78,7 +78,7 @@ export class Judge {
     return this.final ?? (this.isAsked() ? this.openVerdict() : null);
   }
 
-  /** It has decided; its verdict stays. */
+  /** True once it has decided: its verdict stays. */
   get isFinal(): boolean {
     return this.final !== null;
   }
@@ -88,7 +88,7 @@ export class Judge {
     return this.entrants.reduce((sum, { collisions }) => sum + collisions, 0);
   }
 
-  /** The task is open, and time alone will decide it. */
+  /** True while the task is open and has a time limit, which will decide it at the latest. */
   get awaitsTime(): boolean {
     return this.final === null && this.isAsked() && this.brief.task.seconds !== null;
   }
@@ -178,7 +178,7 @@ export class Judge {
   }
 }
 
-/** Ways of their own are counted together, or where the first wins, the farthest is; a common way once. */
+/** Adds up the robots' own ways; where the first wins, only the farthest counts. A common way counts once. */
 function countsOf(entrants: readonly Entrant[], robots: Task['robots']): Pick<Verdict, 'checkpoints' | 'targets'> {
   const counts = (robots === 'together' ? entrants.slice(0, 1) : entrants).map(({ route }) => route.counts());
   const isRace = robots === 'first';

@@ -54,7 +54,7 @@ export class Route {
   }
 
   /**
-   * A robot is here now.
+   * Notes the places that a robot has reached at this position, and a place that it has entered before its turn.
    *
    * @param waiting what this returned for the same robot the last time
    */
@@ -63,7 +63,7 @@ export class Route {
   }
 
   /**
-   * A robot is here now; whether it has come to a place before its turn is not asked.
+   * Notes the places that a robot has reached at this position, but not those that it enters before their turn.
    *
    * @returns the number of the next checkpoint, `Infinity` when all are reached
    */

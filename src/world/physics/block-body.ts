@@ -43,16 +43,16 @@ interface Hold {
 
 /** A block's body. It lies still by the friction of the floor until something pushes or takes it, or it is fixed. */
 export class BlockBody implements BlockHandle {
-  /** Its convex parts about where its area has its middle, counter-clockwise, in units. */
+  /** Its convex parts about its centroid, counter-clockwise, in units. */
   readonly parts: readonly (readonly Vec[])[];
   /** Friction force of the floor, in the engine's unit of force. */
   readonly drag: number;
-  /** Mean distance of its area from its middle, in units: the lever of the floor's friction in a turn. */
+  /** Mean distance of its area from its centroid, in units: the lever of the floor's friction in a turn. */
   readonly meanRadius: number;
   readonly body: Body;
   /** One for each part. */
   readonly fixtures: readonly Fixture[];
-  /** From the middle of its shape to that of its area, in its own frame; both are the same but for polygons. */
+  /** From the middle of its shape to its centroid, in its own frame; they differ only for polygons. */
   private readonly offsetMm: Vec;
   private readonly joint: FloorJoint | null;
   private readonly onPlaced: () => void;

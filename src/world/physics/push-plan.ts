@@ -23,7 +23,7 @@ const MAX_ROW = 5;
 /** A block that is pushed more often than this in one plan counts as jammed. */
 const MAX_PUSHES = 12;
 
-/** A block on its way to the destination of a push. */
+/** A pushed block, as the plan has it. */
 interface Moved {
   readonly place: Place;
   /** One for each of its parts. */

@@ -13,7 +13,7 @@ interface Piece {
   readonly isBack: boolean;
 }
 
-/** Distance of a thing on a path after a number of steps of the world, in mm. */
+/** The place of a thing on its way after a number of steps of the world, in mm. */
 export function placesAlong(way: Way, speedMmPerS: number): (steps: number) => Vec {
   const pieces = piecesOf(way, speedMmPerS);
   const home = way.stops[0]?.atMm ?? { x: 0, y: 0 };
