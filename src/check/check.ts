@@ -73,7 +73,7 @@ function resultOf(
   };
 }
 
-/** All visible worlds and enough of the hidden ones. */
+/** True if it holds in all visible worlds and in enough of the hidden ones. */
 function isEnough(
   { least }: ClassTask,
   worlds: readonly WorldResult[],
@@ -150,7 +150,7 @@ function remarksOn(
   return remarks;
 }
 
-/** A line that is locked in the editor is another one: the program was written elsewhere. */
+/** True if a line that is locked in the editor was changed: then the program was written elsewhere. */
 function lacksLines({ project, locks }: ClassTask, theirs: HandIn['project']): boolean {
   const mainOf = (of: HandIn['project']): string => runFilesOf(of, 0)[MAIN] ?? '';
   return locks.lines.length > 0 && keptLines(mainOf(project), mainOf(theirs), locks.lines) === null;

@@ -14,7 +14,7 @@ export interface CheckResult {
   /** Each world of the task, in its order; none for what cannot be run. */
   readonly worlds: readonly WorldResult[];
   readonly remarks: readonly Remark[];
-  /** The common part of duplicates; empty for a program that was handed out like this. */
+  /** Fingerprint that hand-ins with the same program share; empty for a program that is still as it was handed out. */
   readonly twin: string;
 }
 
@@ -78,10 +78,10 @@ const unreached: readonly ReasonCode[] = [
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
 ];
 
-/** Nothing was done wrong: something was just not reached. */
+/** True if nothing was done wrong: something was just not reached. */
 export const isUnreached = ({ code }: Reason): boolean => unreached.includes(code);
 
-/** All of the judge's reasons are among them. */
+/** The code of a reason of the judge: it is the same word. */
 export const goalReason = (reason: GoalReason): ReasonCode => reason;
 
 /** Something reported to the teacher. */
@@ -101,7 +101,7 @@ export const remarkCodes = [
 ] as const;
 export type RemarkCode = (typeof remarkCodes)[number];
 
-/** The result of something that is not a hand-in. */
+/** The result of a hand-in that cannot be read. */
 export const unreadable = (checks: readonly { readonly id: string }[], { code, params }: Unread): CheckResult => ({
   passed: false,
   points: 0,

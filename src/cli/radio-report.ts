@@ -3,7 +3,7 @@ import { hexOf } from '#core/hex';
 import type { RadioPacket } from '#simulation/outlets';
 import { msOf } from '#simulation/report';
 
-/** A packet that was sent, for `--json`: as text when `radio.send` made it, else its bytes, two hexadecimal digits each. */
+/** A packet that was sent, for `--json`: as text when `radio.send` made it, else its bytes in hexadecimal. */
 export type SentPacket = { readonly atMs: number } & ({ readonly text: string } | { readonly hex: string });
 
 /** Packets of a device since the last report, and the total number of its packets. */
@@ -15,7 +15,7 @@ export interface RadioNews {
 /** Maximum number of packets in the report; later ones are only counted. Chosen: ten minutes at 16 a second. */
 const MOST_PACKETS = 10_000;
 
-/** Maximum number of bytes in these packets of a device. Chosen: eight devices that send without a pause stay below 10 MB. */
+/** Maximum of bytes in a device's packets. Chosen: eight devices that send without a pause stay below 10 MB. */
 const MOST_BYTES = 250_000;
 
 /** Collects the packets of a device for the report. */

@@ -107,7 +107,7 @@ function addFile(files: Record<string, string>, path: string): void {
   files[name] = readText(path, limits.program);
 }
 
-/** True if a word can only be the id of a ready course: a folder of that name is none. */
+/** True if there is no file of this name (a folder is none): it can then only be the id of a ready course. */
 export const isNoFile = (path: string): boolean => !existsSync(path) || statSync(path).isDirectory();
 
 /** A course, that of a project or of a link, or a ready one by its id. */

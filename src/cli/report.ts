@@ -111,7 +111,7 @@ const someOf = ({ radio, radioSent, lights }: Pick<Report, 'radio' | 'radioSent'
 export const runEnding = ({ ended, devices }: Report): RunEndedWord =>
   devices.map((device) => device.ended).find((one) => exitCodeOf(one) === 1) ?? ended;
 
-/** 0 for a run without exception, 1 for one that ended badly. */
+/** 0 for a run that finished or reached its time limit, 1 for any other end. */
 export function exitCodeOf(ended: RunEndedWord): 0 | 1 {
   return ended === 'finished' || ended === 'time-limit' ? 0 : 1;
 }

@@ -162,7 +162,7 @@ function withProject<T extends Pick<RunOptions, 'robot' | 'board' | 'firmware'>>
   };
 }
 
-/** Seed and *reality*; an ideal robot of a project has no number. */
+/** Seed and *reality*; the project's seed counts only if the robot is not ideal. */
 function chanceOf(options: RunOptions, { settings }: RunFiles): { readonly seed: number; readonly reality: number } {
   const reality = options.reality ?? settings.reality ?? 0;
   return { reality, seed: options.seed ?? (reality > 0 ? (settings.seed ?? 1) : 1) };

@@ -3,7 +3,7 @@ import { touchedBy, type Step } from '#scene/history';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
 
-/** True if the difference between two courses affects a run at once. Labels, and what waits for the next start, do not. */
+/** True if the difference between two courses affects a run at once; labels and changes for the next start do not. */
 export function changesRun(before: Scene, after: Scene): boolean {
   if (before === after) return false;
   const rules = ({ task: { seconds, noTouch, robots } }: Scene) => [seconds, noTouch, robots];

@@ -118,8 +118,8 @@ export class Simulation {
   }
 
   /**
-   * True if all programs have ended and nothing is set for later: no callback, tone, moving picture or time limit. While
-   * the world does not move either, nothing happens until the next input.
+   * True if all programs have ended and nothing is set for later: no callback, tone, moving picture or time limit.
+   * While the world does not move either, nothing happens until the next input.
    */
   get isIdle(): boolean {
     const isQuiet = this.inputs.isEmpty && this.air.isQuiet && this.judge?.awaitsTime !== true;
@@ -234,8 +234,8 @@ export class Simulation {
   }
 
   /**
-   * While a debugger steps, the devices after the first run before it: inside the step of the world none could stop. They
-   * meet only there, so the order makes no difference.
+   * While a debugger steps, the devices after the first run before it: inside the step of the world none could stop.
+   * They meet only there, so the order makes no difference.
    *
    * @returns false if one was stopped
    */

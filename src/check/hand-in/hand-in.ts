@@ -6,7 +6,7 @@ import type { Carried, Project } from '#project/project';
 export interface HandIn {
   /** Program, course and settings as the pupil had them; without `handIn`. */
   readonly project: Project;
-  /** The course is the pupil's: a program alone has none. */
+  /** True if the course is the pupil's; false for a program alone, which has none. */
   readonly hasCourse: boolean;
   /** The pupil's page's statement about the work; `null`: none, as for a program alone. */
   readonly said: Said | null;

@@ -1,6 +1,6 @@
 import type { PythonText } from '#python/tree';
 
-/** Brackets within brackets. Chosen: more than MicroPython's own parser takes on the device. */
+/** Maximum depth of a syntax tree. Chosen: more than MicroPython's own parser takes on the device. */
 const MOST_LEVELS = 400;
 
 /** True if a program is nested too deeply to be legible: its tree is then not examined. */

@@ -35,7 +35,7 @@ export const otherTaskTexts = (found: ClassResult, language: Language): readonly
     filledIn(words.report.others[language], shownIn({ task, count, of: found.handIns.length })),
   );
 
-/** A sentence for each hidden world that hides nothing. */
+/** A sentence for each hidden world that tests nothing new. */
 export const equalTexts = (worlds: readonly EqualWorlds[], language: Language): readonly string[] =>
   worlds.map(({ id, other }) => filledIn(words.report.equal[language], shownIn({ id, other })));
 

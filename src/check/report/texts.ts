@@ -118,5 +118,5 @@ export function junitOf(found: ClassResult, language: Language): string {
   return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites ${counts}>\n  <testsuite name="${escaped(task)}" ${counts}>\n${cases.join('')}  </testsuite>\n</testsuites>\n`;
 }
 
-/** True if it is not a hand-in at all. */
+/** True if the hand-in could not be read. */
 export const isUnread = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'unreadable');

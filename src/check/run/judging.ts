@@ -41,12 +41,12 @@ export class Judging {
     this.watched = checks.map((check): Watched => ({ check, watcher: watcherOf(check, course) }));
   }
 
-  /** Nothing that happens now changes anything. */
+  /** True once nothing that happens changes the result any more. */
   get isDone(): boolean {
     return this.isOver;
   }
 
-  /** Look at the run: before the first step of the world, and after each. */
+  /** Looks at the run. Call it before the first step of the world and after each. */
   step(run: Step): void {
     // Printed or sent data arrives between two steps, and may have been the last that was missing.
     if (run.nowUs > this.limitUs || (this.hasHeard && this.isDecided(this.lastUs))) this.end(run);
@@ -59,7 +59,7 @@ export class Judging {
     if (this.isDecided(run.nowUs) || run.nowUs >= this.limitUs) this.end(run);
   }
 
-  /** The run is over. */
+  /** Call it when the run is over. */
   end(run: Step): void {
     if (this.isOver) return;
     this.isOver = true;
@@ -67,7 +67,7 @@ export class Judging {
     for (const { watcher } of this.watched) watcher.end?.(run);
   }
 
-  /** Only outlets with a listener are made. Printed text is never stored. */
+  /** The outlets for the run: those with a watcher, and `print` always, so that the run stores no printed text. */
   outlets(nowUs: () => number): RunOutlets {
     const having = (name: 'print' | 'sound' | 'radio' | 'log'): readonly Watcher[] =>
       this.watched.flatMap(({ watcher }) => (watcher[name] === undefined ? [] : [watcher]));
@@ -99,7 +99,7 @@ export class Judging {
     };
   }
 
-  /** The first robot is not where it was in the beginning, or has not always been there. */
+  /** True if the first robot has moved since the beginning, even if it is back there. */
   get hasMoved(): boolean {
     return this.isAway;
   }
@@ -153,7 +153,7 @@ export class Judging {
     this.isAway = pose.xMm !== xMm || pose.yMm !== yMm || pose.headingRad !== headingRad;
   }
 
-  /** Something needed has failed for good; or nothing is open, and something was reached. */
+  /** True if something needed has failed for good, or if nothing is open and something was reached. */
   private isDecided(nowUs: number): boolean {
     const reachedUs = this.reachedAt();
     let [isOpen, isMet] = [false, false];

@@ -2,7 +2,7 @@ import type { Point } from '#scene/scene';
 import type { TrailPoint } from '#simulation/trail';
 import type { WorldResult } from '../result';
 
-/** Chosen: smooth in a drawing as large as a hand, 2 kB in a file. */
+/** Most points of a trail. Chosen: smooth in a drawing as large as a hand, 2 kB in a file. */
 const MOST_POINTS = 300;
 
 /** A point of a trail, and the simulated time (ms) at which the robot was there. */

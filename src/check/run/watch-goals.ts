@@ -46,7 +46,7 @@ function reachedIn(verdict: Verdict | null): Reason['params'] {
   };
 }
 
-/** Watches that the first robot touches nothing more often than that. */
+/** Watches that the task's robots have at most so many touches. */
 export function watchTouches(most: number): Watcher {
   let [touches, failedUs]: [number, number | null] = [0, null];
   return {

@@ -5,13 +5,13 @@ import type { Reason } from '../result';
 
 /** State of a check at some moment of the run. */
 export interface Standing {
-  /** * `open`: not reached yet. `held`: not violated so far. `met`, `failed`: for good. */
+  /** `open`: not reached yet. `held`: not violated so far. `met`, `failed`: for good. */
   readonly state: 'open' | 'held' | 'met' | 'failed';
   /** Simulated time of the decision, or `null`. */
   readonly atUs: number | null;
 }
 
-/** The run at a step of the world, after its judge has looked. Each thing is made when it is asked for. */
+/** The run at a step of the world, after its judge has looked. Each property is computed when it is read. */
 export type Step = Pick<Simulation, 'nowUs' | 'pose' | 'verdict' | 'isJudged' | 'touches' | 'display' | 'lights'>;
 
 /** Watches a run for one check. Events without a handler are not produced. */

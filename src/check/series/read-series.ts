@@ -85,7 +85,7 @@ function versionProblem(version: unknown): SeriesProblem {
 const idOf = (title: string, tasks: readonly unknown[]): string =>
   `s${fnvOfText(JSON.stringify([title, tasks])).toString(36)}`;
 
-/** Remaining size for the links of one series. */
+/** The room for the links of one series, still free. */
 export const roomForLinks = (): Room => ({ left: seriesLimits.linkedBytes });
 
 /** Inputs for reading links. */
@@ -160,7 +160,7 @@ function linkedIn(entry: unknown, value: unknown, at: string, { courses, room }:
   return unread(entry, [{ code: 'damaged', path: at, value: '', params, message: `${at}: ${message}` }]);
 }
 
-/** A task that cannot be had. @param value what the file says of it */
+/** A task that cannot be read. @param value its entry in the file */
 export const unread = (value: unknown, problems: readonly ProjectProblem[]): Unread => ({
   kind: 'unread',
   value,

@@ -57,7 +57,7 @@ export const seriesLimits = {
   linkedBytes: 1024 * 1024,
 } as const;
 
-/** A number or word for a task that no other has: `1`, `2`, … */
+/** An id for a further task: a number that no other task has as its id. */
 export function freeTaskId(tasks: readonly Pick<SeriesTask, 'id'>[]): string {
   for (let number = tasks.length + 1; ; number += 1)
     if (!tasks.some(({ id }) => id === String(number))) return String(number);

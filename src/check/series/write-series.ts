@@ -43,7 +43,7 @@ export const seriesForPupils = (series: Series): Series => ({
   }),
 });
 
-/** Removes a pupil's hand-in, which belongs to that pupil alone. */
+/** Removes the task's secrets, and a pupil's hand-in, which belongs to that pupil alone. */
 function given(project: Project): Project {
   const { handIn: _, ...others } = withoutSecrets(project);
   return others;

@@ -49,7 +49,7 @@ export function taskOf(project: Project): ReadTask {
 export const lacksGoals = ({ checks, project }: ClassTask): boolean =>
   checks.some(({ type }) => type === 'goals') && !hasTask(project.scene);
 
-/** The same while it is being made: its course may still get its goals. */
+/** The task of a project while it is being made: its course may still lack goals. */
 export function draftOf(project: Project): ReadTask {
   const { task: data = NOTHING, handIn: _, ...plain } = project;
   const { version } = data;

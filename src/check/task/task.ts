@@ -12,7 +12,7 @@ export interface ClassTask {
   readonly id: string;
   /** At least one. */
   readonly checks: readonly Check[];
-  /** The visible one first: the course as it is, unless it says otherwise. */
+  /** The visible ones first; where none is given, the first is the course as it is. */
   readonly worlds: readonly [WorldVariant, ...WorldVariant[]];
   /** Number of hidden worlds in which the checks must hold; `null`: in all. */
   readonly least: number | null;
@@ -187,7 +187,7 @@ export const taskLimits = {
   lockedLines: 1000,
 } as const;
 
-/** The worlds that are added to the visible one. */
+/** The worlds that pupils do not see. */
 export const hiddenWorlds = ({ worlds }: ClassTask): readonly WorldVariant[] => worlds.filter(({ hidden }) => hidden);
 
 /** True if the program's text alone decides a check. */

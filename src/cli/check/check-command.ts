@@ -195,7 +195,7 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
-/** The task's name for reports: its id, else its title in its series, that of its ready course, or its course's name. */
+/** The task's name for reports: its id, else the title in its series or of its ready course, else its course's name. */
 const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
   id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
 

@@ -28,8 +28,8 @@ interface Boxes {
 const SURE = 1e-6;
 
 /**
- * Skips the search for contacts of a body's convex outlines, which keep their shape, while they cannot have left the wide
- * box that the engine has for them. It would compute two boxes a step and outline, and find that there is nothing to do.
+ * Skips the search for contacts of a body's convex outlines, which keep their shape, while they cannot have left the
+ * wide box that the engine has for them. It would compute two boxes a step and outline and find nothing to do.
  */
 export function skipWhileNear(body: Body): void {
   for (let fixture = body.getFixtureList(); fixture; fixture = fixture.getNext()) skip(fixture);
