@@ -19,7 +19,7 @@ export interface ServoPorts {
   readonly stop: Stop;
 }
 
-/** A servo without an attachment; its arm is shown in the middle. */
+/** Angle of a servo without an attachment at the start: its arm is in the middle. */
 const BARE_DEG = 90;
 
 /**

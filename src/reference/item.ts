@@ -16,7 +16,7 @@ export interface Item {
   readonly own: string | null;
   /** The module or file it belongs to: `microbit.display`, or a file's name; `null` for names of the program itself. */
   readonly home: string | null;
-  /** The board's firmware does not have this name: it is newer, or it was never there. */
+  /** Why the board's firmware lacks this name: the newer feature that has it, or `absent`; `null`: it has the name. */
   readonly missing: Feature | 'absent' | null;
 }
 

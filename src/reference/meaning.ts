@@ -179,7 +179,7 @@ interface FoundType {
   readonly name: string;
 }
 
-/** The names of the built-in types. */
+/** The types of the elements of built-in types whose own names do not say it. */
 const ELEMENTS: Readonly<Record<string, string>> = {
   str: 'str',
   bytes: 'int',

@@ -3,7 +3,7 @@ import { boardModules } from './modules/index';
 import { keywords } from './modules/keywords';
 import type { Entry, ReferenceModule } from './types';
 
-/** The names of all words that these modules need: `microbit`, `microbit.display`, `microbit.display.show`. */
+/** The keys of all words that these modules need: `microbit`, `microbit.display`, `microbit.display.show`. */
 export function textKeysOf(modules: readonly ReferenceModule[]): Set<string> {
   const keys = new Set<string>();
   const add = (key: string, entry: Entry): void => {
@@ -17,7 +17,7 @@ export function textKeysOf(modules: readonly ReferenceModule[]): Set<string> {
   return keys;
 }
 
-/** The names of all words of the boards' modules and of the language. */
+/** The keys of all words on the boards' modules and on the language. */
 export function allTextKeys(): Set<string> {
   const keys = textKeysOf(boardModules);
   for (const word of Object.keys(keywords)) keys.add(`keyword.${word}`);

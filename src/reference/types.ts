@@ -29,7 +29,7 @@ export type Names = Readonly<Record<string, Entry>>;
 
 /** A module that programs can import. */
 export interface ReferenceModule {
-  /** Its main name, also the prefix of its words' keys. */
+  /** Its main name; usually also the prefix of its words' keys (`keyOf`). */
   readonly name: string;
   /** Other names for the same module: `utime` for `time`. */
   readonly aliases: readonly string[];

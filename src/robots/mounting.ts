@@ -48,7 +48,7 @@ export function mountServos(
   };
 }
 
-/** Tells of colour lights that are set. */
+/** Makes a function that reports a colour light that the program sets, by its place. */
 export const tellColors =
   ({ onSet }: Pick<RobotContext, 'onSet'>) =>
   (led: number, color: Rgb): void =>

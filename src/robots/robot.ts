@@ -111,7 +111,7 @@ export interface RobotExample {
   readonly options?: OptionValues;
 }
 
-/** The surroundings of a robot. It multiplies the places in the data above (of the real robot) by `scale`. */
+/** The surroundings of a robot, which multiplies the places in its data (of the real robot) by `scale`. */
 export interface RobotContext {
   readonly clock: Clock;
   readonly board: Board;
@@ -139,7 +139,7 @@ export interface RobotContext {
 export type RobotOutput =
   'wheel-left' | 'wheel-right' | 'light-left' | 'light-right' | `color-${number}` | `servo-${string}`;
 
-/** Hears that the program sets an output, also to what it is. `value`: the same as before if nothing has changed. */
+/** Called when the program sets an output, even to the value that it has: `value` is then the same as before. */
 export type OnSet = (output: RobotOutput, value: string | number) => void;
 
 /** One attached robot. */
@@ -169,7 +169,7 @@ export interface RobotState {
   readonly duty: { readonly left: number; readonly right: number };
   /** The beam of the distance sensor now, or `null` for a robot without one. */
   readonly ultrasonic: UltrasonicState | null;
-  /** True if each half of the bumper is pressed; `null` while the robot carries none. */
+  /** For each half of the bumper: true if it is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
 

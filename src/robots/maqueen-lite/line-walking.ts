@@ -10,7 +10,7 @@ const SPEEDS = [40, 40, 55, 70] as const;
 const EASY = 0.55;
 const SHARP = 0;
 
-/** True if each sensor sees the line. */
+/** For each sensor: true if it sees the line. */
 export interface LineView {
   readonly left: boolean;
   readonly middle: boolean;

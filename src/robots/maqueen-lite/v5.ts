@@ -77,7 +77,7 @@ export interface V5Line {
   readonly spotRadiusMm: number;
 }
 
-/** Mounts them. A robot whose V5 registers are never read samples no more ground than before. */
+/** Mounts the V5's parts. A robot whose V5 registers are never read samples no more ground than one without them. */
 export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, places: V5Line): V5 {
   const line = lineOnDemand(context, places);
   const lights = [createCarLight(context.clock), createCarLight(context.clock)] as const;

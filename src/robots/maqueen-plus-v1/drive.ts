@@ -18,7 +18,7 @@ export interface Drive {
   motors(left: number, right: number): void;
   /** True if the wheels' speed is kept constant, see speed-control.ts. */
   speedControl(isOn: boolean): void;
-  /** Turns of a wheel, forward or backward, since its counter was reset; 16 bits, then from 0 again. */
+  /** Pulses of a wheel, forward and backward alike, since its counter was reset; 16 bits, then from 0 again. */
   pulses(side: Side): number;
   clearPulses(side: Side): void;
   /** The present duty of the motors, −1 … 1. */
