@@ -7,7 +7,7 @@ const FUNCTIONS: readonly string[] = ['function', 'bound_method', 'closure'];
 /** Words that may be followed by brackets but are not functions. */
 const WORDS = /^(?:if|elif|while|for|in|and|or|not|return|print|lambda|yield|assert|del|is|else)$/;
 
-/** The part of the device's words that it leaves out, from the line that failed. In doubt nothing. */
+/** Explains an error whose message leaves out what the line that failed shows; `null` in doubt. */
 export function lineAdvice(type: string, message: string, { text, line }: Source): SyntaxAdvice | null {
   const written = text.split('\n')[line - 1] ?? '';
   const code = written.replace(TEXTS, '""');

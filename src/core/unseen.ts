@@ -9,11 +9,11 @@ const JOINER = '\u200d';
 
 const named = (sign: string): string => `⟨U+${(sign.codePointAt(0) ?? 0).toString(16).toUpperCase().padStart(4, '0')}⟩`;
 
-/** A text with nothing hidden: two that look alike are equal, and no character reverses its direction. */
+/** A text with its invisible characters, and those that reverse its direction, written as codes. */
 export const unseenShown = (text: string): string =>
   text.replace(UNSEEN, (sign, at: number) =>
     sign === JOINER && at > 0 && /^\p{Extended_Pictographic}/u.test(text.slice(at + 1, at + 3)) ? sign : named(sign),
   );
 
-/** The same, and without signs that steer. */
+/** The same, with its control characters written as codes, too. */
 export const plainText = (text: string): string => unseenShown(text).replace(STEERING, named);

@@ -76,7 +76,7 @@ function contextOf(one: Program, all: readonly Program[], device: Device, marks:
   };
 }
 
-/** True if the device's MicroPython is older than what the rule is about. */
+/** True if the device lacks what the rule is about: always, unless it came with a MicroPython that the device has. */
 function isLacking(rule: Mark['rule'], { micropython: [major, minor] }: Device): boolean {
   const { since } = ruleOf(rule);
   return since === undefined || major < since[0] || (major === since[0] && minor < since[1]);

@@ -108,7 +108,7 @@ function acrossOf({ headings }: Table, axis: Axis): (row: readonly string[], num
   };
 }
 
-/** From the least to the largest; `null` without a value. */
+/** The least and the largest x (`which` 0) or y (1) of some lines; `null` without a point. */
 export function rangeOf(lines: readonly Line[], which: 0 | 1): readonly [min: number, max: number] | null {
   let min = Infinity;
   let max = -Infinity;

@@ -23,7 +23,7 @@ const SPREAD: MotorTraits = { difference: 0.05, charge: 0.1, sag: 0.04, friction
 const SMALL: MotorTraits = { difference: 0.01, charge: 0.02, sag: 0.02, friction: 0.002 };
 const USUAL_ECHO = { offsetSpreadMm: 10, scaleSpread: 0.02 };
 
-/** A robot of this type fitted to what was measured of it. */
+/** The traits of a robot of this type, fitted to what was measured of it. */
 export async function fitTraits(measured: Measured, type: RobotType, firmware: WebAssembly.Module): Promise<Traits> {
   return {
     motors: await fitMotors(measured, type, firmware),

@@ -31,7 +31,7 @@ export function readUpTo({ text, tree }: PythonText, place: number): PythonText 
   return parsePython(before, TreeFragment.applyChanges(TreeFragment.addTree(tree), [change]));
 }
 
-/** Parses a text that will not be asked for again. */
+/** Parses a text without remembering it. */
 export function parsePython(text: string, unchanged: readonly TreeFragment[] = []): PythonText {
   const tree = parser.parse(text, unchanged);
   return { text, tree, hasErrors: hasErrors(tree) };

@@ -6,9 +6,9 @@ import robotWords from './words';
 const words = robotWords.incidence;
 
 /**
- * The option for the largest angle, from a wall's normal, at which a robot's ultrasonic sensor hears the wall. Beyond, the
- * sound is thrown elsewhere. 25°: measured in a thesis at ETH Zürich. 45°: chosen, between that and the ideal sensor,
- * which hears every wall.
+ * The option for the largest angle, from a wall's normal, at which a robot's ultrasonic sensor hears the wall. Beyond,
+ * the sound is thrown elsewhere. 25°: measured in a thesis at ETH Zürich. 45°: chosen, between that and the ideal
+ * sensor, which hears every wall.
  */
 export const incidenceOption: Option = {
   id: 'incidence',

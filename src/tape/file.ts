@@ -10,7 +10,7 @@ import { isTapeFile, TAPE_FORMAT, type Tape } from './tape';
 /** The version that this app writes and the newest that it reads. The course within has a version of its own. */
 export const TAPE_VERSION = 1;
 
-/** That of files which do not say any. */
+/** The physics of files that name none. */
 const FIRST_PHYSICS = 1;
 
 /** Longest file that is read. Chosen: 100,000 inputs and eight devices with all their files. */

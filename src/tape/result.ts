@@ -25,7 +25,7 @@ export interface DeviceResult {
 /** SHA-256 of a text as UTF-8, 64 hexadecimal digits. */
 export const hashOfText = (text: string): string => hexOf(sha256(new TextEncoder().encode(text)));
 
-/** Takes down what the devices print, for the result. */
+/** The hashes of what the devices print, for the result. */
 export class OutputHashes {
   private readonly hashes: ReturnType<typeof sha256.create>[];
   private readonly encoder = new TextEncoder();

@@ -42,7 +42,7 @@ interface Method {
   instead(owner: string, argument: string): string;
 }
 
-/** Nothing else in a pupil's program has a method of this name, unless it is imported. */
+/** True if a value is a text or may be one: nothing else in a program has such a method, unless it is imported. */
 const textOrUnknown = (owner: SyntaxNode, context: Context): boolean =>
   ['text', 'bytes', 'array', 'unknown'].includes(context.kindOf(owner)) && !isImported(owner, context);
 
@@ -81,7 +81,7 @@ const METHODS = new Map<string, Method>(
   }),
 );
 
-/** A module, or something that comes from one: the program's text does not show what it can do. */
+/** True for a module, or something that comes from one: the program's text does not show what it can do. */
 function isImported(node: SyntaxNode, context: Context): boolean {
   if (node.name === 'CallExpression') return false;
   if (node.name !== 'VariableName') return false;

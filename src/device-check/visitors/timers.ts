@@ -30,7 +30,7 @@ function withoutTime(called: SyntaxNode, node: SyntaxNode, context: Context): vo
     context.report({ node: called, rule: 'timer-without-time', name: TIMER, instead: '@run_every(s=1)' });
 }
 
-/** The program has no `run_every` of its own. */
+/** True if the program has no `run_every` of its own. */
 const isTheBoards = (context: Context): boolean => {
   const bound = context.names.bindings.get(TIMER);
   return bound ? bound.every(({ kind }) => kind === 'import') : !context.isOwnName(TIMER);

@@ -91,7 +91,7 @@ export interface Told {
 /** The content before the first piece. */
 export const NOTHING_TOLD: Told = { columns: [], values: [] };
 
-/** Reads a piece, or says `null` where the bytes are none. */
+/** Reads a piece; `null` if the bytes are none. */
 export function readChunk(bytes: Uint8Array, before: Told): Chunk | null {
   const plain = unpacked(bytes, MOST_BYTES);
   if (typeof plain === 'string') return null;
