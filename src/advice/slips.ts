@@ -204,7 +204,7 @@ export function slipIn(code: string, line: string): Slip | null {
   return null;
 }
 
-/** Two values in brackets with nothing between them. `"a" "b"` is Python, and so are `f"a"` and `1 if a else 2`. */
+/** True if two values in brackets have nothing between them; `"a" "b"`, `f"a"` and `1 if a else 2` are Python. */
 export function lacksComma(code: string): boolean {
   const inside = Array.from(code.matchAll(/[([{]([^()[\]{}]*)(?=[)\]}])/g), ([, text = '']) => text);
   const between = new RegExp(

@@ -18,7 +18,7 @@ export interface SyntaxAdvice {
 
 /** A change that corrects a file. */
 export interface Mend {
-  /** The whole file as it was and as it would be. */
+  /** The whole file before and after the change. */
   readonly before: string;
   readonly after: string;
   /** The rewritten code, as shown on the button. */

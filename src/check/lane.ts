@@ -43,7 +43,7 @@ type Ending = { readonly result: CheckResult } | { readonly reason: Reason; read
 /** A thread that is replaced when a hand-in has broken it or is stuck in it. */
 export class Lane {
   private thread: CheckThread | null = null;
-  /** Takes the answer to what the thread is asked; `null`: it is asked nothing. */
+  /** Takes the answer to the pending request; `null`: there is none. */
   private end: ((ending: Ending) => void) | null = null;
   private unwatch: () => void = () => undefined;
 
@@ -66,7 +66,7 @@ export class Lane {
       : unreadable(this.task.checks, { code: 'broken', params: again.reason.params });
   }
 
-  /** Ends the thread. What it is asked stays without an answer. */
+  /** Ends the thread. A pending request stays without an answer. */
   stop(): void {
     this.unwatch();
     this.end = null;
@@ -98,12 +98,12 @@ export class Lane {
     return thread;
   }
 
-  /** The thread has no answer to what it is asked. */
+  /** Ends a request to which the thread gives no answer. */
   private lose(code: 'stuck' | 'long' | 'broken', params: Reason['params']): void {
     this.end?.({ reason: { code, params }, world: this.thread?.pulse().world ?? 0 });
   }
 
-  /** Gives a thread up that shows no sign of life for `STUCK_MS`, or is slower with a world than the real robot would be. */
+  /** Gives up a thread without a sign of life for `STUCK_MS`, or slower with a world than the real robot would be. */
   private watch(thread: CheckThread): () => void {
     const mostMs = Math.max(LONG_MS, 1000 * secondsOf(this.task));
     let { beat, world } = thread.pulse();

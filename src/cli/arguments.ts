@@ -32,9 +32,9 @@ export interface RunOptions {
   readonly record: string | null;
   /** File for the board's data log as CSV. */
   readonly log: string | null;
-  /** Ends when the course's task is decided. */
+  /** True: the run ends when the course's task is decided. */
   readonly untilVerdict: boolean;
-  /** Refuses what the real board would not understand. */
+  /** True: a program that the real board would not understand is refused. */
   readonly strict: boolean;
   /** The language in which errors and what `--strict` finds are explained. */
   readonly lang: Language;

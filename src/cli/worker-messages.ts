@@ -12,7 +12,7 @@ export interface WorkerTask {
   /** Simulated time at which the run ends; with `untilProgramEnds` it may end sooner. */
   readonly untilUs: number;
   readonly untilProgramEnds: boolean;
-  /** It ends when the course's task is decided, or when nothing more can happen. */
+  /** True: the run ends when the course's task is decided, or when nothing more can happen. */
   readonly untilVerdict: boolean;
   /** An open file for the trace, or `null`. */
   readonly traceFile: number | null;

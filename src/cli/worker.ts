@@ -184,7 +184,7 @@ async function work(task: WorkerTask): Promise<void> {
   post({ type: 'done', report, radio: news.takeRadio(), replay: repeated });
 }
 
-/** A full disk and the like: not our mistake. */
+/** True for a full disk and the like, which are not our mistake. */
 const isFailedWrite = (error: unknown): boolean =>
   error instanceof Error && 'syscall' in error && ['write', 'ftruncate'].includes(String(error.syscall));
 

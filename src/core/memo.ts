@@ -55,7 +55,7 @@ export function lastMadeOf<K extends object, By, T>(
   };
 }
 
-/** Notes on values that never change, by whoever has made them: a value that is equal, but another one, has none. */
+/** Notes on values that never change, by identity: an equal value that is another object has none. */
 export function notesOn<K extends object, T>(): Pick<WeakMap<K, T>, 'get' | 'has' | 'set'> {
   return new WeakMap<K, T>();
 }

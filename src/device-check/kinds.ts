@@ -35,7 +35,7 @@ const TEXT_METHODS = ['strip', 'lstrip', 'rstrip', 'lower', 'upper', 'replace', 
 const WHOLE_OPERATORS = ['+', '-', '*', '//', '%', '<<', '>>', '&', '|', '^'];
 const DEPTH = 8;
 
-/** Tells the kind of expressions in one file. */
+/** Finds the kinds of expressions in one file. */
 export class Kinds {
   private readonly looking = new Set<string>();
   private readonly known = new Map<string, Kind>();

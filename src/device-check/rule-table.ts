@@ -10,7 +10,7 @@ export interface Rule {
   readonly source: string;
 }
 
-/** A rule about a switch that is off on the device: in MicroPython's py/mpconfig.h, not set in codal_port/mpconfigport.h. */
+/** A rule about a switch of MicroPython's py/mpconfig.h that the device does not set in codal_port/mpconfigport.h. */
 const extra = (name: string): Rule => ({
   severity: 'error',
   source: `micropython py/mpconfig.h: MICROPY_PY_${name} needs the level EXTRA_FEATURES, the device has CORE_FEATURES`,

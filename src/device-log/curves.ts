@@ -24,7 +24,7 @@ export interface Chart {
 /** Two tables over one axis. */
 export interface Comparison {
   readonly axis: Axis;
-  /** Both have times, but not of one kind: rows are counted instead. */
+  /** True if their times are not of one kind, or only one has times: rows are counted instead. */
   readonly isWithoutCommonTime: boolean;
   /** The device's columns first, then those of the simulation alone. */
   readonly charts: readonly Chart[];

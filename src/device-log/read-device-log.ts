@@ -34,7 +34,7 @@ function logOf(csv: string, isFull: boolean, isCutOff: boolean): ReadLog {
 const problem = (it: LogProblem): ReadLog => ({ kind: 'problem', problem: it });
 const kB = (bytes: number): number => Math.ceil(bytes / 102.4) / 10;
 
-/** Files of Excel and of LibreOffice are archives; older ones of Excel have a mark of their own. */
+/** True for a workbook: files of Excel and of LibreOffice are archives; older ones of Excel have their own mark. */
 const isWorkbook = (bytes: Uint8Array): boolean =>
   startsWith(bytes, [0x50, 0x4b, 0x03, 0x04]) || startsWith(bytes, [0xd0, 0xcf, 0x11, 0xe0]);
 

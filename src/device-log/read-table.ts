@@ -95,7 +95,7 @@ class TableReader {
     return isNumber(plainNumber(cell, this.hasDecimalComma));
   }
 
-  /** Names have no number among them, and all that were there before, or a gap before them. */
+  /** True for names: there is no number among them, and all earlier names are, or a gap is before them. */
   private isNames(cells: readonly string[], afterGap: boolean): boolean {
     if (cells.some((cell) => this.isNumber(cell))) return false;
     const known = this.names.filter((name) => name !== '');
@@ -104,7 +104,7 @@ class TableReader {
     return isGroup || known.every((name) => all.has(name));
   }
 
-  /** Tables of spreadsheets may begin with a title: the names are below it, and more of them. */
+  /** True for names below the title of a table: a line of several cells, without a number, after a single cell. */
   private isBelowTitle(cells: readonly string[]): boolean {
     const isTitle = this.rows.length === 0 && this.columns.length === 1 && cells.length > 1;
     return isTitle && !cells.some((cell) => this.isNumber(cell));

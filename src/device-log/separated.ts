@@ -7,7 +7,7 @@ export interface SeparatedRow {
 /** A text of separated values. */
 export interface Separated {
   readonly rows: readonly SeparatedRow[];
-  /** Numbers may have a decimal comma: it separates no values. */
+  /** True if numbers may have a decimal comma: it separates no values. */
   readonly hasDecimalComma: boolean;
 }
 

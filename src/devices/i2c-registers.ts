@@ -64,7 +64,7 @@ export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget
   let selected = 0;
   const next = (): number => (selected + 1) % REGISTER_COUNT;
 
-  /** Tells each part that has been written since a transfer began at this register, once. */
+  /** Calls `written` once for each part in which a transfer has written, from this register on. */
   const tell = (register: number, count: number): void => {
     const touched = new Map<RegisterPart, Touched>();
     for (let i = 0; i < count; i++) {

@@ -8,8 +8,8 @@ import type { Level, Wire } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
 
 /**
- * Comparator thresholds on the reflectance seen, 0 black … 1 bare floor: dark below the first, light above the second, no
- * change in between. Chosen symmetrically around half coverage: the gap keeps the output steady while a sensor rests
+ * Comparator thresholds on the reflectance seen, 0 black … 1 bare floor: dark below the first, light above the second,
+ * no change in between. Chosen symmetrically around half coverage: the gap keeps the output steady while a sensor rests
  * on an edge. It is so narrow that no gray of a floor picture (fifteenths, so 0.467 and 0.533) and no paint lies in it:
  * on such a floor the output would never change again.
  */

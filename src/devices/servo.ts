@@ -35,7 +35,7 @@ export interface Servo {
   pass(us: number): void;
 }
 
-/** Makes a servo whose arm stands at `startDeg`: without a signal it stays where somebody left it. */
+/** Makes a servo whose arm stands at `startDeg`, where it stays without a signal. */
 export function createServo(startDeg: number): Servo {
   let target = clampAngle(startDeg);
   let angle = target;

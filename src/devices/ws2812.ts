@@ -22,7 +22,7 @@ export interface Ws2812Chain {
  * Attaches `count` LEDs to a wire, all dark. A stream for fewer LEDs leaves the others as they are, one for more is
  * lost at the chain's end; an LED that gets only a part of its three bytes keeps its colour.
  *
- * @param tell hears of each LED that gets a colour, also the one that it has
+ * @param tell called for each LED that gets a colour, even if it is the same as before
  */
 export function attachWs2812(
   wire: Wire,

@@ -61,7 +61,7 @@ function motorsOf(numbers: readonly number[]): MotorTraits {
   return { difference: difference ?? 0, charge: charge ?? 1, sag: sag ?? 0, friction: friction ?? 0 };
 }
 
-/** By how much a robot misses what was measured, in units of the expected errors. */
+/** The differences between a robot and the measurements, in units of the expected errors. */
 function misses(measured: Measured, motion: Motion): readonly number[] {
   const drives = DRIVES.flatMap((name) => {
     const real = measured.drives[name];

@@ -8,11 +8,11 @@ import type { Reader } from './reader';
 export interface Parameter {
   readonly name: string;
   readonly text: string;
-  /** Keyword-only: it stands after `*`. */
+  /** True if keyword-only: it stands after `*`. */
   readonly byName: boolean;
-  /** Positional-only: it stands before `/`, as in most functions written in C. */
+  /** True if positional-only: it stands before `/`, as in most functions written in C. */
   readonly byPlace: boolean;
-  /** Collects the rest: `*values`, `**named`. */
+  /** True if it collects the rest: `*values`, `**named`. */
   readonly rest: boolean;
 }
 

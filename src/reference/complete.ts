@@ -32,7 +32,7 @@ export function complete(source: string, offset: number, context: ReferenceConte
   return items.length === 0 ? null : { from, items };
 }
 
-/** Names that begin with an underscore are offered only once the pupil has typed one. */
+/** False for a name that begins with an underscore, until the pupil has typed one. */
 const isPublic = ({ label }: Item, typed: string): boolean => !label.startsWith('_') || typed.startsWith('_');
 
 function offers(place: Place): Offer[] {

@@ -29,7 +29,7 @@ export function describe(text: string, offset: number, context: ReferenceContext
   return null;
 }
 
-/** A word, even one that the parser cannot place, as after an unclosed bracket. */
+/** True for a word, even one that the parser cannot place, as after an unclosed bracket. */
 const isName = ({ firstChild }: SyntaxNode, text: string): boolean =>
   firstChild === null && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(text);
 

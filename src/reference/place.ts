@@ -47,6 +47,6 @@ export const bracketsAround = (piece: SyntaxNode): readonly SyntaxNode[] =>
     return '([{'.includes(bracket);
   });
 
-/** A word, sign, number or string, and no comment; strings have parts of their own. */
+/** True for a word, sign, number or string, but not a comment; strings have parts of their own. */
 const isPiece = (source: PythonText, node: SyntaxNode): boolean =>
   node.name === 'String' || (node.firstChild === null && node.name !== 'Comment' && textOf(source, node).trim() !== '');

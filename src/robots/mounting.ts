@@ -10,7 +10,7 @@ export interface Motors {
   readonly drive: (left: number, right: number) => void;
   /** The same for what the program sets. @param sides the motors that it has named */
   readonly set: (left: number, right: number, sides: readonly Side[]) => void;
-  /** As they were last set. */
+  /** The duties last set. */
   readonly duty: () => RobotState['duty'];
   readonly stop: () => void;
 }

@@ -128,7 +128,7 @@ export interface RobotContext {
   readonly scale: number;
   /** The readings of its line sensors by name, where they differ from the type's. */
   readonly lineReadings: Readonly<Record<string, LineReadings>>;
-  /** Told of the outputs that are not a wire's level, the moment the program sets them; left out: nobody asks. */
+  /** Called when the program sets an output that is not a wire's level; left out: these are not reported. */
   readonly onSet?: OnSet;
 }
 

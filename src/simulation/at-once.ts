@@ -49,9 +49,9 @@ export interface Pending {
   readonly coming: readonly SceneObject[];
   /** Objects of the run that the course no longer has, or has in another form. */
   readonly going: readonly SceneObject[];
-  /** The start of the robot, or the robot itself, has changed. */
+  /** True if the start of the robot, or the robot itself, has changed. */
   readonly robot: boolean;
-  /** The arena or the board has changed. */
+  /** True if the arena or the board has changed. */
   readonly arena: boolean;
 }
 

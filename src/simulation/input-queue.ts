@@ -27,7 +27,7 @@ interface Press {
 export class InputQueue {
   /** In order of time. */
   private readonly waiting: InputEvent[];
-  /** The last change of each button and pad, by sensor id: one that waits, else one that was done. */
+  /** The last change of each button and pad, by sensor id, whether it still waits or is done. */
   private readonly changes = new Map<string, { readonly down: boolean; readonly timeUs: number }>();
 
   /** @param inputs what is replayed, in any order */

@@ -32,7 +32,7 @@ export interface RunKind<O extends AnyObject = SceneObject> {
    * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
    */
   readonly change: 'lasting' | 'movable' | 'shown';
-  /** True if whoever touches it has failed. Left out: never. */
+  /** True if a robot that touches it has failed. Left out: never. */
   isSpiked?(object: O): boolean;
   /** Puts it into the world. Left out: only the verdict and people see it. */
   build?(object: O, world: World, around: Around): Body;
@@ -69,7 +69,7 @@ export const isLasting = ({ type }: SceneObject): boolean => runKinds[type].chan
 /** True if an object is a block that can be pushed. */
 export const isMovable = ({ type }: SceneObject): boolean => runKinds[type].change === 'movable';
 
-/** True if whoever touches an object has failed: spikes, and movers with spikes. */
+/** True if a robot that touches an object has failed: spikes, and movers with spikes. */
 export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].isSpiked?.(object) ?? false;
 
 function wallBody({ id, from, to, thickness }: Wall, world: World): Body {

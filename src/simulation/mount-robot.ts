@@ -34,7 +34,7 @@ export interface Place {
   readonly seed: number;
   readonly reality: number;
   readonly traits?: Traits | undefined;
-  /** Told of what the program sets; left out: nobody asks. */
+  /** Called when the program sets an output of the robot; left out: nothing is reported. */
   readonly onSet?: OnSet | undefined;
 }
 

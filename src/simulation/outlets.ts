@@ -63,7 +63,7 @@ export function outletsOf({ print, sound, radio, log, trail, set }: RunOutlets, 
   };
 }
 
-/** Passes on the board's events to those who listen. */
+/** Passes on the board's events to the outlets that are given. */
 export function tellEvents(board: Board, clock: Clock, { sound, radio, log }: DeviceOutlets): void {
   if (sound) board.sound.onEvent(sound);
   if (radio)

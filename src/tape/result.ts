@@ -58,7 +58,7 @@ export function resultOf(simulation: Simulation, output: OutputHashes): TapeResu
   return { simulatedUs: simulation.nowUs, traceHash: simulation.traceHash, devices };
 }
 
-/** In what a repetition differs from the recording, a sentence each; none: it is the same run. */
+/** The differences of a repetition from the recording, a sentence each; none: it is the same run. */
 export function differences(recorded: TapeResult, repeated: TapeResult): readonly string[] {
   const found: string[] = [];
   const compare = (what: string, before: unknown, now: unknown): void => {

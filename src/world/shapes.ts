@@ -24,7 +24,7 @@ export interface WallShape extends Named {
 export interface BodyForm {
   /** Length along its own x and y. */
   readonly sizeMm: Vec;
-  /** The ellipse within `sizeMm`, a circle where both sides are equal. */
+  /** True for the ellipse within `sizeMm`, a circle where both sides are equal. */
   readonly isRound?: boolean;
   /** Convex parts about its middle, counter-clockwise, which fill `sizeMm`; at least one. */
   readonly partsMm?: readonly (readonly Vec[])[];

@@ -11,9 +11,9 @@ const DARK = new Uint8Array(SIDE * SIDE);
 export interface ShowOptions {
   /** Duration of each picture, in ms; rounded up to whole ticks of 6 ms. Negative: for ever, as on the device. */
   readonly delayMs: number;
-  /** Begin again after the last one, without end. */
+  /** True: begins again after the last one, without end. */
   readonly loop: boolean;
-  /** A blank picture follows, for one more delay. */
+  /** True: a blank picture follows, for one more delay. */
   readonly clear: boolean;
   /** Called in the tick in which the animation ends by itself, and not when another one replaces it. */
   readonly onOver?: () => void;
@@ -24,7 +24,7 @@ export interface ScrollOptions {
   /** Time for one column, in ms; rounded up to whole ticks of 6 ms. */
   readonly delayMs: number;
   readonly loop: boolean;
-  /** Every letter five columns wide. */
+  /** True: every letter is five columns wide. */
   readonly monospace: boolean;
 }
 

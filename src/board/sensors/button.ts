@@ -35,12 +35,12 @@ export class Button {
     this.contact.reset();
   }
 
-  /** The contact itself, without debouncing. */
+  /** True while the contact is closed, without debouncing. */
   get isDown(): boolean {
     return this.wire.level === 0;
   }
 
-  /** The debounced state for the program: 36 ms after a press, 44 ms after a release (rule B1). */
+  /** The debounced state for the program: true 36 ms after a press, false 44 ms after a release (rule B1). */
   isPressed(): boolean {
     return this.contact.isOn;
   }

@@ -57,7 +57,7 @@ export class Microphone {
     });
   }
 
-  /** Its light: on from the first use until a reset, and during a recording. */
+  /** True while its light is on: from the first use until a reset, and during a recording. */
   get isListening(): boolean {
     return this.used || this.recorder.isRecording;
   }

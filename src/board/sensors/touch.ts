@@ -46,13 +46,13 @@ export class Touch {
     if (this.pin.mode === 'touch') this.sense();
   }
 
-  /** The contact itself, without debouncing. A resistive pad also notices a chip that pulls its wire low. */
+  /** True while it is touched, without debouncing. A resistive pad also notices a chip that pulls its wire low. */
   get isDown(): boolean {
     if (this.finger) return true;
     return this.currentKind === 'resistive' && this.pin.mode === 'touch' && this.pin.wire.level === 0;
   }
 
-  /** The debounced state for the program. Takes the pin for touch; call `pin.acquire('touch')` first. */
+  /** True while it is touched, debounced for the program. Call `pin.acquire('touch')` first. */
   isTouched(): boolean {
     this.sense();
     return this.contact.isOn;

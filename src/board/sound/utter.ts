@@ -9,7 +9,7 @@ export interface Voice {
   readonly speed: number;
   readonly mouth: number;
   readonly throat: number;
-  /** Singing uses the pitches as written; speaking varies them as in a sentence. */
+  /** True: uses the pitches as written; false: varies them as in a spoken sentence. */
   readonly sings: boolean;
 }
 

@@ -58,7 +58,7 @@ function anyNode(source: PythonText, isIt: (node: SyntaxNode) => boolean): boole
 
 const isLoop = ({ name }: SyntaxNode): boolean => name === 'ForStatement' || name === 'WhileStatement';
 
-/** `irLeft` is called by `irLeft.read_digital()`, `display.show` by itself, `show` by `display.show()`. */
+/** True if it is called: `irLeft` by `irLeft.read_digital()`, `display.show` by itself, `show` by `display.show()`. */
 function callsIn(source: PythonText, name: string): boolean {
   const others = aliasesIn(source);
   return anyNode(source, (node) => {
@@ -171,7 +171,7 @@ function waitOf(source: PythonText, call: SyntaxNode, others: Aliases, secondsHe
   return value * (isInSeconds ? 1000 : unit);
 }
 
-/** `from time import sleep`, after which a plain `sleep` counts seconds. */
+/** True with `from time import sleep`, after which a plain `sleep` counts seconds. */
 function sleepsInSeconds(source: PythonText): boolean {
   return anyNode(
     source,

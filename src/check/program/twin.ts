@@ -49,6 +49,6 @@ function shapeOf(text: string): string {
   return parts.join(' ');
 }
 
-/** Under its own name: `from mbrobot import left` is another program than one with `right`. */
+/** True if it is imported under its own name: `from mbrobot import left` is another program than one with `right`. */
 const isImported = (binding: Binding, name: string): boolean =>
   binding.kind === 'import' && (binding.symbol ?? binding.module) === name;

@@ -31,7 +31,7 @@ export function causeOf(
   return awaited === undefined ? { code: 'unmoved', params: {} } : { code: 'waits', params: { name: awaited } };
 }
 
-/** Checks that a motionless robot cannot pass. */
+/** True for a check that a motionless robot cannot pass. */
 const isOfWay = ({ type }: RunCheck): boolean => ['goals', 'stop', 'laps', 'checkpoints'].includes(type);
 
 /** Calls of a program that wait for a person. */

@@ -29,7 +29,7 @@ export class Judging {
   private endUs = 0;
   private start: Pose | null = null;
   private isAway = false;
-  /** Something was printed or sent since the last step. */
+  /** True if something was printed or sent since the last step. */
   private hasHeard = false;
 
   /** @param limitUs the last simulated time that counts */

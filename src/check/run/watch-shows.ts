@@ -69,7 +69,7 @@ const PARTS: Readonly<Record<LightColor, readonly [boolean, boolean, boolean]>> 
   white: [true, true, true],
 };
 
-/** A part is lit if it is at least half as bright as the brightest one. */
+/** True if a light has this colour. A part is lit if it is at least half as bright as the brightest one. */
 function isColor(light: Rgb, color: LightColor): boolean {
   const most = Math.max(...light);
   return most > 0 && PARTS[color].every((lit, place) => 2 * (light[place] ?? 0) >= most === lit);

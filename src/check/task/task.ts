@@ -43,7 +43,7 @@ export type Check = CheckKind & {
   readonly id: string;
   /** Points for passing it. */
   readonly points: number;
-  /** Without it the task is not passed; otherwise it only gives points. */
+  /** True: without it the task is not passed; false: it only gives points. */
   readonly needed: boolean;
 };
 
@@ -111,7 +111,7 @@ export const checkTypes = [
 export interface WorldVariant {
   /** Unlike the others of the task. */
   readonly id: string;
-  /** Pupils do not see it. */
+  /** True: pupils do not see it. */
   readonly hidden: boolean;
   /** Start pose of the first robot; `null`: as in the course. */
   readonly start: { readonly at: Point; readonly heading: number } | null;

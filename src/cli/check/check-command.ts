@@ -142,7 +142,7 @@ const TELL_MS = 10_000;
 interface Running {
   readonly jobs: number;
   readonly folder: ResultsFolder | null;
-  /** Only reports draw trails: ten thousand of them would fill the memory. */
+  /** True if the robots' trails are stored: only reports draw them, and ten thousand would fill the memory. */
   readonly keepsWays: boolean;
   readonly progress: Progress;
 }

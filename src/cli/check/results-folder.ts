@@ -14,7 +14,7 @@ import { version } from '../../../package.json';
 import { reasonOf } from '../reason-of';
 import type { NamedTask } from './read-task';
 
-/** The task of a folder of results, and the names of those who have handed in, in order. */
+/** The task of a folder of results, and the names of its hand-ins, in order. */
 export interface FolderContents extends NamedTask {
   readonly names: readonly string[];
 }
@@ -22,8 +22,7 @@ export interface FolderContents extends NamedTask {
 type Problem = { readonly problem: string };
 
 /**
- * The task as a file that the page can open, the list of those who have handed in, and the folder of the results, one
- * file each.
+ * The task as a file that the page can open, the list of the hand-ins, and the folder of the results, one file each.
  */
 const [TASK, LIST, RESULTS] = ['task.json', 'hand-ins.json', 'results'];
 
@@ -68,7 +67,7 @@ export class ResultsFolder {
     }
   }
 
-  /** The file with the list of those who have handed in, which is rewritten. */
+  /** The file with the list of the hand-ins, which is rewritten. */
   static readonly listIn = (path: string): string => join(path, LIST);
 
   /** All its files. */

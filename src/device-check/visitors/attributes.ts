@@ -90,7 +90,7 @@ function isImported(node: SyntaxNode, context: Context): boolean {
   );
 }
 
-/** `Servo(pin0)` and `servo.Servo(pin0)` of a library. */
+/** True for `Servo(pin0)` and `servo.Servo(pin0)` of a library. */
 function makesImported(value: SyntaxNode, context: Context): boolean {
   const called = value.name === 'CallExpression' ? value.firstChild : null;
   if (called === null) return false;

@@ -110,6 +110,6 @@ const arraySlice: Visitor = (target, context) => {
   context.report({ node: target, rule: 'array-slice', name: textOf(context.file, target.firstChild) });
 };
 
-/** The word before `=` in a call. */
+/** True for the word before `=` in a call. */
 const isKeyword = (node: SyntaxNode): boolean =>
   node.parent?.name === 'ArgList' && node.nextSibling?.name === 'AssignOp';

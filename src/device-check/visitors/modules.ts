@@ -51,7 +51,7 @@ function reportName(node: SyntaxNode, module: string, name: string, context: Con
   else context.report({ node, rule: instead === '' ? 'math-missing' : 'math-name', name: whole, instead });
 }
 
-/** Inside `try:` a program may look for a module and do without it. */
+/** True inside `try:`, where a program may look for a module and do without it. */
 function isTried(node: SyntaxNode): boolean {
   for (const parent of parentsOf(node)) if (parent.name === 'TryStatement') return true;
   return false;

@@ -8,7 +8,7 @@ import { BUMPER_LEFT, BUMPER_RIGHT } from './type';
 export interface Bumper {
   /** True if this half is pressed, for a program. The first call puts the bumper on. */
   read(side: Side): boolean;
-  /** Which halves are pressed, or `null` while the robot carries no bumper. */
+  /** For each half: true if it is pressed; `null` while the robot carries no bumper. */
   state(): { readonly left: boolean; readonly right: boolean } | null;
   stop(): void;
 }

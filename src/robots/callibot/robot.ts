@@ -113,8 +113,8 @@ function modelOf(choice: string | undefined): Model {
 }
 
 /**
- * When the robot carries its bumper. The front has room for one thing: an attachment replaces the bumper, unless the
- * option asks for the bumper.
+ * Decides when the robot carries its bumper. The front has room for one thing: an attachment replaces the bumper,
+ * unless the option asks for the bumper.
  */
 function fittingOf({ options }: RobotContext, model: Model): 'never' | 'when-read' | 'always' {
   if (model === '1') return 'never';

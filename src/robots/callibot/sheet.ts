@@ -1,4 +1,4 @@
-/** Calli:bot: what the gallery tells about it. */
+/** Calli:bot: its page in the gallery. */
 import type { RegisterTable, RobotSheet, WiringRow } from '../robot';
 import words from './words/sheet';
 import bumper from './examples/bumper.py?languages';

@@ -1,4 +1,4 @@
-/** Maqueen Lite: what the gallery tells about it. */
+/** Maqueen Lite: its page in the gallery. */
 import type { RobotSheet } from '../robot';
 import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';

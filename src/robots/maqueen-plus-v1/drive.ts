@@ -16,7 +16,7 @@ const US_PER_S = 1_000_000;
 export interface Drive {
   /** Duties −1 … 1 as the program set them. */
   motors(left: number, right: number): void;
-  /** True if the wheels' speed is kept constant, see speed-control.ts. */
+  /** Switches the speed control on or off, see speed-control.ts. */
   speedControl(isOn: boolean): void;
   /** Pulses of a wheel, forward and backward alike, since its counter was reset; 16 bits, then from 0 again. */
   pulses(side: Side): number;

@@ -1,4 +1,4 @@
-/** Maqueen Plus V1: what the gallery tells about it. */
+/** Maqueen Plus V1: its page in the gallery. */
 import type { RegisterTable, RobotSheet } from '../robot';
 import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';

@@ -114,8 +114,8 @@ function attach(context: RobotContext): Robot {
 }
 
 /**
- * A motor stands with a direction that the robot does not know. Two owners who had put the driver of a Plus V1 on theirs
- * (1 forward, 2 backward) tell so in the maker's forum: forward drives back, backward does nothing.
+ * The duty of a motor; 0 for a direction that the robot does not know. Two owners who used the driver of a Plus V1
+ * (1 forward, 2 backward) report this in the maker's forum: forward drives back, backward does nothing.
  */
 const dutyOf = ([direction, speed]: MotorBytes['left']): number => (direction > 1 ? 0 : signedDuty(direction, speed));
 

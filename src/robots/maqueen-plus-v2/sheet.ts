@@ -1,4 +1,4 @@
-/** Maqueen Plus V2: what the gallery tells about it. */
+/** Maqueen Plus V2: its page in the gallery. */
 import type { RobotSheet } from '../robot';
 import words from './words/sheet';
 import distance from './examples/distance.py?languages';

@@ -13,7 +13,7 @@ import type { CodeLine, Output, OutputSet } from './output';
 export interface Watched {
   readonly board: Board;
   readonly clock: Clock;
-  /** The robot's wires, as `Robot` tells them. */
+  /** The robot's wires, see `Robot.wires`. */
   readonly wires: () => Readonly<Record<string, readonly RobotOutput[]>>;
   readonly chains: () => readonly LedChain[];
   readonly inspect: () => Inspected;

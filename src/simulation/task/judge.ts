@@ -197,7 +197,7 @@ const sum = (values: readonly number[]): number => values.reduce((total, value) 
 
 const NOTHING: ReadonlyMap<Entrant, Failure> = new Map();
 
-/** One star for passing, and one for each time that was kept, in whichever order the two are given. */
+/** One star for passing, and one for each time limit that was met, in whichever order the two are given. */
 function starsWithin(times: Task['stars'], timeUs: number): Pick<Verdict, 'stars'> {
   return { stars: times === undefined ? null : 1 + times.filter((seconds) => timeUs <= usOf(seconds)).length };
 }

@@ -7,9 +7,9 @@ export interface Standing {
   readonly entrants: readonly Entrant[];
   /** The failures in this step of the entrants that are still open. */
   readonly failures: ReadonlyMap<Entrant, Failure>;
-  /** All blocks that are wanted lie in their targets. */
+  /** True if all blocks that are wanted lie in their targets. */
   readonly areDelivered: boolean;
-  /** There is something to do besides holding out. */
+  /** True if there is something to do besides holding out. */
   readonly hasGoal: boolean;
   readonly isLate: boolean;
   /** The zones in which the robots have to stay. */
@@ -40,7 +40,7 @@ export const sharings: Readonly<Record<TaskRule | 'one', Sharing>> = {
   catch: firstCatches,
 };
 
-/** All have to do it, each its way or on one way together. What one does wrong fails it for all. */
+/** All have to do it, each on its own way or together on one. A mistake of one fails it for all. */
 function allOfThem(standing: Standing): Decision | null {
   const { timeUs, entrants, failures, areDelivered, hasGoal } = standing;
   const failed = failAll(failures, timeUs);
@@ -71,7 +71,7 @@ function lastInside(standing: Standing): Decision | null {
   return inside.length === 1 && entrants.length > 1 ? passAll(inside, timeUs) : overtime(standing);
 }
 
-/** The first robot touches all others; who is not caught in time has got away. */
+/** The first robot must touch all others; a robot that is not caught in time has passed. */
 function firstCatches({ timeUs, entrants, failures, isLate }: Standing): Decision | null {
   const [catcher, ...others] = entrants;
   if (catcher === undefined) return null;
@@ -85,7 +85,7 @@ function firstCatches({ timeUs, entrants, failures, isLate }: Standing): Decisio
   return failAll(new Map([[catcher, wrong]]), timeUs);
 }
 
-/** The time is over: who had something to do has failed, who had to hold out has not. */
+/** Once the time is over, robots that had something to do have failed; those that only had to hold out have passed. */
 function overtime({ timeUs, entrants, isLate, hasGoal }: Standing): Decision | null {
   if (!isLate) return null;
   const open = stillOpen(entrants);
@@ -103,14 +103,14 @@ const stillOpen = (entrants: readonly Entrant[]): readonly Entrant[] => entrants
 const arriving = ({ entrants, failures, hasGoal }: Standing): readonly Entrant[] =>
   hasGoal ? stillOpen(entrants).filter((entrant) => entrant.route.isDone && !failures.has(entrant)) : [];
 
-/** @returns the decision of a course that is passed by this; `null` if there is nobody */
+/** Passes these robots. @returns the decision for the course; `null` if there are none */
 function passAll(entrants: readonly Entrant[], timeUs: number): Decision | null {
   for (const entrant of entrants) if (entrant.isOpen) entrant.pass(timeUs);
   const [by] = entrants;
   return by === undefined ? null : { state: 'passed', failure: { reason: null, by: null }, by };
 }
 
-/** @returns the decision of a course that is failed by this; `null` if there is nobody */
+/** Fails these robots. @returns the decision for the course; `null` if there are none */
 function failAll<F extends RobotFailure>(failures: ReadonlyMap<Entrant, F>, timeUs: number): Decision<F> | null {
   for (const [entrant, failure] of failures) entrant.fail(failure, timeUs);
   const [first] = failures;

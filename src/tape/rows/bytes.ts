@@ -1,4 +1,4 @@
-/** Whole numbers of any size up to 2⁵³ as seven bits a byte, the lowest first; the top bit says that more follow. */
+/** Writes whole numbers up to 2⁵³ as seven bits a byte, the lowest first; the top bit says that more follow. */
 export class ByteWriter {
   private readonly out: number[] = [];
 

@@ -9,9 +9,9 @@ export type Series = readonly number[];
 
 /** The content of one piece of a tape. */
 export interface ChunkContent {
-  /** It needs none of the pieces before it: its columns and values are all there are. */
+  /** True if it needs none of the pieces before it: its columns and values are all there are. */
   readonly isFirst: boolean;
-  /** Columns and values that no earlier piece has told. */
+  /** Columns and values that no earlier piece contains. */
   readonly newColumns: readonly Column[];
   readonly newValues: readonly Leaf[];
   /** Number of moments. */
@@ -20,7 +20,7 @@ export interface ChunkContent {
   readonly columns: readonly Series[];
 }
 
-/** How the codes of a column follow. */
+/** The ways in which the codes of a column are written. */
 const WAYS = { constant: 0, changes: 1, motion: 2 } as const;
 
 /** A chunk unpacks to no more than this; a longer one is damaged. Chosen: 500 moments of 2,000 changing columns. */

@@ -60,7 +60,7 @@ function isFilled(value: unknown): value is Readonly<Record<string, unknown>> {
   return false;
 }
 
-/** How finely figures are kept, by the unit at the end of their name. Chosen: finer than a screen shows. */
+/** The steps to which figures are rounded, by the unit at the end of their name. Chosen: finer than a screen shows. */
 const STEPS: readonly (readonly [ending: RegExp, step: number])[] = [
   [/Us$/, 1],
   [/Mm$/, 0.1],
@@ -68,7 +68,7 @@ const STEPS: readonly (readonly [ending: RegExp, step: number])[] = [
 ];
 const USUAL_STEP = 0.01;
 
-/** The name nearest to the leaf that tells a unit counts: `fromMm/x` is in mm. */
+/** The step of a leaf, by the unit in the name nearest to it: `fromMm/x` is in mm. */
 export function stepOf(path: readonly Key[]): number {
   for (const key of path.toReversed()) {
     const found = STEPS.find(([ending]) => ending.test(String(key)));

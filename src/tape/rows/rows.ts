@@ -30,7 +30,7 @@ export class Rows<Moment extends { readonly timeUs: number }> {
   /**
    * Adds the next piece of a `RowWriter`.
    *
-   * @returns what is in it, or `null` where it is none; the rows then stay as they were
+   * @returns its content, or `null` if it is no such piece; the rows then stay the same
    */
   push(bytes: Uint8Array): Chunk | null {
     const chunk = readChunk(bytes, this.told);

@@ -55,6 +55,6 @@ export interface Slot {
   /** Number of its interned name. */
   readonly name: number;
   readonly place: number;
-  /** It is shared with inner functions: the slot holds the cell that holds it. */
+  /** True if it is shared with inner functions: the slot then contains a cell with the value in it. */
   readonly isCell: boolean;
 }

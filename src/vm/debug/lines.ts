@@ -31,7 +31,7 @@ export function rangeAt(ranges: readonly LineRange[], address: number): LineRang
  * The lines of a function's bytecodes, in the order of the addresses.
  *
  * The table that MicroPython keeps never goes back. But the condition of a `while` and the counting of a `for` come after
- * the loop's body, and there the table names the body's last line. The jumps tell which bytecodes these are.
+ * the loop's body, and there the table names the body's last line. The jumps show which bytecodes these are.
  */
 export function readLines(memory: Memory, place: CodePlace): readonly LineRange[] {
   let ranges = readTable(memory, place);

@@ -227,7 +227,7 @@ export class Objects {
     );
   }
 
-  /** It belongs to the library or the firmware, not to the program. */
+  /** True if it belongs to the library or the firmware, not to the program. */
   isLibrarys = (object: number): boolean => (object & 3) === 0 && object > REMOVED && object < this.vm.programStart;
 
   private typeAt = (object: number): number => this.memory.word(object);

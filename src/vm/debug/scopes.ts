@@ -14,8 +14,8 @@ const FREE = 6;
 const IS_PARAMETER = 1;
 
 /**
- * The names of local variables. MicroPython's bytecode has only numbers for them; the compiler tells the names of each
- * scope when it has finished it. Nothing is read again, and nothing is kept in Python's memory.
+ * The names of local variables. MicroPython's bytecode has only numbers for them; the compiler reports the names of a
+ * scope when it has finished it. Nothing is read again, and nothing is stored in Python's memory.
  */
 export class Scopes {
   /** Called with the address of the code of each scope that is compiled. */

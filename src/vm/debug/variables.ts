@@ -99,5 +99,5 @@ const variable = (objects: Objects, bounds: Bounds, key: number, value: number):
   value: show(objects, value, bounds),
 });
 
-/** `__name__`, `__module__`, `__qualname__`: nobody has written them. */
+/** True for a name that the program has written: not `__name__`, `__module__` or `__qualname__`. */
 const isOwnName = ({ name }: Variable): boolean => !name.startsWith('__');

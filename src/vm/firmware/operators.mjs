@@ -34,7 +34,7 @@ function nameOnly(module, name, named) {
 /**
  * MicroPython 1.18 goes from `*=` to `*` for numbers, sets, tuples and classes of one's own alone: `text *= 2` and
  * `row *= 9` are TypeErrors there. (py/runtime.c falls back for all since 1.19.) Images have none there either: the library
- * tells the address of their type when it is loaded.
+ * reports the address of their type when it is loaded.
  */
 function refuseInPlace(module, binary) {
   const text = flat(module.functions.get(binary));

@@ -6,7 +6,7 @@ import { bodyStart, expressionEnd, flat, only, onlyFunction, onlyMatch, replaceO
 /** py/mpstate.h, mp_state_mem_area_t: where its fields are. */
 const Area = { table: 4, tableBytes: 8, finalisers: 12, pool: 16, lastFree: 24, lastUsed: 28 };
 
-/** Call it after gc_collect() is made to mark at once, gc_init() to tell its place, and the reserve to be freed. */
+/** Call it once gc_collect() marks at once, gc_init() reports where the heap lies, and the reserve is freed. */
 export function collectProgramAlone(module) {
   const area = evenTables(module);
   const collect = onlyFunction(module, 'gc_collect', /\(call \$collected\)/).name;

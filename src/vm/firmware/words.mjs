@@ -205,7 +205,7 @@ function takeTextAsBytes(module, place) {
 
 /**
  * py/lexer.c before 1.19 reads on to the next line with code before it says that a line has ended. So what goes wrong at a
- * line's end (a missing colon, an unindent that fits nowhere) is told of the line below.
+ * line's end (a missing colon, an unindent that fits nowhere) is reported for the line below.
  */
 function nameLineAfterBreak(module, place) {
   const [DEDENT_MISMATCH, NEWLINE] = [2, 5];

@@ -23,9 +23,9 @@ const UNWINDING = 1;
 
 /** Lets a program stop before its time is over. Neither watch nor stop changes its time, memory or output. */
 export interface Hold {
-  /** Asked before bytecodes of the program whether it shall stop there; `null`: nobody is asked, which costs nothing. */
+  /** Asked before bytecodes of the program whether to stop there; `null`: no watch, at no cost. */
   watch: Watch | null;
-  /** The watch has stopped the program; the next `run` goes on from there. */
+  /** True once the watch has stopped the program; the next `run` goes on from there. */
   isHeld: boolean;
 }
 
@@ -304,7 +304,10 @@ export class Engine implements Machine {
     this.answer(wait.result(), resultAddress);
   }
 
-  /** Inside a callback the scheduler is locked: no callback can run, and an interrupt waits for its end. */
+  /**
+   * True once a wait is over. Inside a callback the scheduler is locked: no callback can run, and an interrupt waits
+   * for its end.
+   */
   private isOver(wait: Wait): boolean {
     const isCut = wait.solid !== true && (this.firmware.queued() & (wait.deaf ? EXCEPTION_WAITS : WANTS_TO_RUN)) !== 0;
     return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || isCut || this.ending;

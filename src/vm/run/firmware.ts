@@ -64,7 +64,7 @@ export interface Firmware {
   readonly heap_end: WebAssembly.Global;
   /** End of the list of running functions (../debug/inspected.ts); the host sets it to the list's start at first. */
   readonly frames_end: WebAssembly.Global;
-  /** Added to a bytecode's address it gives that of its mark (marks.ts); 0: nobody looks. */
+  /** Added to a bytecode's address it gives that of its mark (marks.ts); 0: there is no watch. */
   readonly marks: WebAssembly.Global;
   /** Address of the pointer to the last pool of interned names. */
   readonly interned: WebAssembly.Global;

@@ -10,8 +10,8 @@ export class Marks {
   private readonly bytes: number;
 
   /**
-   * Takes their memory at once. Later `malloc` would leave remains in the C stack, where the collector takes any word for a
-   * pointer, and the program's free memory would depend on whether somebody has looked.
+   * Takes their memory at once. A later `malloc` would leave remains in the C stack, where the collector takes any word
+   * for a pointer, and the program's free memory would depend on whether there has been a watch.
    */
   constructor(
     private readonly firmware: Firmware,

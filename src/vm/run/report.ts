@@ -85,7 +85,7 @@ export class Report {
   }
 
   /**
-   * The functions through which the library's runner tells how the program ended: report_begin() before the traceback
+   * The functions by which the library's runner reports how the program ended: report_begin() before the traceback
    * is printed, report_end(type, message) after it.
    */
   syscalls(): SyscallTable {
@@ -168,6 +168,6 @@ function faultText(thrown: unknown): string {
   return `Internal error: ${thrown instanceof Error ? thrown.message : String(thrown)}`;
 }
 
-/** Firefox says so with an error that has no class for us to name. */
+/** True for an overflow of the stack, which in Firefox is an error of a class that cannot be named here. */
 const isStackFull = (thrown: unknown): boolean =>
   thrown instanceof RangeError || (thrown instanceof Error && thrown.name === 'InternalError');

@@ -20,6 +20,6 @@ export interface VmSetup {
   readonly repl?: 'at-once' | 'when-typed';
   /** Receives what the program prints. */
   write(text: string): void;
-  /** Hears of all that the program does to the board; left out: nobody listens, which costs nothing. */
+  /** Notified of all that the program does to the board; left out: nothing is reported, at no cost. */
   readonly observer?: Observer | undefined;
 }

@@ -49,14 +49,14 @@ export class Lodged {
     return false;
   }
 
-  /** They no longer touch. */
+  /** Call it when they no longer touch. */
   forget(own: Fixture, other: Fixture): void {
     const others = this.pairs.get(own);
     others?.delete(other);
     if (others?.size === 0) this.pairs.delete(own);
   }
 
-  /** The part was removed. */
+  /** Call it when the part is removed. */
   drop({ fixture }: Solid): void {
     this.pairs.delete(fixture);
   }

@@ -14,7 +14,7 @@ interface Placed {
   readonly q: { readonly s: number; readonly c: number };
 }
 
-/** Property of a fixture by which planck 1.5.0 tells its search for contacts where it is. */
+/** Members of a fixture through which planck 1.5.0 updates its box in the search for contacts. */
 interface Synchronized {
   readonly m_proxies: readonly { readonly aabb: Box; readonly proxyId: number }[];
   synchronize(broadPhase: Boxes, from: Placed, to: Placed): void;

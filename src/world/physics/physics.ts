@@ -105,7 +105,7 @@ function moveOn(world: PlanckWorld, pressed: Iterable<BlockBody>): void {
   guarded(pressed, () => world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS));
 }
 
-/** Tells robots what they touch, and lets through what must not collide. */
+/** Reports to robots what they touch, and lets through what must not collide. */
 function listen(world: PlanckWorld, robots: readonly RobotBody[], movers: readonly MoverBody[]): void {
   const robotOf = (body: Body): RobotBody | undefined => robots.find((robot) => robot.owns(body));
   world.on('begin-contact', (contact: Contact) => {

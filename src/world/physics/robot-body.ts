@@ -310,7 +310,7 @@ export class RobotBody implements Chassis {
     touch.lastStep = this.steps;
   }
 
-  /** Something was removed from the world. */
+  /** Call it when something is removed from the world. */
   forgetThing(other: Fixture): void {
     this.touches.delete(other);
   }
@@ -325,7 +325,7 @@ export class RobotBody implements Chassis {
 /** The fixture that stands for all of a block; of anything else the fixture itself. */
 const thingOf = (fixture: Fixture): Fixture => (fixture.getBody().getUserData() as Fixture | null) ?? fixture;
 
-/** Contact of jaws and forks with movable blocks is their work and not a collision. */
+/** True for a contact of jaws or forks with a movable block, which is their work and not a collision. */
 const isWork = (own: Fixture, other: Fixture): boolean =>
   own.getFilterCategoryBits() === Kind.tool && other.getFilterCategoryBits() === Kind.movableBlock;
 

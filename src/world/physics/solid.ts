@@ -70,7 +70,7 @@ export class Solid {
     body.setAwake(true);
   }
 
-  /** Whether it bumps into movable blocks or lets them through. */
+  /** Sets whether it collides with movable blocks or lets them through. */
   meetsBlocks(meets: boolean): void {
     this.fixture.setFilterData({
       groupIndex: 0,

@@ -9,7 +9,7 @@ interface Piece {
   readonly from: Vec;
   readonly to: Vec;
   readonly lengthMm: number;
-  /** It leads from `to` to `from`: a leg has the same places there and back to the last bit. */
+  /** True if it leads from `to` to `from`: a leg has the same places there and back to the last bit. */
   readonly isBack: boolean;
 }
 
