@@ -4,7 +4,7 @@ import { worldName, type ClassTask, type WorldVariant } from './task/task';
 
 /** A hidden world in which the model solution does the same as in another one. */
 export interface EqualWorlds {
-  /** As people call it. */
+  /** Its name for people. */
   readonly id: string;
   /** The first world with the same result. */
   readonly other: string;

@@ -22,7 +22,7 @@ export interface CheckResult {
 export interface CheckOutcome {
   readonly id: string;
   readonly passed: boolean;
-  /** Why not: of the first world in which it does not hold; `null`: it holds. */
+  /** The reason, if it does not hold, of the first world in which it does not; `null`: it holds. */
   readonly reason: Reason | null;
 }
 
@@ -31,7 +31,7 @@ export interface WorldResult {
   readonly id: string;
   readonly hidden: boolean;
   readonly passed: boolean;
-  /** Why not, or `null`. */
+  /** The reason, if it is not passed; else `null`. */
   readonly reason: Reason | null;
   /** Simulated ms until it was decided; `null`: it was not. */
   readonly atMs: number | null;

@@ -2,11 +2,11 @@ import { existsSync, realpathSync, statSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { formatOf } from '#intake/formats';
 
-/** A file that a command is asked to write. */
+/** An output file of a command. */
 export interface Output {
-  /** As it is typed, such as `--csv`. */
+  /** The option for it as it is typed, such as `--csv`. */
   readonly option: string;
-  /** `null`: it is not asked for. */
+  /** `null`: the option was not given. */
   readonly path: string | null;
 }
 

@@ -109,7 +109,7 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
 interface Output {
   readonly shared: SharedConsole;
   stop(): void;
-  /** All of it so far, by device. */
+  /** All output so far, by device. */
   all(): readonly string[];
 }
 

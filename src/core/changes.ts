@@ -32,7 +32,7 @@ type Keyed = Record<string, unknown>;
 
 const isValue = (changes: Changes): changes is readonly [unknown] => Array.isArray(changes);
 
-/** Both are lists of one length, or objects with the same keys: then their parts can be compared. */
+/** True if both are lists of one length, or objects with the same keys: then their parts can be compared. */
 function isAlike(before: unknown, after: unknown): before is Keyed {
   if (Array.isArray(before)) return Array.isArray(after) && before.length === after.length;
   if (!isPlain(before) || !isPlain(after)) return false;

@@ -3,13 +3,13 @@
  * tell whether it was made just now. What changes belongs to the models of a room.
  */
 
-/** Makes a thing when it is first asked for. */
+/** Makes a thing at the first call and returns the same one at each later call. */
 export function once<T>(make: () => T): () => T {
   let made: T | undefined;
   return () => (made ??= make());
 }
 
-/** The same for what is fetched: a try that failed is followed by another one when it is asked for again. */
+/** The same for things that are fetched: after a failure the next call fetches again. */
 export function fetchedOnce<T>(fetch: () => Promise<T>): () => Promise<T> {
   let coming: Promise<T> | null = null;
   return () =>

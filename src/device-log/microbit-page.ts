@@ -49,7 +49,7 @@ export function pageLog(text: string): PageLog | null {
   };
 }
 
-/** True for the head of such a page. Its script names the mark as well; without the mark itself, the rest is missing. */
+/** True for the head of such a page. Its script names the mark as well; without the mark itself the rest is missing. */
 const isCutHead = (text: string): boolean =>
   text.includes('UBIT_LOG_FS_V_') || /<title>micro:bit data log|micro:bit Data Log<\/h2>/i.test(text);
 

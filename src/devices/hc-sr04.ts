@@ -36,7 +36,7 @@ export const FARTHEST_MM = 4500;
 /** Length of the echo of boards that raise it without a target: the threshold in jdonwells/micropython-MaqueenPlusV2. */
 export const NO_TARGET_US = 38_000;
 
-/** How the sensor's behaviour is chosen. */
+/** Choices for the sensor's behaviour. */
 export interface HcSr04Options {
   /**
    * The answer when nothing is in range. `none`: echo stays low, as DFRobot describes for the sensor it ships
@@ -50,7 +50,7 @@ export interface HcSr04Options {
 /**
  * Makes two wires behave like an HC-SR04. A trigger while an echo is on its way is ignored.
  *
- * @param distanceMm asked once per measurement, at the trigger: what the sensor faces then, in mm; `Infinity` for nothing
+ * @param distanceMm called once per measurement, at the trigger: distance of the obstacle, in mm; `Infinity`: none
  * @returns lets go of both wires and forgets a running measurement
  */
 export function attachHcSr04(

@@ -46,7 +46,7 @@ export function memoryRegisters(
   };
 }
 
-/** Read-only registers, asked again for every byte. */
+/** Read-only registers; `read` is called again for every byte. */
 export function liveRegisters(first: number, count: number, read: (offset: number) => number): RegisterPart {
   return { first, count, read };
 }

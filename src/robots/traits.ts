@@ -31,7 +31,7 @@ export interface MotorTraits {
   readonly friction: number;
 }
 
-/** As built. */
+/** The traits of a robot exactly as designed. */
 export const plainTraits: Traits = {
   motors: { difference: 0, charge: 1, sag: 0, friction: 0 },
   ultrasonic: { offsetMm: 0, scale: 1 },

@@ -76,7 +76,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   return { type, robot, chassis, senses, step };
 }
 
-/** A robot on a board that it does not fit hears nothing of the program: it is wired to a board without a program. */
+/** The board for a robot that does not fit the run's board: without a program, so that the robot receives nothing. */
 function spareBoard(type: RobotType): Board {
   const board = findBoard(type.board);
   if (board === undefined) throw new Error(`${type.id} names a board that does not exist: ${type.board}`);

@@ -14,7 +14,7 @@ export interface HandIn {
   readonly locks?: Locks;
   /** Identifies the course that was handed out (`courseMark`); left out: unknown. */
   readonly mark?: string;
-  /** It is a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
+  /** True for a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
   readonly isEdited?: true;
 }
 

@@ -40,7 +40,7 @@ ${sheets}
 `;
 }
 
-/** All of a class, a row for each. */
+/** The table of a class, a row for each hand-in. */
 function tableOf(found: ClassResult, { drawings, language }: Sheet): string {
   const { handIns, task } = found;
   const words = reportWords.report;

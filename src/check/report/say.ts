@@ -7,7 +7,7 @@ import type { Reason, Remark } from '../result';
 import { otherTasks, type ClassResult } from './class-result';
 import words from './words';
 
-/** Why a check does not hold: a sentence, and what there is to say of the run besides. */
+/** Why a check does not hold, as text: one sentence, then details of the run and advice, if there are any. */
 export function reasonText({ code, params: given, advice }: Reason, language: Language): string {
   const params = shownIn(given);
   const { reasons, more } = words;

@@ -101,6 +101,6 @@ function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, 
   }
 }
 
-/** As long as usual, or as a check waits for a stop. */
+/** Time without motion after which a run ends: as long as usual, or as the longest stop that a check waits for. */
 const stillUs = (checks: readonly RunCheck[]): number =>
   Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? usOf(check.seconds) + SLICE_US : 0)));

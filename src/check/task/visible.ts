@@ -7,7 +7,7 @@ export function visibleTask(task: ClassTask): ClassTask {
   return { ...task, worlds: [first, ...others.filter(({ hidden }) => !hidden)], least: null, solution: null };
 }
 
-/** Why something is not passed: what a run has shown first, else what is asked of the program itself; `null`: it is. */
+/** Why a hand-in has not passed: the first reason of a run, else that of a needed check; `null`: there is none. */
 export function mainReason({ checks }: ClassTask, { checks: found, worlds }: CheckResult): Reason | null {
   const seen = worlds.find(({ reason }) => reason !== null)?.reason;
   const lacking = found.find(({ passed }, place) => !passed && checks[place]?.needed === true);

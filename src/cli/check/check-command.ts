@@ -56,7 +56,7 @@ function refuse(problem: string, terminal: Terminal): 2 {
   return 2;
 }
 
-/** The files that are asked for. */
+/** The output files that the options name. */
 const outputsOf = ({ report, junit, csv }: CheckOptions): readonly Output[] => [
   { option: '--report', path: report },
   { option: '--junit', path: junit },

@@ -12,7 +12,7 @@ import { partsOf, taskInFile, taskOfLink, withoutReload, type OpenedTask } from 
 /** A task with the names that reports have for it. */
 export interface NamedTask {
   readonly name: string;
-  /** As its series calls it; left out: it is of none, or has no name there. */
+  /** Its title in its series; left out: it belongs to none, or has no title there. */
   readonly title?: string;
   readonly task: ClassTask;
 }

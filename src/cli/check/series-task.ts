@@ -14,7 +14,7 @@ type Problem = { readonly problem: string };
 export interface OpenedTask {
   readonly project: Project;
   readonly name: string;
-  /** As the series calls it; left out: it does not. */
+  /** Its title in the series; left out: it has none. */
   readonly title?: string;
   /** The files that were read beside the one that was named. */
   readonly beside?: readonly string[];

@@ -4,7 +4,7 @@ export interface Shard {
   readonly of: number;
 }
 
-/** All of it. */
+/** The only part: all hand-ins. */
 const WHOLE: Shard = { place: 1, of: 1 };
 
 /** Chosen: more parts than hand-ins in the largest course of a university. */

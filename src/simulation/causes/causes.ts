@@ -2,7 +2,7 @@ import { isSame } from '#core/same';
 import { STEP_US } from '#world/step';
 import type { CodeLine, Output, OutputSet } from './output';
 
-/** Why an output is as it is at some moment. */
+/** The cause of an output's value at some moment. */
 export interface Cause {
   readonly output: Output;
   /** When the output got this value, in µs; for an event, when it happened. */
@@ -15,7 +15,7 @@ export interface Cause {
   readonly again: readonly CodeLine[] | null;
 }
 
-/** Most entries that are kept of an output. Chosen: an hour of twenty a second; then the older half goes. */
+/** Most entries of an output. Chosen: an hour of twenty a second; then the older half is removed. */
 const MOST_ENTRIES = 72_000;
 
 /** Which lines set the outputs of a run's devices, and when: as far as any repetition of it has come. */
@@ -40,7 +40,7 @@ export class Causes {
     this.untilUs = Math.max(this.untilUs, us);
   }
 
-  /** Why each output that was ever set is as it is just after a time, in the order in which they were set first. */
+  /** The causes of the outputs' values just after a time, in the order in which the outputs were first set. */
   at(device: number, timeUs: number): readonly Cause[] {
     return this.devices[device]?.at(timeUs) ?? [];
   }
@@ -70,7 +70,7 @@ class DeviceCauses {
   /** How often any output was set. */
   count = 0;
   private readonly outputs = new Map<Output, Entry[]>();
-  /** The same lines are kept once. */
+  /** Equal lists of lines are stored once. */
   private readonly lines = new Map<string, readonly CodeLine[]>();
 
   add({ output, timeUs, value, lines }: OutputSet): void {

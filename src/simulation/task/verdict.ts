@@ -32,7 +32,7 @@ export interface Verdict {
   readonly stars: number | null;
   /** Number of touches of walls, blocks, the edge or obstacles, of all robots that count. */
   readonly touches: number;
-  /** How it stands for each robot, if the task is one for several (`Task.robots`); else empty. */
+  /** The verdict on each robot, if the task is one for several (`Task.robots`); else empty. */
   readonly robots: readonly RobotVerdict[];
 }
 
@@ -41,7 +41,7 @@ export type Reason = 'time' | 'forbidden' | 'spikes' | 'touched' | 'robot' | 'le
 
 type Shared = 'atMs' | 'by' | 'place' | 'checkpoints' | 'targets' | 'touches';
 
-/** How a task for several robots stands for one of them. */
+/** The verdict on one robot of a task for several. */
 export interface RobotVerdict extends Pick<Verdict, Shared> {
   /** Name of its device. */
   readonly device: string;

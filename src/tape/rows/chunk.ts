@@ -73,7 +73,7 @@ function writeMotion(out: ByteWriter, codes: Series): void {
 
 /** A piece that was read: any of its moments can be made again. */
 export interface Chunk {
-  /** It needs none of the pieces before it. */
+  /** True if it needs none of the pieces before it. */
   readonly isFirst: boolean;
   readonly moments: number;
   /** All columns and values up to this piece. */

@@ -12,7 +12,7 @@ export class Codes {
   readonly values: Leaf[] = [];
   private readonly numbers = new Map<string, number>();
 
-  /** The code of a leaf whose figures are kept in whole multiples of `step`. */
+  /** The code of a leaf; a figure is rounded to a multiple of `step`. */
   of(leaf: Leaf, step: number): number {
     if (typeof leaf === 'number' && Number.isFinite(leaf)) return 2 * Math.round(leaf / step);
     const key = typeof leaf === 'string' ? `"${leaf}` : JSON.stringify(leaf);

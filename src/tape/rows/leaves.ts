@@ -12,7 +12,7 @@ export type Leaf = number | string | boolean | null | readonly [] | Readonly<Rec
 /** All leaves at one path, over time. */
 export interface Column {
   readonly path: readonly Key[];
-  /** Figures are kept in whole multiples of this. */
+  /** Figures are rounded to multiples of this. */
   readonly step: number;
 }
 

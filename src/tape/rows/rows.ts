@@ -7,11 +7,11 @@ interface Piece {
   readonly toUs: number;
   /** The content of the pieces before it. */
   readonly before: Told;
-  /** Every how many moments one was kept. */
+  /** One of this many moments is left. */
   readonly thinned: number;
 }
 
-/** Pieces that are kept unpacked: the one that is looked at, and its neighbours. */
+/** Number of pieces in memory unpacked: the one that is looked at, and its neighbours. */
 const UNPACKED = 3;
 
 /** The newest pieces, which are never thinned: the last minute is what people look at. */

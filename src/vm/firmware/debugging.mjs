@@ -39,7 +39,7 @@ export function tellState(module) {
     module.head += `\n (global $${name} i32 (i32.const ${address}))\n (export "${name}" (global $${name}))`;
 }
 
-/** The host hears of each scope that was compiled. Call it after pointers were spilled: nothing may be spilled for it. */
+/** Reports each compiled scope to the host. Call it after pointers were spilled: nothing may be spilled for it. */
 export function tellScopes(module, scopeEnd) {
   const text = flat(module.functions.get(scopeEnd));
   const body = bodyStart(text);

@@ -35,7 +35,7 @@ export interface VmState {
 
 const PAGE_BYTES = 4096;
 
-/** Copies that are kept for a module, of some 200 kB each. Chosen: boards and firmwares of a class, with main.py alone. */
+/** Most copies of a module, of some 200 kB each. Chosen: boards and firmwares of a class, with main.py alone. */
 const MOST_COPIES = 8;
 
 interface Kept {

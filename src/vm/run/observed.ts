@@ -1,6 +1,6 @@
 import type { SyscallTable, Value } from './syscall';
 
-/** Hears of all that a program does to its board while it does it, so that the program's place can be read. */
+/** Notified of all that a program does to its board while it does it, so that the program's place can be read. */
 export interface Observer {
   /** A call of the device begins: what happens until `after` happens by it. */
   before(): void;
@@ -10,7 +10,7 @@ export interface Observer {
   print(bytes: Uint8Array): void;
 }
 
-/** Wraps syscalls so that an observer hears of each. Their answers and costs stay the same. */
+/** Wraps syscalls so that an observer is notified of each. Their answers and costs stay the same. */
 export function observed(table: SyscallTable, observer: Observer): SyscallTable {
   const listenTo = ([name, call]: [string, SyscallTable[string]]): [string, SyscallTable[string]] => [
     name,

@@ -281,8 +281,8 @@ export class Session {
   }
 
   /**
-   * Loads the library, which takes no time. What that makes of a VM is kept: the next one for such a board gets it as a copy.
-   * With an observer or a watch there is no copy: they see the library load.
+   * Loads the library, which takes no simulated time. The state of the VM after that is saved: the next one for such a
+   * board gets a copy. With an observer or a watch there is no copy: they see the library load.
    */
   private loadLibrary(): void {
     this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;

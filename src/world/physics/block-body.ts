@@ -32,7 +32,7 @@ export interface Place {
   readonly angle: number;
 }
 
-/** How a block is held: as a part of the robot's body. Its own body waits aside. */
+/** A block that is held: a part of the robot's body, while its own body waits aside. */
 interface Hold {
   readonly by: Holder;
   /** One for each part. */
