@@ -3,7 +3,7 @@ import type { Language } from '#core/languages';
 import type { DeviceSetup } from '#simulation/run-setup';
 import type { Report } from './report';
 
-/** The report with what the errors of its programs mean, as the console of the page and `check` say it. */
+/** The report with advice on the errors of its programs, in the words of the page's console and of `check`. */
 export function explained(report: Report, devices: readonly DeviceSetup[], language: Language): Report {
   const withAdvice = <T extends Pick<Report, 'exception'>>(of: T, place: number): T => {
     const { exception } = of;

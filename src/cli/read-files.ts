@@ -89,7 +89,7 @@ async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 
   return { ...read, files };
 }
 
-/** A file with a project is one by its ending, or by what it says. */
+/** A file contains a project if its ending or its content says so; otherwise it is a program. */
 function workOfFile(path: string): Work | { readonly problem: string } {
   const isNamed = formatOf(path) === 'json';
   const text = readText(path, isNamed ? limits.json : limits.program);

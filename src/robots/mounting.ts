@@ -32,7 +32,7 @@ export function mountMotors({ chassis, onSet }: Pick<RobotContext, 'chassis' | '
   };
 }
 
-/** Puts servos on a robot's ports, and on the servos what the robot's options say. */
+/** Puts servos on a robot's ports, and on the servos the attachments that the robot's options name. */
 export function mountServos(
   { chassis, options, scale, onSet }: RobotContext,
   { mountMm }: RobotType,

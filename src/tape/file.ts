@@ -59,7 +59,7 @@ function setupToValue({ scene, devices, seed, reality, repl, inputs = [] }: RunS
   return { scene: course, devices, seed, reality, ...(repl && { repl }), inputs };
 }
 
-/** The set-up as it comes back from its file: what is recorded must be the run of that. */
+/** The set-up as it is read back from its file: the run to record must be the run of that one. */
 export const setupAsKept = (setup: RunSetup): RunSetup =>
   readSetup(JSON.parse(JSON.stringify(setupToValue(setup))) as Fields);
 

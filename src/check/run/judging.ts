@@ -107,7 +107,7 @@ export class Judging {
   /**
    * The results of the checks, once the run is over.
    *
-   * @param besides what there is to say of all that was not reached
+   * @param besides details for the reason of each check that was not reached
    */
   outcome(cause: Cause, besides: Reason['params']): Outcome {
     const ends = this.watched.map(({ check, watcher }) => ({ check, watcher, ...watcher.standing() }));

@@ -101,6 +101,6 @@ function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, 
   }
 }
 
-/** Time without motion after which a run ends: as long as usual, or as the longest stop that a check waits for. */
+/** A run ends after being still for this time: the usual one, or the longest stop that a check waits for. */
 const stillUs = (checks: readonly RunCheck[]): number =>
   Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? usOf(check.seconds) + SLICE_US : 0)));

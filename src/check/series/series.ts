@@ -29,7 +29,7 @@ export type TaskSource =
   | { readonly kind: 'file'; readonly file: string }
   | Unread;
 
-/** A task that cannot be read: it has a place in the series, and says so there. */
+/** A task that cannot be read. It keeps its place in the series. */
 export interface Unread {
   readonly kind: 'unread';
   /** Its value in the file, so that nothing is lost when the series is saved again. */

@@ -100,7 +100,7 @@ const visibleFirst = (worlds: readonly WorldVariant[]): ClassTask['worlds'] => {
   return [first, ...others, ...worlds.filter(({ hidden }) => hidden)];
 };
 
-/** The worlds, the visible ones first; where none is said, the course as it is. */
+/** The worlds, the visible ones first; without a visible one, the course as it is comes first. */
 function worldsIn(value: unknown, reader: Reader): ClassTask['worlds'] {
   if (value === undefined) return [plainWorld];
   const list = reader.list(value, 'task.worlds', { min: 0, max: taskLimits.worlds });

@@ -12,7 +12,7 @@ export interface ClassTask {
   readonly id: string;
   /** At least one. */
   readonly checks: readonly Check[];
-  /** The visible ones first; where none is given, the first is the course as it is. */
+  /** The visible ones first; without a visible one in the file, the course as it is comes first. */
   readonly worlds: readonly [WorldVariant, ...WorldVariant[]];
   /** Number of hidden worlds in which the checks must hold; `null`: in all. */
   readonly least: number | null;

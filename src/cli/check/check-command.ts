@@ -113,7 +113,7 @@ async function runAll(
   return { ...read, results };
 }
 
-/** Says how far it is: on a terminal in one line that is replaced, elsewhere now and then. */
+/** Shows the progress: on a terminal in one line that is replaced, elsewhere now and then. */
 class Progress {
   private done = 0;
   private passed = 0;

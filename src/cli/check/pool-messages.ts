@@ -2,7 +2,7 @@ import type { Project } from '#project/project';
 
 /** The initial data of a thread that checks. */
 export interface CheckerData {
-  /** The task, as its project says it. */
+  /** The project that contains the task. */
   readonly task: Project;
   readonly firmware: WebAssembly.Module;
   /** Its start program in other languages. */

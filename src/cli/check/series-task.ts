@@ -24,7 +24,7 @@ export interface OpenedTask {
 export interface TaskWord {
   /** A file, a link, the id of a ready course. */
   readonly where: string;
-  /** A number from 1 or an id; empty: nothing is said. */
+  /** The selected task: a number from 1 or an id; empty: none is named. */
   readonly which: string;
 }
 

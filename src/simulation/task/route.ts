@@ -84,7 +84,7 @@ export class Route {
     if (this.arrival?.id === id) this.arrival = null;
   }
 
-  /** Notes a place that a robot enters before its turn. Where it stands from the start, it has not come to. */
+  /** Notes a place that a robot enters before its turn. Places in which it stands from the start do not count. */
   private noteEarly(at: Vec, next: number, waiting: Waiting): Waiting {
     const zones = next === Infinity ? [] : this.later(next);
     if (!zones.some((zone) => zoneHolds(zone, at))) return NOWHERE;

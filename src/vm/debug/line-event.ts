@@ -20,7 +20,7 @@ export interface StopRule {
 /** Finds the lines at which a debugger may stop. */
 export interface LineFinder {
   readonly vm: Inspected;
-  /** Looks where the program is now: the line in which it stands does not begin any more. */
+  /** Reads where the program is now: the line in which it stands counts as begun. */
   start(): void;
   /** The line that begins or resumes with the next bytecode, or `null`: a line goes on. */
   next(): LineEvent | null;

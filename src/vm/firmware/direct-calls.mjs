@@ -60,7 +60,7 @@ function replaceCalls(module, direct) {
   if (count < 20) throw new Error(`Direct calls: expected more than 20 places, found ${count}.`);
 }
 
-/** py/obj.c, mp_obj_is_true: None, False, True and small ints say it themselves. */
+/** py/obj.c, mp_obj_is_true: None, False, True and small ints are decided from the value itself. */
 function truth(module) {
   const { name, match } = onlyFunction(
     module,
