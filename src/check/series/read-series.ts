@@ -85,7 +85,7 @@ function versionProblem(version: unknown): SeriesProblem {
 const idOf = (title: string, tasks: readonly unknown[]): string =>
   `s${fnvOfText(JSON.stringify([title, tasks])).toString(36)}`;
 
-/** The room for the links of one series, still free. */
+/** The space left for the links of one series. */
 export const roomForLinks = (): Room => ({ left: seriesLimits.linkedBytes });
 
 /** Inputs for reading links. */

@@ -28,7 +28,7 @@ export interface Verdict {
   readonly targets: { readonly reached: number; readonly of: number };
   /** Number of blocks in targets, and of wanted blocks. */
   readonly blocks: { readonly delivered: number; readonly of: number };
-  /** 1 to 3 once the task is passed, 0 before; `null` for a task that gives no stars. */
+  /** 1 to 3 if the task is passed, else 0; `null` for a task that gives no stars. */
   readonly stars: number | null;
   /** Number of touches of walls, blocks, the edge or obstacles, of all robots that count. */
   readonly touches: number;
