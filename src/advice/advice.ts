@@ -34,7 +34,7 @@ const SHOWN_CHARACTERS = 40;
 /**
  * The explanation of an exception for pupils: first in their words, then in the device's.
  *
- * @param source the pupil's file and the line the exception names. With it, "invalid syntax" can be explained.
+ * @param source the pupil's file and the line the exception names; "invalid syntax", for example, needs it
  */
 export function adviceFor({ type, message, traceback = '' }: Failure, source: Source | null = null): Advice {
   const device = message === '' ? type : `${type}: ${message}`;

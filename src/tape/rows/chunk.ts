@@ -161,7 +161,7 @@ export function timesOf({ columns, codes }: Chunk): readonly number[] | null {
   return codes[at]?.map((code) => code / 2) ?? null;
 }
 
-/** The values at one path for each of a piece's moments; `undefined` where there is none. */
+/** The values at one path, one for each of a piece's moments or `undefined`; empty if the piece lacks the path. */
 export function leavesAt({ columns, values, codes }: Chunk, path: readonly Key[]): readonly (Leaf | undefined)[] {
   const at = columns.findIndex((column) => isSame(column.path, path));
   return codes[at]?.map((code) => leafOf(code, columns[at]?.step ?? 1, values)) ?? [];
