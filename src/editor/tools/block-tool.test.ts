@@ -42,6 +42,7 @@ describe('block', () => {
     const once = used(blockTool, drag([303, 298]), contextOf(course()));
     expect(blockTool.edit(drag([302, 301]), contextOf(once))).toBeNull();
     expect(used(blockTool, drag([302, 301]), contextOf(once, { block: 'spikes' })).objects).toHaveLength(2);
+    expect(used(blockTool, drag([302, 301]), contextOf(once, { blockShape: 'round' })).objects).toHaveLength(2);
     expect(used(blockTool, drag([322, 301]), contextOf(once)).objects).toHaveLength(2);
   });
 

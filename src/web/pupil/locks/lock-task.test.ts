@@ -5,6 +5,7 @@ import { noLocks } from '#check/task/task';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
 import type { SceneEdit } from '#scene/edit';
+import { addedDevice } from '#project/devices';
 import type { Project } from '#project/project';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { inputsOf, show, startRun } from '../../app/testing/run';
@@ -32,9 +33,12 @@ const given = (locks: object): Project =>
   });
 
 /** A pupil's page on which it is open. */
-async function pupil(locks: object): Promise<TestPage & { readonly said: () => string | undefined }> {
+async function pupil(
+  locks: object,
+  change: (project: Project) => Project = (project) => project,
+): Promise<TestPage & { readonly said: () => string | undefined }> {
   const page = createPage();
-  page.work.openProject(given(locks), null);
+  page.work.openProject(change(given(locks)), null);
   await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
   const said = (): string | undefined => page.notices.current.value?.values?.['text'] as string | undefined;
   return { ...page, said };
@@ -157,6 +161,23 @@ it('a task that locks the robot keeps it and the board, but not the look of the 
   expect(page.settings.current.value.theme).toBe('dark');
   page.work.addDevice({ name: 'B', files: [], sameAs: '', device: 'auto', firmware: '', robot: 'auto', robotOptions: {} }, 'A'); // prettier-ignore
   expect(page.work.hasSeveral.value).toBe(false);
+});
+
+it('a task that locks the robot keeps its further devices, and puts no work aside for them', async () => {
+  const second = {
+    name: 'B',
+    files: [],
+    sameAs: '',
+    device: 'auto',
+    firmware: '',
+    robot: 'auto',
+    robotOptions: {},
+  } as const;
+  const page = await pupil({ robot: true }, (project) => addedDevice(project, second, 'A'));
+  const before = page.work.work.value;
+  expect(page.work.removeDevice(1, 'before')).toBe(false);
+  expect(page.work.work.value).toEqual(before);
+  expect(page.said()).toBeDefined();
 });
 
 it.each([0.5, 4, 'max'] as const)(

@@ -114,6 +114,13 @@ describe('a series that was opened', () => {
     expect(await keptSeries(app, 'other')).toBeNull();
   });
 
+  it('is still found by its address after it was opened by its id on another visit', async () => {
+    stubDatabase();
+    await keepSeries({ late: new LateModels() }, series, 'https://schule.example/a/series.json');
+    expect(await keptSeries({ late: new LateModels() }, 'woche-3')).toEqual(series);
+    expect(await seriesFrom('https://schule.example/a/series.json')).toEqual(series);
+  });
+
   it('works while the page is open where the browser keeps nothing', async () => {
     const app = { late: new LateModels() };
     stubDatabase(false);
