@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Attachment, AttachmentContext } from './attachment';
-import { onRobot, share } from './mount';
+import { onRobot, shareOfWay } from './mount';
 
 /**
  * Angles of the servo of forklift and loader: up and down. Source: informatiquecsud/mbrobot `mbtools.py` (forklift up 0°,
@@ -29,7 +29,7 @@ export function attachLift(context: AttachmentContext, shape: LiftShape): Attach
   const back = chassis.addPart(onRobot(context, shape.backMm));
   const fork = chassis.addFork({ plateMm: onRobot(context, shape.plateMm), clearMm: CLEAR_MM * scale });
   return {
-    move: (angleDeg) => fork.setHeightMm(TOP_MM * scale * share(angleDeg, DOWN_DEG, UP_DEG)),
+    move: (angleDeg) => fork.setHeightMm(TOP_MM * scale * shareOfWay(angleDeg, DOWN_DEG, UP_DEG)),
     isHolding: () => fork.isHolding(),
     sonarTurnRad: () => 0,
     pose: () => ({ turnRad: {}, heightMm: fork.heightMm() / scale }),

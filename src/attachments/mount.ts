@@ -17,6 +17,6 @@ export function box(fromX: number, toX: number, fromY: number, toY: number): Vec
 }
 
 /** The share of the way from `from` to `to` at which a value lies, clamped to 0 … 1. */
-export function share(value: number, from: number, to: number): number {
+export function shareOfWay(value: number, from: number, to: number): number {
   return Math.min(Math.max((value - from) / (to - from), 0), 1);
 }

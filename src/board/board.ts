@@ -112,7 +112,7 @@ export class Board {
    */
   reset(): void {
     this.music.stop();
-    this.music.reset();
+    this.music.resetTempo();
     this.sound.reset();
     for (const pin of this.pins.values()) pin.reset();
     this.pwm.reset();

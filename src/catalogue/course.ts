@@ -131,7 +131,7 @@ export function projectOf(course: Course, language: Language): Project {
 }
 
 /** The course as it is opened with its solution. */
-export const solved = (course: Course): Course => ({
+export const withSolution = (course: Course): Course => ({
   ...course,
   program: course.solution,
   devices: course.devices.map((device) => ({ ...device, program: device.solution })),

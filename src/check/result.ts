@@ -82,7 +82,7 @@ const unreached: readonly ReasonCode[] = [
 export const isUnreached = ({ code }: Reason): boolean => unreached.includes(code);
 
 /** The code of a reason of the judge: it is the same word. */
-export const goalReason = (reason: GoalReason): ReasonCode => reason;
+export const reasonCode = (reason: GoalReason): ReasonCode => reason;
 
 /** Something reported to the teacher. */
 export interface Remark {

@@ -19,7 +19,7 @@ import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
-import { explained } from './explained';
+import { withAdvice } from './explained';
 import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
@@ -80,7 +80,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
       terminal.message(`parcours: something broke inside. Please report this.\n${outcome.problem}`);
       return 1;
     case 'ran': {
-      const report = explained(outcome.report, setup.devices, options.lang);
+      const report = withAdvice(outcome.report, setup.devices, options.lang);
       tellEnd(report, options, terminal);
       if (!options.json && !options.quiet) tellVerdict(report, terminal);
       if (options.json) terminal.line(jsonLine(report, outcome.consoles));

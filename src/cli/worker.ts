@@ -6,7 +6,7 @@ import { stillness } from '#check/run/stillness';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
 import type { RunOutlets } from '#simulation/outlets';
 import { PHYSICS } from '#simulation/physics-version';
-import { checkRun } from '#simulation/run-problem';
+import { fitRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
 import { tapeToText } from '#tape/file';
 import { momentOf, type Moment } from '#tape/moment';
@@ -164,7 +164,7 @@ function runToEnd(simulation: Simulation, task: WorkerTask, takeRadio: () => rea
 }
 
 async function work(task: WorkerTask): Promise<void> {
-  const checked = checkRun(task.setup);
+  const checked = fitRun(task.setup);
   if ('problem' in checked) {
     post({ type: 'refused', problem: checked.problem });
     return;

@@ -65,7 +65,7 @@ export const typeHintModules: ReadonlySet<string> = new Set(['microbit', 'callio
  * takes more than a line. `math`: the device has what the official stubs of its `math` list; `time`: what is in
  * micropython-microbit-v2 modutime.c.
  */
-export const moduleNames: ReadonlyMap<string, ReadonlyMap<string, string>> = new Map([
+export const absentNames: ReadonlyMap<string, ReadonlyMap<string, string>> = new Map([
   [
     'math',
     new Map([

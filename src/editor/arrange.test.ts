@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { middleOfSelection, nudged, turned } from './arrange';
+import { middleOfSelection, nudged, turnedByEighths } from './arrange';
 import { block, course, footprint, mover, stroke, wall } from './testing/desk';
 import type { Selection } from './tools/tool';
 
@@ -56,19 +56,19 @@ describe('turning a selection', () => {
   it('turns several by eighths about the middle of their middles', () => {
     const scene = course(block('a', [300, 300]), block('b', [500, 300]));
     expect(middleOfSelection(scene, of(['a', 'b']))).toEqual({ x: 400, y: 300 });
-    const edit = turned(scene, of(['a', 'b']), 2);
+    const edit = turnedByEighths(scene, of(['a', 'b']), 2);
     expect(edit && applyEdit(scene, edit).objects).toEqual([block('a', [400, 200], 2), block('b', [400, 400], 2)]);
   });
 
   it('takes the robot along', () => {
     const scene = course(block('a', [400, 450]));
-    const edit = turned(scene, of(['a'], true), 4, footprint);
+    const edit = turnedByEighths(scene, of(['a'], true), 4, footprint);
     const after = edit && applyEdit(scene, edit);
     expect(after?.robot).toMatchObject({ at: [400, 450], heading: 180 });
     expect(after?.objects).toEqual([block('a', [600, 450], 4)]);
   });
 
   it('is nothing by a whole turn', () => {
-    expect(turned(course(block('a', [300, 300])), of(['a']), 8)).toBeNull();
+    expect(turnedByEighths(course(block('a', [300, 300])), of(['a']), 8)).toBeNull();
   });
 });

@@ -20,7 +20,7 @@ const STAYS_MM = 10;
  * Moves what is selected. Objects keep their arrangement and stay at least partly inside the arena; the robot stays
  * wholly inside. `null` when nothing moves.
  */
-export function moved(
+export function movingSelection(
   scene: Scene,
   selection: Selection,
   by: Vec,
@@ -42,7 +42,7 @@ export const nudged = (
   dx: number,
   dy: number,
   footprint: readonly Outline[] = [],
-): SceneEdit | null => moved(scene, selection, { x: dx, y: dy }, footprint);
+): SceneEdit | null => movingSelection(scene, selection, { x: dx, y: dy }, footprint);
 
 /** The step in whole mm nearest to the wanted one that leaves a part of a rectangle in the arena. */
 export function stepInside({ minX, minY, maxX, maxY }: Bounds, by: Vec, [width, height]: Point): Point {
@@ -97,7 +97,7 @@ export function turnedBy(
 }
 
 /** Turns what is selected by eighths of a full turn, counter-clockwise. */
-export const turned = (
+export const turnedByEighths = (
   scene: Scene,
   selection: Selection,
   eighths: number,

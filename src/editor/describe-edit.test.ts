@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { nudged, turned } from './arrange';
+import { nudged, turnedByEighths } from './arrange';
 import { blockTool } from './tools/block-tool';
 import { cleared, named, withSize } from './course-edits';
 import { describeEdit } from './describe-edit';
@@ -72,10 +72,10 @@ describe('what an edit does', () => {
 
   it('is turning by so much', () => {
     for (const id of ['a', 'w', 's']) {
-      const edit = turned(scene, of(id), 1);
+      const edit = turnedByEighths(scene, of(id), 1);
       expect(edit && describeEdit(scene, edit)).toMatchObject({ type: 'turned', count: 1, byDeg: 45 });
     }
-    const edit = turned(scene, of('a', 'b', 'w'), -2);
+    const edit = turnedByEighths(scene, of('a', 'b', 'w'), -2);
     expect(edit && describeEdit(scene, edit)).toEqual({ type: 'turned', kind: 'several', count: 3, byDeg: -90 });
   });
 

@@ -1,6 +1,6 @@
 import { isSame } from '#core/same';
 import { applyEdit, type Replacement, type SceneEdit } from '#scene/edit';
-import { countPoints, sceneLimits, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
+import { countPoints, sceneLimits, type RobotStart, type Scene, type SceneObject, type Shaped } from '#scene/scene';
 
 /** Several edits as one, in the shortest form; `null` for none. */
 export function combined(edits: readonly (SceneEdit | null)[]): SceneEdit | null {
@@ -28,11 +28,14 @@ export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null 
       'size' in other &&
       'size' in object &&
       isSame(other.at, object.at) &&
-      isSame([other.size, other.round, other.corners], [object.size, object.round, object.corners]) &&
+      isSame(formOf(other), formOf(object)) &&
       other.angle === object.angle,
   );
   return isThere ? null : adding(scene, [object]);
 }
+
+/** Size and shape. */
+const formOf = ({ size, round, corners }: Pick<Shaped, 'size' | 'round' | 'corners'>) => [size, round, corners];
 
 /** Takes objects away; `null` for none. */
 export const removing = (ids: readonly string[]): SceneEdit | null =>

@@ -10,7 +10,7 @@ import { handleAt } from './handles';
 import { kindOf } from './kinds/index';
 import { puttingJoined } from './lines/join-lines';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
-import { lured } from './snap/attract';
+import { withLure } from './snap/attract';
 import { countOf, freeObjects } from './selection';
 import type { Drag, Handle, Selection, ToolContext, Turn } from './tools/tool';
 
@@ -23,7 +23,7 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   }
   // A thing that is grabbed beside its middle keeps that distance.
   const place = plus(handle.at, minus(endOf(drag), startOf(drag)));
-  const snapping = lured(drag, context, selection);
+  const snapping = withLure(drag, context, selection);
   if (handle.kind === 'size') return sized(handle, place, snapping, context);
   const object = scene.objects.find(({ id }) => id === handle.id);
   if (!object) return null;
@@ -49,7 +49,11 @@ function sized({ side = UPPER_RIGHT }: Handle, place: Vec, drag: Drag, context: 
 const UPPER_RIGHT: Point = [1, 1];
 
 /** Takes out the point of a selected thing whose handle is at a place; `null`: there is none, or it has to stay. */
-export function pointRemoved({ scene, selection, footprint }: ToolContext, at: Vec, reachMm: number): SceneEdit | null {
+export function handlePointRemoved(
+  { scene, selection, footprint }: ToolContext,
+  at: Vec,
+  reachMm: number,
+): SceneEdit | null {
   const handle = handleAt(scene, selection, footprint, at, reachMm);
   const object = scene.objects.find(({ id }) => id === handle?.id);
   if (!object || handle?.kind !== 'point' || handle.index === undefined) return null;

@@ -2,4 +2,4 @@
  * An origin in the form for sending a message to it. An opaque one (`null`: a sandbox, a file) or an unknown one cannot
  * be named: the message then goes to any receiver.
  */
-export const nameable = (origin: string | null): string => (origin === null || origin === 'null' ? '*' : origin);
+export const targetOrigin = (origin: string | null): string => (origin === null || origin === 'null' ? '*' : origin);

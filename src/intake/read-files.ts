@@ -1,5 +1,5 @@
 import type { ProjectProblem } from '#project/problem';
-import { looksLikeSeries, unread } from '#check/series/read-series';
+import { looksLikeSeries, unreadableTask } from '#check/series/read-series';
 import type { Series, SeriesTask, TaskSource } from '#check/series/series';
 import type { FileProblem } from './document';
 import { documentOfText, SERIES, taskIn } from './text';
@@ -23,14 +23,15 @@ export async function readTasks(series: Series, load: LoadFile): Promise<Series>
 async function taskInFile({ id, title }: SeriesTask, file: string, load: LoadFile): Promise<TaskSource> {
   const value = { id, ...(title !== '' && { title }), file };
   const loaded = await load(file);
-  if (loaded === null) return unread(value, [problemOf('not-beside', file, `${file}: is not beside the series.`)]);
+  if (loaded === null)
+    return unreadableTask(value, [problemOf('not-beside', file, `${file}: is not beside the series.`)]);
   if ('problem' in loaded) {
     const said = `${file}: ${loaded.problem}`;
-    return { ...unread(value, [problemOf('missing', file, said)]), said };
+    return { ...unreadableTask(value, [problemOf('missing', file, said)]), said };
   }
   const task = looksLikeSeries(loaded.text) ? SERIES : taskIn(documentOfText(loaded.text, () => null));
   if ('project' in task) return { kind: 'project', project: task.project };
-  return unread(
+  return unreadableTask(
     value,
     task.problems.filter(isOfProject).map((problem) => inFile(problem, file)),
   );

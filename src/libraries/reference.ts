@@ -1,4 +1,4 @@
-import { fn, module, object, saidBy, type, value, values } from '#reference/table';
+import { fn, module, object, withWordsOf, type, value, values } from '#reference/table';
 import type { Names, RobotReference } from '#reference/types';
 import words from './words';
 
@@ -28,7 +28,7 @@ const brick = {
 
 /** The same names as functions of the module, whose words they share. */
 const sharedWords = (names: Names): Names =>
-  Object.fromEntries(Object.entries(names).map(([name, entry]) => [name, saidBy(`simrobot.${name}`, entry)]));
+  Object.fromEntries(Object.entries(names).map(([name, entry]) => [name, withWordsOf(`simrobot.${name}`, entry)]));
 
 const robot = {
   ...sharedWords(brick),
@@ -36,7 +36,7 @@ const robot = {
   isRunning: fn('() -> bool'),
 };
 
-const told = saidBy('simrobot.RobotContext', fn('(*arguments) -> None'));
+const told = withWordsOf('simrobot.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of simrobot.py with short descriptions. */
 const simrobot = module('simrobot', {
@@ -49,7 +49,7 @@ const simrobot = module('simrobot', {
   ...values('LightSensor', ['ls1', 'ls2', 'ls3']),
   ...values('TouchSensor', ['ts1', 'ts2', 'ts3']),
   LegoRobot: type(['()'], robot),
-  NxtRobot: saidBy('simrobot.LegoRobot', type(['()'], {}, 'LegoRobot')),
+  NxtRobot: withWordsOf('simrobot.LegoRobot', type(['()'], {}, 'LegoRobot')),
   Gear: type(['()'], { ...sharedWords(moves), getSpeed: fn('() -> int') }),
   Motor: type(['(port: int)'], {
     rotate: fn('(speed: int) -> None'),
@@ -58,7 +58,7 @@ const simrobot = module('simrobot', {
     backward: fn('() -> None'),
     stop: fn('() -> None'),
   }),
-  MotorPort: type([], { A: saidBy('simrobot.motA', value('int')), B: saidBy('simrobot.motB', value('int')) }),
+  MotorPort: type([], { A: withWordsOf('simrobot.motA', value('int')), B: withWordsOf('simrobot.motB', value('int')) }),
   SensorPort: type([], {
     S1: value('int'),
     S2: value('int'),
@@ -66,9 +66,9 @@ const simrobot = module('simrobot', {
     S4: value('int'),
   }),
   LightSensor: type(['(port: int)'], { getValue: fn('() -> int'), activate: fn('(on: bool) -> None') }),
-  UltrasonicSensor: type(['(port: int = 0)'], { getDistance: saidBy('simrobot.getDistance', fn('() -> int')) }),
+  UltrasonicSensor: type(['(port: int = 0)'], { getDistance: withWordsOf('simrobot.getDistance', fn('() -> int')) }),
   TouchSensor: type(['(port: int)'], { isPressed: fn('() -> bool') }),
-  Tools: object({ delay: saidBy('simrobot.delay', fn('(ms: float) -> None')) }),
+  Tools: object({ delay: withWordsOf('simrobot.delay', fn('(ms: float) -> None')) }),
   RobotContext: object({
     setStartPosition: told,
     setStartDirection: told,

@@ -5,7 +5,7 @@ import { degOf } from '#core/angle';
 import { createRng } from '#core/rng';
 import { findRobot } from '#robots/index';
 import type { RobotType } from '#robots/robot';
-import { plainTraits, traitLimits, type Traits } from '#robots/traits';
+import { idealTraits, traitLimits, type Traits } from '#robots/traits';
 import { defaultScene } from '#scene/scene';
 import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
@@ -129,14 +129,14 @@ describe('a measured robot', { timeout: 60_000 }, () => {
   });
 
   it('is as built where nothing was measured', async () => {
-    expect(await fitTraits(nothingMeasured, type, firmware)).toEqual(plainTraits);
+    expect(await fitTraits(nothingMeasured, type, firmware)).toEqual(idealTraits);
   });
 
   it('needs no more than one drive; what that cannot tell stays as usual', async () => {
     const whole = await measure({ type, firmware, ...used });
     const measured = { ...nothingMeasured, drives: { ...nothingMeasured.drives, usual: whole.drives.usual } };
     const { motors } = await fitTraits(measured, type, firmware);
-    expect(missMm(measured, await predictMotion({ type, firmware, traits: { ...plainTraits, motors } }))).toBeLessThan(
+    expect(missMm(measured, await predictMotion({ type, firmware, traits: { ...idealTraits, motors } }))).toBeLessThan(
       6,
     );
     expect(Math.abs(motors.friction)).toBeLessThan(0.004);

@@ -51,7 +51,7 @@ function inward(from: Vec, to: Vec): Vec {
 export const pairs = (outline: Outline): readonly Point[] => outline.map(({ x, y }) => [x, y]);
 
 /** A form as it is drawn, its edges moved inward. `radius`: of a rectangle's corners. */
-export function shapeOf(form: Form, insetMm: number, radius: number): Geometry {
+export function geometryOf(form: Form, insetMm: number, radius: number): Geometry {
   if (form.corners) return { form: 'lines', lines: [pairs(polygonPath(form, insetMm))], isClosed: true };
   const size: Point = [Math.max(1, form.sizeMm.x - 2 * insetMm), Math.max(1, form.sizeMm.y - 2 * insetMm)];
   const half: Point = [size[0] / 2, size[1] / 2];
@@ -101,7 +101,7 @@ export interface Room {
 const TRIED = 16;
 
 /** The place in a form with the most room around it: of a rectangle and an ellipse the middle. */
-export function roomIn(form: Form): Room {
+export function signRoomIn(form: Form): Room {
   const { sizeMm, corners } = form;
   if (!corners) return { at: { x: 0, y: 0 }, acrossMm: Math.min(sizeMm.x, sizeMm.y) };
   return roomInPolygon(corners, sizeMm);

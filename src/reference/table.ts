@@ -39,7 +39,7 @@ export const onlyOn = (board: BoardApi, names: Names): Names =>
 export const absent = (it: Entry): Entry => ({ ...it, absent: true });
 
 /** A name whose words stand under another one. */
-export const saidBy = (text: string, it: Entry): Entry => ({ ...it, text });
+export const withWordsOf = (text: string, it: Entry): Entry => ({ ...it, text });
 
 /** A module. */
 export const module = (name: string, names: Names, aliases: readonly string[] = []): ReferenceModule => ({

@@ -32,7 +32,7 @@ export interface MotorTraits {
 }
 
 /** The traits of a robot exactly as designed. */
-export const plainTraits: Traits = {
+export const idealTraits: Traits = {
   motors: { difference: 0, charge: 1, sag: 0, friction: 0 },
   ultrasonic: { offsetMm: 0, scale: 1 },
   line: {},

@@ -82,7 +82,7 @@ function movableFirst({ object: one }: Solid, { object: other }: Solid): Stuck |
 const sharesHeight = (one: Bounds, other: Bounds): boolean => one.minY <= other.maxY && other.minY <= one.maxY;
 
 /** Groups of objects that are the same in all but their id, so that only the topmost is ever seen. */
-export function copies(objects: readonly SceneObject[]): readonly (readonly SceneObject[])[] {
+export function identicalGroups(objects: readonly SceneObject[]): readonly (readonly SceneObject[])[] {
   const groups = new Map<string, SceneObject[]>();
   for (const object of objects) {
     const look = lookOf(object);

@@ -3,7 +3,7 @@ import { boundsOf, reachesInto } from './kinds/index';
 import { isZone, zoneHolds, zoneOverlaps } from './kinds/zone';
 import { isIdle } from './kinds/mover-way';
 import type { Outline } from './outline';
-import { copies, stuckBlocks, type Stuck } from './overlaps';
+import { identicalGroups, stuckBlocks, type Stuck } from './overlaps';
 import { placementProblems, robotOutlines } from './placement';
 import type { Block, Mover, Point, Scene, SceneObject, Start, Zone } from './scene';
 
@@ -63,7 +63,7 @@ export function findProblems(scene: Scene, footprint: readonly Outline[]): reado
     things.movers.filter(isIdle).map(stillMover),
     guardsWithoutZone(scene.objects, things),
     stuckBlocks(scene.objects).map(blockInside),
-    copies(scene.objects).map(covered),
+    identicalGroups(scene.objects).map(covered),
   ];
   return rules.flatMap((problems) => problems.slice(0, MOST_OF_A_KIND));
 }

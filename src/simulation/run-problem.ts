@@ -16,9 +16,7 @@ import type { RunSetup } from './run-setup';
  *
  * @returns one or several lines that name place and value, or the run's devices
  */
-export function checkRun(
-  setup: RunSetup,
-): { readonly devices: readonly FittedDevice[] } | { readonly problem: string } {
+export function fitRun(setup: RunSetup): { readonly devices: readonly FittedDevice[] } | { readonly problem: string } {
   const { reality, scene } = setup;
   if (!(reality >= 0 && reality <= 1))
     return { problem: `Reality ${String(reality)} is not within 0 (ideal) … 1 (like a used school robot).` };

@@ -15,7 +15,7 @@ import type { FittedDevice } from './fit-devices';
 import { levelAt } from './several/hearing';
 import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';
-import { checkRun, createInputCheck } from './run-problem';
+import { fitRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { seedOfDevice } from './several/seed-of-device';
 import type { Lights, Snapshot } from './snapshot';
@@ -57,7 +57,7 @@ export class Simulation {
    */
   static create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets = {}): Promise<Simulation> {
     return new Promise((resolve) => {
-      const checked = checkRun(setup);
+      const checked = fitRun(setup);
       if ('problem' in checked) throw new RangeError(checked.problem);
       resolve(new Simulation(setup, firmware, checked.devices, outlets));
     });

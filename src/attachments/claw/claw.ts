@@ -15,7 +15,7 @@ import type { Vec } from '#core/geometry';
 import type { GripperType } from '#world/chassis';
 import attachmentAbout from '../words/about';
 import type { Attachment, AttachmentContext, AttachmentType } from '../attachment';
-import { box, onRobot, share } from '../mount';
+import { box, onRobot, shareOfWay } from '../mount';
 import { attachmentTitles } from '../options';
 
 /** Angle of the servo with the claw wide open; below it the jaws rest against their stops. */
@@ -72,7 +72,7 @@ function attach(context: AttachmentContext): Attachment {
   const base = chassis.addPart(onRobot(context, BASE));
   const gripper = chassis.addGripper(type);
   return {
-    move: (angleDeg) => gripper.setSwing(OPEN_SWING_RAD * (1 - share(angleDeg, OPEN_DEG, CLOSED_DEG))),
+    move: (angleDeg) => gripper.setSwing(OPEN_SWING_RAD * (1 - shareOfWay(angleDeg, OPEN_DEG, CLOSED_DEG))),
     isHolding: () => gripper.isHolding(),
     sonarTurnRad: () => 0,
     pose: () => {

@@ -129,7 +129,7 @@ describe('music', () => {
     expect(hear(['a4:8'])).toEqual(['6: 440', '456: silence', '468: silence']);
     music.setTempo({ bpm: 0 });
     expect(music.tempo).toEqual({ bpm: 130, ticks: 8 });
-    music.reset();
+    music.resetTempo();
     expect(music.tempo).toEqual({ bpm: 120, ticks: 4 });
   });
 

@@ -76,7 +76,7 @@ export class MusicPlayer {
   }
 
   /** Resets tempo, octave and note length to those after a start; the current sound continues. */
-  reset(): void {
+  resetTempo(): void {
     this.currentTempo = START_TEMPO;
     this.memory = START_MEMORY;
   }

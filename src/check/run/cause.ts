@@ -18,7 +18,7 @@ export interface RunEnd extends Pick<Simulation, 'ended'> {
  *
  * @param failedUs when something had failed: then only an earlier end of the program is why
  */
-export function causeOf(
+export function reasonByEnd(
   { ended, hasMoved, files, world }: RunEnd,
   check: RunCheck,
   failedUs: number | null,

@@ -15,7 +15,7 @@ interface Watched {
 export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches'>;
 
 /** Why a check was not reached, if there is more to say than that (`causeOf`). */
-export type Cause = (check: RunCheck, failedUs: number | null) => Reason | null;
+export type ReasonGiver = (check: RunCheck, failedUs: number | null) => Reason | null;
 
 /**
  * All watchers of a run for a task's checks. They see each step of the world that the judge of the course sees, up to
@@ -109,7 +109,7 @@ export class Judging {
    *
    * @param besides details for the reason of each check that was not reached
    */
-  outcome(cause: Cause, besides: Reason['params']): Outcome {
+  outcome(cause: ReasonGiver, besides: Reason['params']): Outcome {
     const ends = this.watched.map(({ check, watcher }) => ({ check, watcher, ...watcher.standing() }));
     const reachedUs = this.reachedAt();
     // Touching nothing because nothing was done does not count as passing.

@@ -1,11 +1,11 @@
 import { usOf } from '#core/seconds';
 import type { Project } from '#project/project';
-import { checkRun } from '#simulation/run-problem';
+import { fitRun } from '#simulation/run-problem';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Reason, WorldResult } from '../result';
 import { isFact, usualSeconds, type ClassTask, type WorldVariant } from '../task/task';
-import { causeOf, type RunEnd } from './cause';
+import { reasonByEnd, type RunEnd } from './cause';
 import { Judging } from './judging';
 import { setupOf } from './setup';
 import { STILL_US, stillness } from './stillness';
@@ -34,7 +34,7 @@ export async function runWorld(
 ): Promise<WorldResult> {
   const setup = setupOf(task, handedIn, world);
   if ('problem' in setup) return notRun(task, world, { code: 'refused', params: { problem: setup.problem } });
-  const checked = checkRun(setup);
+  const checked = fitRun(setup);
   if ('problem' in checked) return notRun(task, world, { code: 'refused', params: { problem: checked.problem } });
   const checks = task.checks.filter((check): check is RunCheck => !isFact(check));
   const limitUs = limitOf(task, setup);
@@ -59,7 +59,7 @@ export async function runWorld(
   const end: RunEnd = { ended: simulation.ended, hasMoved, files: setup.devices[0].files, world };
   const isCut = end.ended === null && simulation.nowUs >= limitUs;
   const outcome = judging.outcome(
-    (check, failedUs) => causeOf(end, check, failedUs),
+    (check, failedUs) => reasonByEnd(end, check, failedUs),
     isCut ? { limit: limitUs / 1_000_000 } : {},
   );
   simulation.dispose();

@@ -1,5 +1,5 @@
 import { usOf } from '#core/seconds';
-import { goalReason, type Reason } from '../result';
+import { reasonCode, type Reason } from '../result';
 import type { Scene } from '#scene/scene';
 import { Approach } from './approach';
 import { failedAt, HELD, metAt, OPEN, type Standing, type Watcher } from './watcher';
@@ -33,7 +33,7 @@ function reasonOf(verdict: Verdict | null, nearestMm: number | null): Reason {
   const { reason = null, by = null } = verdict ?? {};
   const near = nearestMm === null ? {} : { near: Math.ceil(nearestMm / 10) };
   if (reason === null) return { code: 'open', params: { ...reached, ...near } };
-  return { code: goalReason(reason), params: { by: by ?? '', ...reached, ...(reason === 'time' && near) } };
+  return { code: reasonCode(reason), params: { by: by ?? '', ...reached, ...(reason === 'time' && near) } };
 }
 
 /** Number of goals reached, and of all goals. */

@@ -115,7 +115,7 @@ function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], li
   return {
     id: isTaken ? freeTaskId(before) : id,
     title,
-    from: from ?? unread(entry, reader.problems),
+    from: from ?? unreadableTask(entry, reader.problems),
   };
 }
 
@@ -127,7 +127,7 @@ function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string
   if (source === 'link') return linkedIn(fields, value, at, links);
   const text = reader.text(value, at, seriesLimits.fileCharacters);
   if (text === '') reader.report('missing', at, undefined, 'must not be empty.');
-  if (reader.problems.length > 0) return unread(fields, reader.problems);
+  if (reader.problems.length > 0) return unreadableTask(fields, reader.problems);
   return source === 'course' ? { kind: 'course', course: text } : { kind: 'file', file: text };
 }
 
@@ -135,7 +135,7 @@ function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string
 export function projectIn(entry: unknown, value: unknown, at: string): TaskSource {
   if (isSeriesFile(value)) {
     const message = `${at}: is a series itself; a series holds tasks only. Add its tasks one by one.`;
-    return unread(entry, [{ ...problemOf('wrong-type', at, value, message), code: 'wrong-type' }]);
+    return unreadableTask(entry, [{ ...problemOf('wrong-type', at, value, message), code: 'wrong-type' }]);
   }
   const parsed = parseProjectValue(value);
   if ('project' in parsed) return { kind: 'project', project: parsed.project };
@@ -144,24 +144,24 @@ export function projectIn(entry: unknown, value: unknown, at: string): TaskSourc
     path: `${at}.${problem.path}`,
     message: `${at}: ${problem.message}`,
   });
-  return unread(entry, parsed.problems.map(inside));
+  return unreadableTask(entry, parsed.problems.map(inside));
 }
 
 function linkedIn(entry: unknown, value: unknown, at: string, { courses, room }: Links): TaskSource {
   if (room.left <= 0) {
     const max = seriesLimits.linkedBytes;
     const message = `${at}: Together the links of this series hold more than ${String(max)} bytes. Put this task in as a file.`;
-    return unread(entry, [{ code: 'links-too-large', path: at, value: '', params: { max }, message }]);
+    return unreadableTask(entry, [{ code: 'links-too-large', path: at, value: '', params: { max }, message }]);
   }
   const text = typeof value === 'string' ? value : '';
   const read = projectOfLink(text.slice(Math.max(text.indexOf('#'), 0)), courses, room);
   if ('project' in read) return { kind: 'project', project: read.project };
   const { message, params } = read.problem;
-  return unread(entry, [{ code: 'damaged', path: at, value: '', params, message: `${at}: ${message}` }]);
+  return unreadableTask(entry, [{ code: 'damaged', path: at, value: '', params, message: `${at}: ${message}` }]);
 }
 
 /** A task that cannot be read. @param value its entry in the file */
-export const unread = (value: unknown, problems: readonly ProjectProblem[]): Unread => ({
+export const unreadableTask = (value: unknown, problems: readonly ProjectProblem[]): Unread => ({
   kind: 'unread',
   value,
   problem: summaryOf(problems),

@@ -3,7 +3,7 @@ import { cpSync, linkSync, mkdirSync, readdirSync, readFileSync, symlinkSync, wr
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { projectOf, solved } from '#catalogue/course';
+import { projectOf, withSolution } from '#catalogue/course';
 import { courses } from '#catalogue/courses';
 import { missions } from '#catalogue/missions';
 import { projectToText } from '#project/file';
@@ -195,7 +195,7 @@ describe('parcours check', () => {
     'takes %s with all its devices, whatever they are called, and the first one’s program alone',
     (id) => {
       const course = courses.find((one) => one.id === id)!;
-      const german = file(`${id}.json`, projectToText(projectOf(solved(course), 'de')));
+      const german = file(`${id}.json`, projectToText(projectOf(withSolution(course), 'de')));
       const { out } = parcours('check', id, german, join('courses', id, 'main.py'), '--json');
       expect(jsonOf(out).handIns.map(({ name, passed }) => [name, passed])).toEqual([
         [id, true],

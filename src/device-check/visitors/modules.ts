@@ -2,7 +2,7 @@ import { attributeOf } from '#python/expressions';
 import { parentsOf, textOf, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitors } from '../context';
-import { absentModules, moduleNames, typeHintModules } from '../module-table';
+import { absentModules, absentNames, typeHintModules } from '../module-table';
 
 /** Modules that the device lacks, and names that its modules lack. */
 export const moduleVisitors: Visitors = {
@@ -37,12 +37,12 @@ export const moduleVisitors: Visitors = {
 
 /** Names that `from math import *` brings here, and their module. */
 const starNames: ReadonlyMap<string, string> = new Map(
-  [...moduleNames].flatMap(([module, names]) => [...names.keys()].map((name) => [name, module] as const)),
+  [...absentNames].flatMap(([module, names]) => [...names.keys()].map((name) => [name, module] as const)),
 );
 
 function reportName(node: SyntaxNode, module: string, name: string, context: Context): void {
-  const home = moduleNames.has(module) ? module : module.replace(/^u/, '');
-  const instead = moduleNames.get(home)?.get(name);
+  const home = absentNames.has(module) ? module : module.replace(/^u/, '');
+  const instead = absentNames.get(home)?.get(name);
   if (instead === undefined || context.isOwnModule(module)) return;
   const whole = `${home}.${name}`;
   if (home === 'collections') context.report({ node, rule: 'deque', name });

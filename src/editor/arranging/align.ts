@@ -1,7 +1,7 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Bounds, Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
-import { moved } from '../arrange';
+import { movingSelection } from '../arrange';
 import { boundsAll } from '../bounds';
 import { combined } from '../edits';
 import { boundsOfSelection, freeObjects, only, takenBy } from '../selection';
@@ -84,7 +84,7 @@ const movedApart = (
   footprint: readonly Outline[],
   units: readonly Unit[],
   step: (unit: Unit) => { readonly x: number; readonly y: number },
-): SceneEdit | null => combined(units.map((unit) => moved(scene, unit.selection, step(unit), footprint)));
+): SceneEdit | null => combined(units.map((unit) => movingSelection(scene, unit.selection, step(unit), footprint)));
 
 function unitsOf(scene: Scene, selection: Selection, footprint: readonly Outline[]): readonly Unit[] {
   const units: Unit[] = [];

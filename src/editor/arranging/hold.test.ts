@@ -3,7 +3,7 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import { inverse } from '#scene/inverse';
 import type { RuleProblem } from '#scene/rules';
 import type { Scene, SceneObject, Stroke } from '#scene/scene';
-import { moved, turnedBy } from '../arrange';
+import { movingSelection, turnedBy } from '../arrange';
 import { copied, duplicated, pasted } from '../clipboard';
 import { describeEdit } from '../describe-edit';
 import { handlesOf } from '../handles';
@@ -75,7 +75,7 @@ describe('what is locked', () => {
 
   it('stays as it is whatever is done to all that is selected', () => {
     const edits = [
-      moved(held, all, { x: 50, y: 0 }),
+      movingSelection(held, all, { x: 50, y: 0 }),
       turnedBy(held, all, 30),
       mirrored(held, all, 'x'),
       reordered(course(block('x', [300, 300]), ...held.objects), all, 'back'),

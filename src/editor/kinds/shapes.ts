@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import { convexHull } from '#scene/outline';
 import { sceneLimits, type Point, type Shaped } from '#scene/scene';
 import { polygonFault } from '#scene/shape/polygon';
-import { polygonThrough, shapeOf, type ShapeName } from '#scene/shape/shape';
+import { polygonThrough, shapeNameOf, type ShapeName } from '#scene/shape/shape';
 import { simplified } from '#scene/simplify';
 import type { Field } from '../object-fields';
 import { toPoint, toVec } from '../plane';
@@ -12,13 +12,13 @@ import { intoArena } from '../snap';
 const TRIANGLE: readonly Point[] = [[0, 0], [2, 0], [1, 2]]; // prettier-ignore
 
 /** The corners of a new body or zone: a triangle for a polygon, otherwise none. */
-export const cornersOf = (shape: ShapeName): Pick<Shaped, 'corners'> =>
+export const newCornersOf = (shape: ShapeName): Pick<Shaped, 'corners'> =>
   shape === 'polygon' ? { corners: TRIANGLE } : {};
 
 /** The properties that give a new body its shape; `round` is left out unless it is true. */
 export const bodyShape = (shape: ShapeName): { readonly round?: true; readonly corners?: readonly Point[] } => ({
   ...(shape === 'round' ? { round: true } : {}),
-  ...cornersOf(shape),
+  ...newCornersOf(shape),
 });
 
 /** The field of a shape; a polygon that was chosen begins as a triangle. */
@@ -27,7 +27,7 @@ export const shapeField = <O extends Shaped>(
   choices: readonly ShapeName[],
   withShape: (bare: Omit<O, 'round' | 'corners'>, shape: ShapeName) => O,
 ): Field<O> => ({
-  ...{ kind: 'choice', name: 'shape', value: shapeOf(object), choices },
+  ...{ kind: 'choice', name: 'shape', value: shapeNameOf(object), choices },
   with(shape: ShapeName) {
     const { round: _round, corners: _corners, ...bare } = object;
     return withShape(bare, shape);

@@ -3,7 +3,7 @@ import { countField, typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
 import type { EditorKind } from './kind';
 import { shapeNames, type ShapeName } from '#scene/shape/shape';
-import { cornersOf, shapeField } from './shapes';
+import { newCornersOf, shapeField } from './shapes';
 
 /** Kinds of zones, which can become each other. */
 const zoneKinds = ['target', 'checkpoint', 'forbidden'] as const;
@@ -56,7 +56,7 @@ export const forbidden = zoneKind('forbidden', [200, 200]);
 /** The properties of a zone's shape, always with `round`. */
 const zoneShapeOf = (shape: ShapeName): Pick<Zone, 'round' | 'corners'> => ({
   round: shape === 'round',
-  ...cornersOf(shape),
+  ...newCornersOf(shape),
 });
 
 const numberOf = (type: Zone['type'], scene: Scene): number | null =>

@@ -4,7 +4,7 @@ import type { Point } from '#scene/scene';
 import { endOf, isTap, startOf } from '../drag';
 import { distanceMm, toVec } from '../plane';
 import { isInArena, snappedLine, snappedTo, type Attractors } from '../snap';
-import { lured } from '../snap/attract';
+import { withLure } from '../snap/attract';
 import type { Drag, Mark, ToolContext } from '../tools/tool';
 
 /** A line that is drawn corner by corner, as far as it has come. */
@@ -31,7 +31,7 @@ export function chainOf(drag: Drag, context: ToolContext, to: Attractors, free =
   const places = placesOf(drag);
   const [start] = places;
   if (!start || !isInArena(start, size, drag.reachMm)) return nothing;
-  const rules = { size, reachMm: drag.reachMm, free, lure: lured(drag, context).lure };
+  const rules = { size, reachMm: drag.reachMm, free, lure: withLure(drag, context).lure };
   const corners: Point[] = [snappedLine(start, start, to, rules).from];
   for (const place of places.slice(1)) {
     const [first, last] = [corners[0], corners[corners.length - 1]];

@@ -15,7 +15,7 @@ import { randomObject } from '#scene/testing/random-scene';
 import { toPoint } from '../plane';
 import { contextOf, course, drag, freely, stroke, taps, used } from '../testing/desk';
 import { penTool } from '../tools/pen-tool';
-import { pointRemoved, pointsTool } from './points-tool';
+import { linePointRemoved, pointsTool } from './points-tool';
 
 const chosen = (scene: Scene) => contextOf(scene, {}, { ids: ['a'], robot: false });
 const pointsOf = ({ objects }: Scene): readonly Point[] =>
@@ -54,13 +54,13 @@ describe('the points of a finished line', () => {
       [100, 100],
       [300, 300],
     ]);
-    expect(pointsOf(applyEdit(corner, pointRemoved(chosen(corner), { x: 302, y: 98 }, 8)!))).toHaveLength(2);
-    expect(pointRemoved(chosen(corner), { x: 200, y: 100 }, 8)).toBeNull();
+    expect(pointsOf(applyEdit(corner, linePointRemoved(chosen(corner), { x: 302, y: 98 }, 8)!))).toHaveLength(2);
+    expect(linePointRemoved(chosen(corner), { x: 200, y: 100 }, 8)).toBeNull();
   });
 
   it('are at least two', () => {
     const straight = course(stroke('a', [100, 100], [300, 100]));
-    expect(pointRemoved(chosen(straight), { x: 100, y: 100 }, 8)).toBeNull();
+    expect(linePointRemoved(chosen(straight), { x: 100, y: 100 }, 8)).toBeNull();
   });
 
   it('join another line where an end comes to its end', () => {
@@ -150,14 +150,14 @@ describe('the corners of a polygon', () => {
     const more = cornersAfter(course(block()), [200, 150], [200, 120]);
     expect([more.length, more[1]]).toEqual([7, [200, 120]]);
     expect(cornersAfter(course(block()), [200, 200], [202, 248])).toHaveLength(5);
-    const removed = pointRemoved(chosen(course(block())), { x: 250, y: 200 }, 8);
+    const removed = linePointRemoved(chosen(course(block())), { x: 250, y: 200 }, 8);
     expect(outlineOf(applyEdit(course(block()), removed!))).toHaveLength(5);
   });
 
   it('cannot be dragged so that edges cross, and are at least three', () => {
     expect(pointsTool.edit(freely(drag([150, 150], [270, 180])), chosen(course(block())))).toBeNull();
     const three: SceneObject = { ...block(), corners: [[0, 0], [2, 0], [1, 2]] } as SceneObject; // prettier-ignore
-    expect(pointRemoved(chosen(course(three)), { x: 150, y: 150 }, 8)).toBeNull();
+    expect(linePointRemoved(chosen(course(three)), { x: 150, y: 150 }, 8)).toBeNull();
   });
 });
 

@@ -52,7 +52,7 @@ export const pointsTool: Tool = {
 };
 
 /** The course without the point of what is selected at a place; `null`: there is none, or too little would be left. */
-export function pointRemoved(context: ToolContext, place: Vec, reachMm: number): SceneEdit | null {
+export function linePointRemoved(context: ToolContext, place: Vec, reachMm: number): SceneEdit | null {
   const object = bentBy(context);
   const line = object && lineAlong(object);
   const hold = line && holdAt(line, place, reachMm);

@@ -99,7 +99,7 @@ const stepsTo = (lures: AxisLures, what: keyof AxisLures, atMm: number, reachMm:
   luresNear(lures[what], atMm, reachMm).map((lure) => lure.atMm - atMm);
 
 /** A drag for which things attract what it draws or sizes; `moved`: those that do not, because they change themselves. */
-export function lured(drag: Drag, { scene, footprint }: ToolContext, moved: Selection = nothingSelected): Drag {
+export function withLure(drag: Drag, { scene, footprint }: ToolContext, moved: Selection = nothingSelected): Drag {
   if (drag.free) return drag;
   const lures = luresOf(scene, moved, footprint);
   const nearMm = thingsReachMm(drag.reachMm);

@@ -4,7 +4,7 @@ import { addingOnce } from '../edits';
 import { kindOf, newObject } from '../kinds/index';
 import { toPoint } from '../plane';
 import { intoArena, isInArena } from '../snap';
-import { lured, snappedObject } from '../snap/attract';
+import { withLure, snappedObject } from '../snap/attract';
 import { cornerByCorner, cornerPolygon, setsCorners, type Wish } from './corner-polygon';
 import type { Drag, Tool, ToolContext } from './tool';
 
@@ -31,6 +31,6 @@ export function putting(wish: Wish, drag: Drag, context: ToolContext): SceneEdit
   if (!isInArena(start, scene.size, drag.reachMm)) return null;
   const object = newObject(scene, type, toPoint(intoArena(start, scene.size)), options);
   const put = object && snappedObject(object, drag, context);
-  const dragged = put && !isTap(drag) ? kindOf(put).dragged?.(put, lured(drag, context), scene.size) : null;
+  const dragged = put && !isTap(drag) ? kindOf(put).dragged?.(put, withLure(drag, context), scene.size) : null;
   return put && addingOnce(scene, dragged ?? put);
 }

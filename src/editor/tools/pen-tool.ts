@@ -13,7 +13,7 @@ import { distanceMm, toPoint, toVec, within } from '../plane';
 import { arenaBounds, grown } from '../bounds';
 import { smooth } from './smooth';
 import { isInArena, onGrid, snapMarks, snappedLine, strokeEnds, type SnappedLine } from '../snap';
-import { lured } from '../snap/attract';
+import { withLure } from '../snap/attract';
 import type { Drag, Mark, PenShape, Tool, ToolContext, ToolOptions } from './tool';
 
 /**
@@ -84,7 +84,7 @@ function straightPoints(drag: Drag, context: ToolContext): readonly Point[] {
 
 function straightLine(drag: Drag, context: ToolContext): SnappedLine {
   const { scene } = context;
-  const { reachMm, free, lure } = lured(drag, context);
+  const { reachMm, free, lure } = withLure(drag, context);
   const size = scene.size;
   if (!isInArena(startOf(drag), size, reachMm))
     return { from: toPoint(startOf(drag)), to: toPoint(startOf(drag)), snaps: [] };

@@ -1,5 +1,5 @@
 import type { SceneEdit } from '#scene/edit';
-import { turned, turnedBy } from '../arrange';
+import { turnedByEighths, turnedBy } from '../arrange';
 import { isTap, startOf } from '../drag';
 import { draggedAngle, draggedTurn } from '../handle-drag';
 import { includes, takenBy, thingsAt } from '../selection';
@@ -16,7 +16,7 @@ export const rotateTool: Tool = {
     const { scene, footprint } = context;
     const meant = meantBy(drag, context);
     if (!meant) return null;
-    if (isTap(drag)) return turned(scene, meant, 1, footprint);
+    if (isTap(drag)) return turnedByEighths(scene, meant, 1, footprint);
     const angleDeg = draggedAngle(drag, scene, meant);
     return angleDeg === null ? null : turnedBy(scene, meant, angleDeg, footprint);
   },

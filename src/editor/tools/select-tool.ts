@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
-import { moved } from '../arrange';
+import { movingSelection } from '../arrange';
 import { copiedBy } from '../clipboard';
 import { endOf, isTap, startOf } from '../drag';
 import { draggedTurn, handleDragged } from '../handle-drag';
@@ -40,7 +40,7 @@ export const selectTool: Tool = {
       case 'things': {
         const step = stepOf(drag, grip, context);
         if (drag.alt === true) return copiedBy(context.scene, grip.selection, step)?.edit ?? null;
-        return moved(context.scene, grip.selection, step, context.footprint);
+        return movingSelection(context.scene, grip.selection, step, context.footprint);
       }
       case 'floor':
         return null;

@@ -10,7 +10,7 @@ import type { Scene } from '#scene/scene';
 import { asKept } from '#scene/groups';
 import { serializeScene } from '#scene/serialize';
 import { forManySeeds, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
-import { nudged, turned } from '../arrange';
+import { nudged, turnedByEighths } from '../arrange';
 import { aligned, distributed } from '../arranging/align';
 import { grouped, locked, ungrouped, unlocked, withoutLock } from '../arranging/hold';
 import { mirrored } from '../arranging/mirror';
@@ -40,7 +40,7 @@ function withKeys(rng: Rng, scene: Scene, selection: Selection): SceneEdit | nul
     case 0:
       return nudged(scene, selection, wholeFrom(rng, -500, 500), wholeFrom(rng, -500, 500), footprint);
     case 1:
-      return turned(scene, selection, wholeFrom(rng, -9, 9), footprint);
+      return turnedByEighths(scene, selection, wholeFrom(rng, -9, 9), footprint);
     case 2:
       return copies(rng, scene, selection);
     case 3:

@@ -5,7 +5,7 @@ import { freeIds } from '../ids';
 import { chainMarks, chainOf, type Chain } from '../lines/corners';
 import { distanceMm, toVec } from '../plane';
 import { isInArena, snapMarks, snappedLine, wallAttractors, type SnappedLine } from '../snap';
-import { lured } from '../snap/attract';
+import { withLure } from '../snap/attract';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
 /** A shorter drag was not meant as a wall. Chosen: half the usual thickness. */
@@ -52,7 +52,7 @@ function sidesOf(drag: Drag, context: ToolContext): readonly (readonly [Point, P
 function lineOf(drag: Drag, context: ToolContext): SnappedLine {
   const { scene, options } = context;
   return snappedLine(startOf(drag), endOf(drag), wallAttractors(scene), {
-    lure: lured(drag, context).lure,
+    lure: withLure(drag, context).lure,
     size: scene.size,
     reachMm: drag.reachMm,
     free: drag.free || !options.wallSnaps,

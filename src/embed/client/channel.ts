@@ -1,4 +1,4 @@
-import { nameable } from '../nameable';
+import { targetOrigin } from '../nameable';
 
 /** How the page is reached: the frame that shows it, its window, or a port that leads to it. */
 export type Target = HTMLIFrameElement | Window | MessagePort;
@@ -55,7 +55,7 @@ function windowChannel(page: PageWindow, hear: Hear): Channel {
       hear(event.data);
   };
   addEventListener('message', listen);
-  const post = (message: object): void => page.window()?.postMessage(message, nameable(page.origin()));
+  const post = (message: object): void => page.window()?.postMessage(message, targetOrigin(page.origin()));
   return { hello: post, post, close: () => removeEventListener('message', listen) };
 }
 
@@ -85,7 +85,7 @@ function ownPortChannel(page: PageWindow, hear: Hear): Channel {
         }
         if (chosen === port1) hear(event.data);
       };
-      page.window()?.postMessage(message, nameable(page.origin()), [port2]);
+      page.window()?.postMessage(message, targetOrigin(page.origin()), [port2]);
     },
     post: (message) => chosen?.postMessage(message),
     close() {

@@ -7,7 +7,7 @@ import { SPEEDS } from '#simulation/pace';
 import { PARTS } from '../simulator';
 import { flag, numberOf, poseFields, THEMES } from './schema-parts';
 import type { CommandName, EventName, Events } from './protocol';
-import { verdict } from './verdict-schema';
+import { verdictSchema } from './verdict-schema';
 
 const { pipe, description } = v;
 const text = (about: string) => pipe(v.string(), description(about));
@@ -69,7 +69,7 @@ const snapshot = v.strictObject({
   ...device,
   blocks: record(pose, 'Where the movable blocks are, by id.'),
   movers: record(pose, 'Where the moving obstacles are, by id.'),
-  verdict,
+  verdict: verdictSchema,
   others: v.exactOptional(
     pipe(
       v.array(v.strictObject({ name: v.string(), ...device })),
@@ -164,7 +164,7 @@ export const eventSchemas = {
     atMs,
     robot,
     display,
-    verdict,
+    verdict: verdictSchema,
   }),
   output: v.strictObject({
     ...fromDevice,

@@ -36,7 +36,7 @@ const robot = v.strictObject({
 });
 
 /** The schema of a verdict: how well the task of the course is done. */
-export const verdict = pipe(
+export const verdictSchema = pipe(
   v.nullable(
     v.strictObject({
       state: pipe(

@@ -1,7 +1,7 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block } from '#scene/scene';
 
-import { formOf, roomIn, shapeOf, stripes, type Form } from '../form';
+import { formOf, signRoomIn, geometryOf, stripes, type Form } from '../form';
 import type { Look } from '../look';
 import { circle, group, type Geometry, type Shape } from '../shapes';
 import { boxFrame, type PictureKind } from './kind';
@@ -25,12 +25,12 @@ export const icon = (path: string, across: number, fill: string, { px }: Look): 
   across < 7 * px ? [] : [{ form: 'icon', path, across, fill }];
 
 /** The outline of a block that can be pushed. */
-export const movableOutline = (form: Form): Geometry => shapeOf(form, 0, Math.min(5, roomIn(form).acrossMm / 6));
+export const movableOutline = (form: Form): Geometry => geometryOf(form, 0, Math.min(5, signRoomIn(form).acrossMm / 6));
 
 /** A block that can be pushed, about its middle: light, a thick frame, four arrows. */
 export function movableShapes(form: Form, look: Look): readonly Shape[] {
   const { movable, movableLight, movableInk } = look.colors;
-  const { at, acrossMm: short } = roomIn(form);
+  const { at, acrossMm: short } = signRoomIn(form);
   const radius = Math.min(5, short / 6);
   return [
     ...framed(form, radius, Math.min(3, short * 0.09), [movable, movableLight, movableInk]),
@@ -46,20 +46,20 @@ export function framed(
   [ground, light, ink]: readonly [string, string, string],
   insetMm = 0,
 ): readonly Shape[] {
-  const outline = shapeOf(form, insetMm + width / 2, radius);
+  const outline = geometryOf(form, insetMm + width / 2, radius);
   return [
     { ...outline, fill: ground },
-    { ...shapeOf(form, insetMm + width * 1.6, radius * 0.7), fill: light },
+    { ...geometryOf(form, insetMm + width * 1.6, radius * 0.7), fill: light },
     { ...outline, stroke: ink, width },
   ];
 }
 
-const fixedOutline = (form: Form): Geometry => shapeOf(form, 0, Math.min(3, roomIn(form).acrossMm / 8));
+const fixedOutline = (form: Form): Geometry => geometryOf(form, 0, Math.min(3, signRoomIn(form).acrossMm / 8));
 
 /** Dark, diagonal stripes, a lock. */
 function fixedShapes(form: Form, look: Look): readonly Shape[] {
   const { fixed, fixedEdge, fixedInk } = look.colors;
-  const { at, acrossMm: short } = roomIn(form);
+  const { at, acrossMm: short } = signRoomIn(form);
   const frame = Math.min(3, short * 0.08);
   const wide = Math.max(9, 5 * look.px);
   const pitch = wide * Math.SQRT2;
@@ -68,7 +68,7 @@ function fixedShapes(form: Form, look: Look): readonly Shape[] {
   return [
     { ...fixedOutline(form), fill: fixed },
     { ...stripes(form, { first, pitch, width: wide * 0.36 }), fill: 'rgba(255, 255, 255, 0.4)' },
-    { ...shapeOf(form, frame / 2, Math.min(3, short / 8) * 0.7), stroke: fixedEdge, width: frame },
+    { ...geometryOf(form, frame / 2, Math.min(3, short / 8) * 0.7), stroke: fixedEdge, width: frame },
     ...(short < 11 * look.px ? [] : [group([at.x, at.y], sign)]),
   ];
 }

@@ -3,7 +3,7 @@ import { stopsOf } from '#scene/kinds/mover-way';
 import { isZone } from '#scene/kinds/zone';
 import type { Mover, Point, SceneObject } from '#scene/scene';
 
-import { formOf, shapeOf, type Form } from '../form';
+import { formOf, geometryOf, type Form } from '../form';
 import type { Look } from '../look';
 import { circle, group, type Geometry, type Paint, type Shape } from '../shapes';
 import { framed, icon } from './block';
@@ -21,7 +21,7 @@ export const mover: PictureKind<Mover> = {
 
 /** The outline of a mover, with its teeth. */
 export const moverOutline = (mover: Mover): Geometry =>
-  mover.spiked ? toothedOutline(formOf(mover)) : shapeOf(formOf(mover), 0, roundOf(mover, formOf(mover)));
+  mover.spiked ? toothedOutline(formOf(mover)) : geometryOf(formOf(mover), 0, roundOf(mover, formOf(mover)));
 
 const shortOf = ({ spiked }: Mover, form: Form): number =>
   Math.min(form.sizeMm.x, form.sizeMm.y) - (spiked ? 2 * toothMm(form) : 0);
@@ -59,7 +59,7 @@ function stopShapes(mover: Mover, look: Look, line: Line): readonly Shape[] {
   if (last === undefined || stops.length < 2) return [];
   const { width } = line;
   const way = closedWay(mover, stops.map(({ at }) => at)); // prettier-ignore
-  const end = { ...shapeOf(formOf(mover), 0, 4), ...line, dash: [2.4 * width, 2 * width] };
+  const end = { ...geometryOf(formOf(mover), 0, 4), ...line, dash: [2.4 * width, 2 * width] };
   return [
     { form: 'lines', lines: [way], ...line, dash: [3 * width, 2.4 * width] },
     ...stops

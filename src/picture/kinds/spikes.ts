@@ -1,7 +1,7 @@
 import { mdiAlert } from '@mdi/js';
 import type { Spikes } from '#scene/scene';
 
-import { formOf, roomIn, type Form } from '../form';
+import { formOf, signRoomIn, type Form } from '../form';
 import type { Look } from '../look';
 import { group, type Shape } from '../shapes';
 import { icon } from './block';
@@ -16,6 +16,6 @@ export const spikes: PictureKind<Spikes> = {
 };
 
 function spikesShapes(form: Form, look: Look): readonly Shape[] {
-  const { at, acrossMm } = roomIn(form);
+  const { at, acrossMm } = signRoomIn(form);
   return [toothed(form, look), group([at.x, at.y], icon(mdiAlert, acrossMm * 0.46, look.colors.spikesInk, look))];
 }

@@ -2,12 +2,12 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { lengthOf, type Outline } from '#scene/outline';
 
-import { inset, pairs, polygonPath, roomIn, type Form } from '../form';
+import { inset, pairs, polygonPath, signRoomIn, type Form } from '../form';
 import type { Look } from '../look';
 import type { Geometry, Shape } from '../shapes';
 
 /** How far teeth stand out, in mm. */
-export const toothMm = (form: Form): number => Math.min(9, roomIn(form).acrossMm * 0.18);
+export const toothMm = (form: Form): number => Math.min(9, signRoomIn(form).acrossMm * 0.18);
 
 /** A form with teeth all around: its outline. */
 export const toothedOutline = (form: Form): Geometry => ({

@@ -2,7 +2,7 @@ import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
 import { directionOf } from '#scene/outline';
 import type { Point, Zone } from '#scene/scene';
 
-import { formOf, roomIn, shapeOf, stripes } from '../form';
+import { formOf, signRoomIn, geometryOf, stripes } from '../form';
 import type { Look } from '../look';
 import { circle, group, rect, written, type Geometry, type Shape } from '../shapes';
 import { boxFrame, type PictureKind } from './kind';
@@ -39,7 +39,7 @@ function groundShapes(zone: Zone, look: Look): readonly Shape[] {
 
 function outline(zone: Zone, insetMm: number): Geometry {
   const short = Math.min(...zone.size) - 2 * insetMm;
-  return shapeOf(formOf(zone), insetMm, Math.min(4, Math.max(1, short) / 6));
+  return geometryOf(formOf(zone), insetMm, Math.min(4, Math.max(1, short) / 6));
 }
 
 function hatch(zone: Zone, { colors, px }: Look): Shape {
@@ -80,14 +80,14 @@ function roundDash(a: number, b: number, about: number): number {
 
 /** Place of a zone's sign: its middle, or the most roomy place of a hollow one. World mm. */
 function signPlace({ at, angle, ...zone }: Zone): Point {
-  const { x, y } = roomIn(formOf(zone)).at;
+  const { x, y } = signRoomIn(formOf(zone)).at;
   const { x: cos, y: sin } = directionOf(angle);
   return [at[0] + x * cos + y * sin, at[1] + x * sin - y * cos];
 }
 
 /** The sign in the middle of a zone, upright however the zone is turned: no larger than fits, where there is room none too small to read. */
 function zoneSign(zone: Zone, look: Look, isReached = false): readonly Shape[] {
-  const room = 0.3 * roomIn(formOf(zone)).acrossMm;
+  const room = 0.3 * signRoomIn(formOf(zone)).acrossMm;
   const radius = Math.max(look.leastTypeMm ?? 0, Math.min(room, Math.max(20, 11 * look.px)));
   if (radius < 3.5 * look.px) return [];
   return [group(signPlace(zone), isReached ? reached(radius, look) : signShapes(zone, radius, look))];
@@ -145,11 +145,11 @@ function paperShapes(zone: Zone, { colors }: Look): readonly Shape[] {
   const [x, y] = [zone.size[0] / 2, zone.size[1] / 2];
   const cross = { form: 'lines', lines: [[[-x, -y], [x, y]], [[-x, y], [x, -y]]] } as const; // prettier-ignore
   const isCrossed = zone.type === 'forbidden' && !zone.round && !zone.corners;
-  const size = Math.min(15, 0.25 * roomIn(formOf(zone)).acrossMm) / CAPITAL;
+  const size = Math.min(15, 0.25 * signRoomIn(formOf(zone)).acrossMm) / CAPITAL;
   return [
     group(
       zone.at,
-      [{ ...shapeOf(formOf(zone), 0, 0), ...line, dash }, ...(isCrossed ? [{ ...cross, ...line }] : [])],
+      [{ ...geometryOf(formOf(zone), 0, 0), ...line, dash }, ...(isCrossed ? [{ ...cross, ...line }] : [])],
       zone.angle,
     ),
     ...(zone.type === 'checkpoint'

@@ -241,7 +241,7 @@ export function apart(scene: Scene): Apart {
 }
 
 /** The course put together again; unchecked as long as its parts are. */
-export function joined({ whole, starts, additions, firstRobot }: Apart): Scene {
+export function putTogether({ whole, starts, additions, firstRobot }: Apart): Scene {
   const objects: SceneObject[] = [...whole.objects];
   for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
   for (const { place, ...said } of additions) {

@@ -17,7 +17,7 @@ import { serializeScene } from '#scene/serialize';
 
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes, type Room } from './link-bytes';
-import { apart, joined, sceneChecksum, type Content } from './link-content';
+import { apart, putTogether, sceneChecksum, type Content } from './link-content';
 import { deviceValue } from '../read-devices';
 import { MODELLED_BYTES } from './model-coder';
 import type { ProjectProblem } from '../problem';
@@ -211,7 +211,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
-        : valueOf({ ...joined({ ...content, whole: scene.whole }), task: taskIn(content, scene.whole) }),
+        : valueOf({ ...putTogether({ ...content, whole: scene.whole }), task: taskIn(content, scene.whole) }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);

@@ -1,4 +1,4 @@
-import { absent, exception, fn, module, saidBy, type, value, values } from '../table';
+import { absent, exception, fn, module, withWordsOf, type, value, values } from '../table';
 import { boolType, bytearrayType, bytesType, floatType, intType, strType } from './plain-types';
 import { dictType, frozensetType, listType, rangeType, setType, tupleType } from './container-types';
 
@@ -107,7 +107,7 @@ const types = {
 
 /** Names that only the exceptions of desktop Python have. */
 const desktopOnly = (...names: string[]) =>
-  Object.fromEntries(names.map((name) => [name, absent(saidBy('builtins.desktopOnly', value('object')))]));
+  Object.fromEntries(names.map((name) => [name, absent(withWordsOf('builtins.desktopOnly', value('object')))]));
 
 const exceptions = {
   BaseException: exception('object', {
@@ -135,7 +135,7 @@ const exceptions = {
   }),
   OverflowError: exception('ArithmeticError'),
   RuntimeError: exception('Exception'),
-  StopAsyncIteration: exception('Exception', { value: saidBy('builtins.StopIteration.value', value('object')) }),
+  StopAsyncIteration: exception('Exception', { value: withWordsOf('builtins.StopIteration.value', value('object')) }),
   StopIteration: exception('Exception', { value: value('object') }),
   SyntaxError: exception(
     'Exception',

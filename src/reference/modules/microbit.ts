@@ -1,4 +1,4 @@
-import { absent, fn, moduleNamed, newer, object, saidBy, type, value, values } from '../table';
+import { absent, fn, moduleNamed, newer, object, withWordsOf, type, value, values } from '../table';
 import type { Entry, Names, ReferenceModule } from '../types';
 import { image } from './images';
 import { calliopePinNames, pinNames } from './pins';
@@ -157,7 +157,7 @@ export const calliopemini: ReferenceModule = {
   },
 };
 
-const samePin = (name: string, kind = 'Touch'): Entry => saidBy(name, value(`MicroBit${kind}Pin`));
+const samePin = (name: string, kind = 'Touch'): Entry => withWordsOf(name, value(`MicroBit${kind}Pin`));
 const oldPin = (number: 0 | 1 | 2 | 3): Entry => samePin(number === 3 ? 'calliopemini.pin3' : `microbit.pin${number}`);
 const number = fn('(value: int) -> None');
 

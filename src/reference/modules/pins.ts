@@ -1,4 +1,4 @@
-import { absent, fn, newer, onlyOn, saidBy, type, value, values } from '../table';
+import { absent, fn, newer, onlyOn, withWordsOf, type, value, values } from '../table';
 import type { Entry, Names } from '../types';
 
 /**
@@ -61,13 +61,13 @@ export const pinNames: Names = {
 
 /** The pins that the Calliope mini has instead or in addition. */
 export const calliopePinNames: Names = calliopeAlone({
-  pin3: saidBy('calliopemini.pin3', pinOf('Touch')),
+  pin3: withWordsOf('calliopemini.pin3', pinOf('Touch')),
   ...pins('Digital', ['pin18', 'pin_RGB', 'pin_M0_DIR', 'pin_M0_SPEED', 'pin_M1_DIR', 'pin_M1_SPEED', 'pin_M_MODE']),
   ...pins('Digital', ['pin_A0_SCL', 'pin_A0_SDA', 'pin_A1_TX']),
   pin_A1_RX: pinOf('AnalogDigital'),
   // Type hints list them; the firmware has no such names.
-  pin16: absent(saidBy('calliopemini.pin16', pinOf('Digital'))),
-  pin17: absent(saidBy('calliopemini.pin16', pinOf('Digital'))),
-  pin19: absent(saidBy('calliopemini.pin16', pinOf('Digital'))),
-  pin20: absent(saidBy('calliopemini.pin16', pinOf('Digital'))),
+  pin16: absent(withWordsOf('calliopemini.pin16', pinOf('Digital'))),
+  pin17: absent(withWordsOf('calliopemini.pin16', pinOf('Digital'))),
+  pin19: absent(withWordsOf('calliopemini.pin16', pinOf('Digital'))),
+  pin20: absent(withWordsOf('calliopemini.pin16', pinOf('Digital'))),
 });

@@ -1,9 +1,9 @@
-import { absent, fn, module, object, saidBy, type, value } from '#reference/table';
+import { absent, fn, module, object, withWordsOf, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import words from './words/reference';
 
 /** Calls that set up TigerJython's own simulation. */
-const told = saidBy('mbrobot.RobotContext', fn('(*arguments) -> None'));
+const told = withWordsOf('mbrobot.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of this robot's libraries (library/*.py) with short descriptions. */
 const mbrobot = module('mbrobot', {

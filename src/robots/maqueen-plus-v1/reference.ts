@@ -1,9 +1,9 @@
-import { fn, module, object, saidBy, type, value, values } from '#reference/table';
+import { fn, module, object, withWordsOf, type, value, values } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import words from './words/reference';
 
 /** Calls that set up TigerJython's own simulation. */
-const told = saidBy('mbrobot_plus.RobotContext', fn('(*arguments) -> None'));
+const told = withWordsOf('mbrobot_plus.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of this robot's library (library/mbrobot_plus.py) with short descriptions. */
 const mbrobotPlus = module('mbrobot_plus', {

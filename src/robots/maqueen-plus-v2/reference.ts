@@ -1,11 +1,11 @@
-import { fn, module, object, saidBy, type, value } from '#reference/table';
+import { fn, module, object, withWordsOf, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import words from './words/reference';
 
 const NAME = 'mbrobot_plusV2';
 
 /** Calls that set up TigerJython's own simulation. */
-const told = saidBy(`${NAME}.RobotContext`, fn('(*arguments) -> None'));
+const told = withWordsOf(`${NAME}.RobotContext`, fn('(*arguments) -> None'));
 
 /** The names of this robot's library (library/*.py) with short descriptions. */
 const mbrobotPlusV2 = module(NAME, {
@@ -41,8 +41,8 @@ const mbrobotPlusV2 = module(NAME, {
   setServo: fn('(servo: str, angle: int) -> None'),
   setMinServoDuty: fn('(duty: int) -> None'),
   setMaxServoDuty: fn('(duty: int) -> None'),
-  setMinAngleVal: saidBy(`${NAME}.setMinServoDuty`, fn('(duty: int) -> None')),
-  setMaxAngleVal: saidBy(`${NAME}.setMaxServoDuty`, fn('(duty: int) -> None')),
+  setMinAngleVal: withWordsOf(`${NAME}.setMinServoDuty`, fn('(duty: int) -> None')),
+  setMaxAngleVal: withWordsOf(`${NAME}.setMaxServoDuty`, fn('(duty: int) -> None')),
   setAlarm: fn('(state: int) -> None'),
   beep: fn('() -> None'),
   calibrate: fn('(offset: int, differential: int = 0, arcScaling: float = 0) -> None'),

@@ -18,7 +18,7 @@ export const shapeNames = ['rectangle', 'round', 'polygon'] as const;
 export type ShapeName = (typeof shapeNames)[number];
 
 /** The shape of a body or a zone. */
-export const shapeOf = ({ round, corners }: Shaped): ShapeName =>
+export const shapeNameOf = ({ round, corners }: Shaped): ShapeName =>
   corners ? 'polygon' : round === true ? 'round' : 'rectangle';
 
 /** Corners of the outline that stands for an ellipse. Chosen: within 0.5 mm of one of 400 mm; the sensors of a run know circles. */

@@ -10,7 +10,7 @@ import type { Observer } from '#vm/run/vm';
 import type { CodeLine, Output, OutputSet } from './output';
 
 /** The device whose program is watched. */
-export interface Watched {
+export interface WatchedDevice {
   readonly board: Board;
   readonly clock: Clock;
   /** The robot's wires, see `Robot.wires`. */
@@ -54,7 +54,7 @@ export class OutputWatch implements Observer {
   /** Outputs of the board that were set. */
   private readonly known = new Set<Output>();
 
-  constructor(private readonly of: Watched) {}
+  constructor(private readonly of: WatchedDevice) {}
 
   readonly onSet = (output: RobotOutput, value: string | number): void => {
     // What a robot does by itself, no line does.

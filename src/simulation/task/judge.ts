@@ -10,7 +10,7 @@ import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
 import type { Verdict } from './verdict';
 
 /** The judge's view of the run. */
-export interface Watched {
+export interface WatchedRun {
   /** At least one; the first counts where the task says nothing of several. */
   readonly robots: readonly WatchedRobot[];
   /** The movable block of this id, or `undefined` if the run has no such block. */
@@ -45,7 +45,7 @@ export class Judge {
 
   constructor(
     private course: Scene,
-    private readonly watched: Watched,
+    private readonly watched: WatchedRun,
   ) {
     this.brief = briefOf(course);
     this.deliveries = createDeliveries(this.brief, watched.block);

@@ -83,23 +83,23 @@ export interface Chunk {
 }
 
 /** The content of the pieces before a piece. */
-export interface Told {
+export interface KnownContent {
   readonly columns: readonly Column[];
   readonly values: readonly Leaf[];
 }
 
 /** The content before the first piece. */
-export const NOTHING_TOLD: Told = { columns: [], values: [] };
+export const NOTHING_KNOWN: KnownContent = { columns: [], values: [] };
 
 /** Reads a piece; `null` if the bytes are none. */
-export function readChunk(bytes: Uint8Array, before: Told): Chunk | null {
+export function readChunk(bytes: Uint8Array, before: KnownContent): Chunk | null {
   const plain = unpacked(bytes, MOST_BYTES);
   if (typeof plain === 'string') return null;
   const from = new ByteReader(plain);
   const head = headOf(from.text());
   if (head === null) return null;
   const { isFirst } = head;
-  const known = isFirst ? NOTHING_TOLD : before;
+  const known = isFirst ? NOTHING_KNOWN : before;
   // Most pieces tell nothing new: then the lists are the same ones.
   const columns = head.columns.length === 0 ? known.columns : [...known.columns, ...head.columns];
   const values = head.values.length === 0 ? known.values : [...known.values, ...head.values];
@@ -110,7 +110,7 @@ export function readChunk(bytes: Uint8Array, before: Told): Chunk | null {
   return { isFirst, moments, columns, values, codes };
 }
 
-function headOf(text: string): (Told & Pick<Chunk, 'isFirst'>) | null {
+function headOf(text: string): (KnownContent & Pick<Chunk, 'isFirst'>) | null {
   try {
     const [isFirst, columns, values] = JSON.parse(text) as [boolean, [Key[], number][], Leaf[]];
     return { isFirst, columns: columns.map(([path, perUnit]) => ({ path, step: 1 / perUnit })), values };
@@ -146,7 +146,7 @@ function readMotion(from: ByteReader, codes: number[]): void {
 }
 
 /** The data of one moment of a piece. */
-export function momentOf({ columns, values, codes }: Chunk, moment: number): unknown {
+export function dataOfMoment({ columns, values, codes }: Chunk, moment: number): unknown {
   const root: { value: unknown } = { value: undefined };
   for (const [index, { path, step }] of columns.entries()) {
     const leaf = leafOf(codes[index]?.[moment] ?? ABSENT, step, values);

@@ -1,4 +1,4 @@
-import { momentOf, NOTHING_TOLD, readChunk, timesOf, writeChunk, type Chunk, type Told } from './chunk';
+import { dataOfMoment, NOTHING_KNOWN, readChunk, timesOf, writeChunk, type Chunk, type KnownContent } from './chunk';
 
 /** A piece with what is needed to read it again. */
 interface Piece {
@@ -6,7 +6,7 @@ interface Piece {
   readonly fromUs: number;
   readonly toUs: number;
   /** The content of the pieces before it. */
-  readonly before: Told;
+  readonly before: KnownContent;
   /** One of this many moments is left. */
   readonly thinned: number;
 }
@@ -20,7 +20,7 @@ const WHOLE = 12;
 /** The moments of a tape, to be looked up by time. */
 export class Rows<Moment extends { readonly timeUs: number }> {
   private pieces: readonly Piece[] = [];
-  private told: Told = NOTHING_TOLD;
+  private told: KnownContent = NOTHING_KNOWN;
   private unpacked = new Map<Piece, Chunk>();
 
   /** @param mostBytes above this the oldest pieces lose every second moment, again and again; left out: never. The last
@@ -36,7 +36,7 @@ export class Rows<Moment extends { readonly timeUs: number }> {
     const chunk = readChunk(bytes, this.told);
     const times = chunk && timesOf(chunk);
     if (!chunk || !times || (times[0] ?? 0) <= this.endUs) return null;
-    const before = chunk.isFirst ? NOTHING_TOLD : this.told;
+    const before = chunk.isFirst ? NOTHING_KNOWN : this.told;
     const span = { fromUs: times[0] ?? 0, toUs: times.at(-1) ?? 0 };
     this.pieces = [...this.pieces, { bytes, ...span, before, thinned: 1 }];
     this.told = { columns: chunk.columns, values: chunk.values };
@@ -60,7 +60,7 @@ export class Rows<Moment extends { readonly timeUs: number }> {
     const chunk = piece && this.chunkOf(piece);
     if (!chunk) return null;
     const moment = timesOf(chunk)?.findLastIndex((us) => us <= timeUs) ?? 0;
-    return momentOf(chunk, Math.max(moment, 0)) as Moment;
+    return dataOfMoment(chunk, Math.max(moment, 0)) as Moment;
   }
 
   private chunkOf(piece: Piece): Chunk | null {

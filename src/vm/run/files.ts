@@ -103,7 +103,7 @@ export function readableBytes({ name, bytes, isClosed }: StoredFile): Uint8Array
 }
 
 /** The result of `os.size`: until a file is closed, its end is taken from erased flash (file_size). */
-export function toldSize({ name, bytes, isClosed }: StoredFile): number {
+export function reportedSize({ name, bytes, isClosed }: StoredFile): number {
   if (isClosed) return bytes.length;
   return (chunksOf(name, bytes.length) - 1) * CHUNK_BYTES + ERASED - headerBytes(name);
 }

@@ -42,7 +42,7 @@ export class Lodged {
   }
 
   /** True if these two are still inside each other; once they are not, they collide from then on. */
-  holds(own: Fixture, other: Fixture): boolean {
+  stillHolds(own: Fixture, other: Fixture): boolean {
     if (this.pairs.get(own)?.has(other) !== true) return false;
     if (gapBetween(outlineOf(own), outlineOf(other)).gap < -OVERLAP) return true;
     this.forget(own, other);

@@ -264,7 +264,7 @@ export class RobotBody implements Chassis {
 
   /** True if a fixture of this body has been inside another since it was put there, so that the two do not collide. */
   isLodged(own: Fixture, other: Fixture): boolean {
-    return this.lodged.holds(own, other);
+    return this.lodged.stillHolds(own, other);
   }
 
   afterStep(): void {

@@ -1,6 +1,6 @@
 import type { Board } from '#board/board';
 import { Errno, textOf, wholeOf } from '../arguments';
-import { readableBytes, toldSize, type Files } from '../files';
+import { readableBytes, reportedSize, type Files } from '../files';
 import type { Machine, SyscallTable } from '../syscall';
 
 /** The units that `file_span` counts in. */
@@ -32,7 +32,7 @@ export function createFileCalls(machine: Machine, files: Files, board: Board): S
     file_name: (index) => files.names[wholeOf(index) ?? 0] ?? null,
     file_size: (name) => {
       const file = files.find(textOf(name));
-      return file ? toldSize(file) : -Errno.ENOENT;
+      return file ? reportedSize(file) : -Errno.ENOENT;
     },
     file_remove: (name) => use(files.remove(textOf(name)) ? 0 : -Errno.ENOENT),
     file_open: (name, writable) => {

@@ -58,7 +58,7 @@ export function createMusicCalls(machine: Machine, board: Board, port: ConsolePo
     },
     music_reset: () => {
       machine.spend(callUs);
-      music.reset();
+      music.resetTempo();
       return null;
     },
     music_set_tempo: (bpm, ticks) => {

@@ -1,5 +1,5 @@
 import type { Adapter } from '#embed/adapter';
-import { nameable } from '#embed/nameable';
+import { targetOrigin } from '#embed/nameable';
 
 import { lateAdapter, type OpenLate } from './late-adapter';
 
@@ -44,7 +44,7 @@ export function openTransport(options: TransportOptions): HostTransport {
   const { parent, allowed, openOurs, openUnasked, nowMs, onMissing } = options;
   let partner: Partner | null = null;
   /** The receivers of unrequested messages: all allowed origins, until one has spoken. */
-  let audience = allowed?.map(nameable) ?? ['*'];
+  let audience = allowed?.map(targetOrigin) ?? ['*'];
   const unasked =
     openUnasked === null
       ? null
@@ -78,7 +78,7 @@ export function openTransport(options: TransportOptions): HostTransport {
       if (message.source !== parent || allowed?.includes(message.origin) === false) return;
       const { data, origin } = message;
       if (!isOurs(data)) {
-        audience = [nameable(origin)];
+        audience = [targetOrigin(origin)];
         unasked?.receive(data);
         return;
       }
@@ -86,7 +86,7 @@ export function openTransport(options: TransportOptions): HostTransport {
       const { type, session, id } = data;
       if (type === 'hello') takeHello(session, message);
       // When the page is reloaded, its host keeps sending: it is told to say hello again.
-      else if (partner === null) refuse((answer) => post(parent, answer, nameable(origin)), id, 'no-hello');
+      else if (partner === null) refuse((answer) => post(parent, answer, targetOrigin(origin)), id, 'no-hello');
       else if (partner.isOnWindow) partner.receive(data);
     },
     close() {
@@ -118,7 +118,7 @@ function openPartner(
   session: unknown,
   open: (send: (message: object) => void) => Adapter,
 ): Partner {
-  const target = nameable(origin);
+  const target = targetOrigin(origin);
   let isOpen = true;
   const adapter = open((message) => (port === null ? post(parent, message, target) : postTo(port, message)));
   const close = (): void => {

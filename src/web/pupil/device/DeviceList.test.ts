@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
-import { plainTraits } from '#robots/traits';
+import { idealTraits } from '#robots/traits';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
@@ -223,7 +223,7 @@ describe('how real the robot is', () => {
       echoesMm: [null, null],
       line: {},
     } as const;
-    const myRobot = { name: 'Röbi', robot: 'maqueen-lite', used: true, measured, traits: plainTraits };
+    const myRobot = { name: 'Röbi', robot: 'maqueen-lite', used: true, measured, traits: idealTraits };
     const { page, mounted, choose } = panel({ device: 'auto', robot: 'maqueen-lite', myRobot });
     expect(mounted.get('.reality small').text()).toContain('Er fährt wie Röbi.');
     await mounted.get('[data-testid="my-robot-used"]').setValue(false);

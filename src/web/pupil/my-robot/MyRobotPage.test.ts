@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { nothingMeasured, type Measured } from '#my-robot/my-robot';
-import { plainTraits } from '#robots/traits';
+import { idealTraits } from '#robots/traits';
 import { byId, isThere, tap, write } from '../../app/testing/find';
 import { mountOn, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
@@ -13,7 +13,7 @@ import MyRobotPage from './MyRobotPage.vue';
 
 const here = { aheadMm: 370, leftMm: 0 };
 const motion = { drives: { slow: here, usual: here, fast: here }, turnDeg: 590 };
-const weakRight = { ...plainTraits, motors: { difference: 0.047, charge: 0.98, sag: 0.05, friction: 0 } };
+const weakRight = { ...idealTraits, motors: { difference: 0.047, charge: 0.98, sag: 0.05, friction: 0 } };
 
 beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
 afterEach(() => {
@@ -156,7 +156,7 @@ describe('measuring one’s own robot', () => {
     const page = createPage();
     const drives = { ...nothingMeasured.drives, usual: { aheadMm: 355, leftMm: 0 } };
     const measured = { ...nothingMeasured, drives };
-    page.settings.change({ myRobot: { name: 'Röbi', robot: 'callibot', used: true, measured, traits: plainTraits } });
+    page.settings.change({ myRobot: { name: 'Röbi', robot: 'callibot', used: true, measured, traits: idealTraits } });
     mountOn(page, MyRobotPage, { fitter: () => Promise.resolve({ traits: weakRight, before: motion, after: motion }) });
     await pause();
     expect((byId('my-robot-name') as HTMLInputElement).value).toBe('Röbi');

@@ -4,7 +4,7 @@ import { nothingMeasured, type Measured, type MyRobot } from '#my-robot/my-robot
 import { greySensors, stepsOf, type Step } from '#my-robot/programs';
 import { robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
-import { plainTraits } from '#robots/traits';
+import { idealTraits } from '#robots/traits';
 import { useHardware } from '../../session/work/hardware/use-hardware';
 import type { Workplace } from '../../session/work/model/parts';
 import { useFit, type Fitter } from './use-fit';
@@ -21,7 +21,7 @@ export function useMyRobot(app: Workplace, fitter: Fitter) {
    * unsaved.
    */
   const mine = computed<MyRobot>(() => {
-    const blank = { name: '', robot: chosen.value, used: false, measured: nothingMeasured, traits: plainTraits };
+    const blank = { name: '', robot: chosen.value, used: false, measured: nothingMeasured, traits: idealTraits };
     return kept.value?.robot === chosen.value ? kept.value : blank;
   });
   const measured = computed(() => mine.value.measured);

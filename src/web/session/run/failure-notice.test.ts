@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { findRobot } from '#robots/index';
 import { defaultScene, type Background, type Block, type Mover, type Scene } from '#scene/scene';
-import { checkRun } from '#simulation/run-problem';
+import { fitRun } from '#simulation/run-problem';
 import { failureNotice } from './failure-notice';
 import { soloRun } from '#simulation/run-setup';
 
@@ -13,7 +13,7 @@ const startAt = (x: number, y: number): Scene => ({ ...empty, robot: { ...empty.
 
 /** The page's notice for the simulation's complaint about this start. */
 function noticeAt(scene: Scene) {
-  const checked = checkRun(soloRun({ scene, files: {}, robot: 'callibot', board: 'auto', seed: 1, reality: 0 }));
+  const checked = fitRun(soloRun({ scene, files: {}, robot: 'callibot', board: 'auto', seed: 1, reality: 0 }));
   if (!('problem' in checked)) throw new Error('The robot has room there.');
   return failureNotice(checked.problem, { robot: callibot }, scene);
 }

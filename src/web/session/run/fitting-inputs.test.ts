@@ -5,7 +5,7 @@ import { boardTypes } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import { defaultScene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
-import { checkRun } from '#simulation/run-problem';
+import { fitRun } from '#simulation/run-problem';
 import { soloRun, type RunSetup } from '#simulation/run-setup';
 
 import { fittingInputs } from './fitting-inputs';
@@ -30,9 +30,9 @@ describe('what holds for every run', () => {
     sensors.set('accelerometerX', 7000); // in a run that had set the range to 8 g
     for (const type of boardTypes) {
       const inputs = fittingInputs(sensors.startInputs(), type);
-      expect(checkRun(setupFor(type.id, inputs)), type.id).not.toHaveProperty('problem');
+      expect(fitRun(setupFor(type.id, inputs)), type.id).not.toHaveProperty('problem');
     }
-    expect(checkRun(setupFor('microbit-v2', sensors.startInputs()))).toHaveProperty('problem');
+    expect(fitRun(setupFor('microbit-v2', sensors.startInputs()))).toHaveProperty('problem');
   });
 
   it('is all of it where the board has everything', () => {

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { turned } from '#editor/arrange';
+import { turnedByEighths } from '#editor/arrange';
 import { grouped, locked, ungrouped, unlocked } from '#editor/arranging/hold';
 import { aligned, distributed, type Alignment } from '#editor/arranging/align';
 import { mirrored } from '#editor/arranging/mirror';
@@ -72,7 +72,7 @@ export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse
     },
     remove,
     /** Turns what is selected by eighths of a full turn, counter-clockwise. */
-    turn: (eighths: number): void => commit(turned(scene(), selection(), eighths, course().footprint)),
+    turn: (eighths: number): void => commit(turnedByEighths(scene(), selection(), eighths, course().footprint)),
     selectAll: (): void => {
       editor.choose('select');
       editor.select(selectAll(scene(), course().footprint.length > 0));

@@ -10,7 +10,7 @@ import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
 import { memoOf } from '#core/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
-import { shapeOf } from '#picture/form';
+import { geometryOf } from '#picture/form';
 import { pathOf } from '../picture/draw-shapes';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
 import { drawMovableBlock } from '../picture/draw-bodies';
@@ -219,7 +219,7 @@ function drawBlockShadow(
   context.rotate(-pose.headingRad);
   context.scale(view.pxPerMm, view.pxPerMm);
   context.fillStyle = 'rgba(0, 0, 0, 0.22)';
-  pathOf(context, shapeOf(block, 0, Math.min(sizeMm.x, sizeMm.y) / 6));
+  pathOf(context, geometryOf(block, 0, Math.min(sizeMm.x, sizeMm.y) / 6));
   context.fill();
   context.restore();
 }

@@ -1,4 +1,4 @@
-import { pointRemoved } from '#editor/lines/points-tool';
+import { linePointRemoved } from '#editor/lines/points-tool';
 import type { SelectionKeyPorts, SelectionKeys } from './tool-keys';
 import type { ToolSurface } from './tool-surface';
 
@@ -15,7 +15,7 @@ export function withPointKeys(
   const removePoint = (): void => {
     const { crosshair, hover } = surface.picture();
     const at = crosshair?.at ?? hover;
-    const edit = at && pointRemoved(ports.context(), at, surface.reachMm);
+    const edit = at && linePointRemoved(ports.context(), at, surface.reachMm);
     if (edit) ports.commit(edit);
   };
   return {

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { nudged } from '#editor/arrange';
-import { pointRemoved } from '#editor/handle-drag';
+import { handlePointRemoved } from '#editor/handle-drag';
 import { countOf } from '#editor/selection';
 import type { Selection, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
@@ -82,7 +82,7 @@ export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
 /** Removes only the point of a selected thing that is pointed at. */
 function removePoint({ context, commit, pointed }: SelectionKeyPorts): boolean {
   const place = pointed();
-  const done = place && pointRemoved(context(), place.at, place.reachMm);
+  const done = place && handlePointRemoved(context(), place.at, place.reachMm);
   if (done) commit(done);
   return done !== null;
 }

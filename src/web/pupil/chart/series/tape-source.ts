@@ -1,4 +1,4 @@
-import { readChunk, timesOf, leavesAt, NOTHING_TOLD, type Chunk, type Told } from '#tape/rows/chunk';
+import { readChunk, timesOf, leavesAt, NOTHING_KNOWN, type Chunk, type KnownContent } from '#tape/rows/chunk';
 import type { Key, Leaf } from '#tape/rows/leaves';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 
@@ -28,7 +28,7 @@ const RATE_OVER_S = 0.1;
 
 /** The run's measurements: from its tape, and those that are not on it yet from the present moment. */
 export class TapeSource implements SeriesSource {
-  private told: Told = NOTHING_TOLD;
+  private told: KnownContent = NOTHING_KNOWN;
   private from: TapedRun['pieces'] | null = null;
   private taken = 0;
   private curves = new Map<string, Curve>();
@@ -71,7 +71,7 @@ export class TapeSource implements SeriesSource {
 
   /** Other curves are wanted, or the tape has other pieces: reads them from the beginning of the tape. */
   private restart(wanted: readonly Reading[]): void {
-    this.told = NOTHING_TOLD;
+    this.told = NOTHING_KNOWN;
     this.taken = 0;
     this.tapedS = -1;
     this.curves = curvesFor(wanted);

@@ -4,7 +4,7 @@ import type { Texts } from '#core/languages';
 import { parseScene } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import { LANGUAGES } from '../../../kit/i18n/texts';
-import { projectOf, solved } from '#catalogue/course';
+import { projectOf, withSolution } from '#catalogue/course';
 import { courses } from '#catalogue/courses';
 import { isUntouched } from '../../../session/work/catalogue/examples';
 import { randomCourse } from './random-course';
@@ -85,7 +85,10 @@ describe('a course made from a number', () => {
   it('belongs to the pupil and no ready course, and its programs count as untouched', () => {
     for (const wish of wishes)
       for (const language of LANGUAGES)
-        for (const course of [randomCourse(wish, language, courses), solved(randomCourse(wish, language, courses))]) {
+        for (const course of [
+          randomCourse(wish, language, courses),
+          withSolution(randomCourse(wish, language, courses)),
+        ]) {
           const project = projectOf(course, language);
           expect(project.course).toBeNull();
           // What says the same as the solution may be the pupil's own.

@@ -7,7 +7,7 @@ import { useRun } from '../../../session/run/parts';
 import { useWork } from '../../../session/work/model/parts';
 import { useLayout } from '../../../session/layout/parts';
 import { useCourses } from '../../../session/work/use-courses';
-import { solved, type Course } from '#catalogue/course';
+import { withSolution, type Course } from '#catalogue/course';
 
 /** Name of the robot that a course and its solution are made for; empty if there is none. */
 export function robotName({ scene, solution }: Course): string {
@@ -28,7 +28,7 @@ export function useCourseOpening() {
   return {
     open: (course: Course): void => open(course),
     openSolved(course: Course): void {
-      if (!app.work.locks.refuses('solution')) open(solved(course), true);
+      if (!app.work.locks.refuses('solution')) open(withSolution(course), true);
     },
     /** True if it is the one in the arena, changed or not; false for a random course. */
     isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,

@@ -8,7 +8,7 @@ import { importedModules } from '#python/imports';
 import { chooseHardware } from '#simulation/hardware';
 import { setLanguage } from '../../../kit/i18n';
 import { LANGUAGES } from '../../../kit/i18n/texts';
-import { courseKinds, coursesOf, projectOf, solved } from '#catalogue/course';
+import { courseKinds, coursesOf, projectOf, withSolution } from '#catalogue/course';
 import { readyCourse } from './ready-courses';
 import { courses } from '#catalogue/courses';
 import { courseText } from './course-words';
@@ -51,8 +51,8 @@ describe('the programs that come with the app', () => {
       for (const language of LANGUAGES) {
         const project = projectOf(course, language);
         expect(isUntouched(project), course.id).toBe(true);
-        const isStart = isSame(projectOf(solved(course), language), project);
-        expect(isUntouched(projectOf(solved(course), language)), course.id).toBe(isStart); // it may be the pupil's own
+        const isStart = isSame(projectOf(withSolution(course), language), project);
+        expect(isUntouched(projectOf(withSolution(course), language)), course.id).toBe(isStart); // it may be the pupil's own
         const [main] = project.files;
         expect(isUntouched({ ...project, files: [{ ...main!, text: `${main!.text}#` }] })).toBe(false);
         expect(isUntouched({ ...project, files: [main!, { name: 'a.py', text: '' }] })).toBe(false);
@@ -76,7 +76,7 @@ describe('a ready course with several devices', () => {
     ]);
     expect(files[0]?.text).toContain('# Aufgabe');
     expect(devices?.others[0]?.files[0]?.text).toContain('radio.send("vor")');
-    const solution = projectOf(solved(course), 'fr');
+    const solution = projectOf(withSolution(course), 'fr');
     expect(solution.devices?.others[0]?.files[0]?.text).toContain('order = "gauche"');
     expect(solution.files[0]?.text).toContain('order == "gauche"');
   });
@@ -188,7 +188,7 @@ describe('the files of a course', () => {
     const [course] = coursesOf({ scenes, data: {}, main, start: { 'c/a/start.py': inAll('start') } });
     expect(course!.program).toEqual(inAll('start'));
     expect(course!.solution).toEqual(inAll('main'));
-    expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'main' }]);
+    expect(projectOf(withSolution(course!), 'en').files).toEqual([{ name: 'main.py', text: 'main' }]);
   });
 
   it('speak as the scene does where there are no texts, and stand at the end then', () => {
