@@ -4,6 +4,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick, shallowRef } from 'vue';
 
 import { loadTexts, showLanguage } from '../kit/i18n';
+import { fileNameQuestion } from '../pupil/code/file-name-question';
 import AppDialog from './AppDialog.vue';
 import NoticeBar from './NoticeBar.vue';
 import { fill, press } from './testing/editing';
@@ -272,9 +273,7 @@ describe('the question for a file’s name', () => {
     const { page } = withDialog();
     page.work.create('drive.py', 'x = 1\n');
     const done: string[] = [];
-    const title = own === undefined ? 'code.newTitle' : 'code.renameTitle';
-    const question = { kind: 'file-name', title, values: { file: own ?? '' }, done: (name: string) => done.push(name) } as const; // prettier-ignore
-    page.dialogs.ask(own === undefined ? question : { ...question, own });
+    page.dialogs.ask(fileNameQuestion(page, own ?? '', (name) => done.push(name)));
     await flushPromises();
     const submit = async () => {
       document.querySelector('.dialog-card form')?.dispatchEvent(new Event('submit', { cancelable: true }));

@@ -3,10 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { createDialogs, type Question } from './dialogs';
 
 const question = (name: string): Question => ({
-  kind: 'file-name',
+  kind: 'choose',
   title: 'code.renameTitle',
+  text: 'code.name',
   values: { file: name },
-  done: () => undefined,
+  choices: [],
 });
 
 describe('questions to the pupil', () => {

@@ -10,7 +10,27 @@ export interface Choice {
   readonly run: () => void;
 }
 
-/** A question in a dialog: with answers to choose from, a file name to type, or a form. */
+/** The field of a question for a name, see `NameForm`. */
+export interface NameField {
+  /** Id of the field on the page. */
+  readonly id: string;
+  /** Above the field. */
+  readonly label: string;
+  /** The present name; empty for a new thing. */
+  readonly own: string;
+  /** Completes typed text to a name. */
+  readonly complete: (typed: string) => string;
+  /** The fault of a name, in words, or `null`. */
+  readonly problem: (name: string) => string | null;
+  /** Shown while nothing is typed. */
+  readonly placeholder?: string;
+  /** True for text that is read letter by letter, as in a program. */
+  readonly mono?: boolean;
+  readonly cancel: string;
+  readonly submit: string;
+}
+
+/** A question in a dialog: with answers to choose from, a name to type, or a form. */
 export type Question =
   | {
       readonly kind: 'choose';
@@ -20,11 +40,10 @@ export type Question =
       readonly choices: readonly Choice[];
     }
   | {
-      readonly kind: 'file-name';
+      readonly kind: 'name';
       readonly title: TextKey;
       readonly values: TextValues;
-      /** The name the file has now; absent for a new file. */
-      readonly own?: string;
+      readonly field: () => NameField;
       readonly done: (name: string) => void;
     }
   /** A form of its own; it emits `close` when it is done. */

@@ -38,8 +38,9 @@ describe('the menu of a file', () => {
     const page = menu('helfer.py', 'main.py', 'helfer.py');
     item('Umbenennen').click();
     const question = page.dialogs.current.value;
-    if (question?.kind !== 'file-name') throw new Error('A file name should be asked for.');
-    expect(question).toMatchObject({ own: 'helfer.py', values: { file: 'helfer.py' } });
+    if (question?.kind !== 'name') throw new Error('A file name should be asked for.');
+    expect(question).toMatchObject({ title: 'code.renameTitle', values: { file: 'helfer.py' } });
+    expect(question.field().own).toBe('helfer.py');
     question.done('fahren.py');
     expect(names(page)).toEqual(['main.py', 'fahren.py']);
     expect(page.work.open.value.text).toBe('# helfer.py');

@@ -63,7 +63,7 @@ describe('the tabs of the files', () => {
     const { page } = tabs('main.py');
     named('Neue Datei').click();
     const question = page.dialogs.current.value;
-    if (question?.kind !== 'file-name') throw new Error('A file name should be asked for.');
+    if (question?.kind !== 'name') throw new Error('A file name should be asked for.');
     expect(question).toMatchObject({ title: 'code.newTitle' });
     question.done('fahren.py');
     await nextTick();

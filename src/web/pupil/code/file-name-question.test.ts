@@ -3,23 +3,18 @@ import { describe, expect, it } from 'vitest';
 
 import { mountOn, named } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
-import FileNameForm from './FileNameForm.vue';
+import NameForm from '../../kit/controls/NameForm.vue';
+import { fileNameQuestion } from './file-name-question';
 
 /** The form for a new file's name, or with `own` for another name of that file; `done` are the names that were given. */
-function form(own?: string) {
+function form(own = '') {
   const page = createPage();
   const files = ['main.py', 'helfer.py'].map((name) => ({ name, text: '' }));
   page.work.openProject({ files, scene: page.work.scene.value, course: null }, null);
   const done: string[] = [];
   let closed = 0;
-  const question = {
-    kind: 'file-name',
-    title: 'code.newTitle',
-    values: {},
-    ...(own !== undefined && { own }),
-    done: (name: string) => void done.push(name),
-  };
-  const mounted = mountOn(page, FileNameForm, { question, onClose: () => (closed += 1) });
+  const question = fileNameQuestion(page, own, (name) => void done.push(name));
+  const mounted = mountOn(page, NameForm, { ...question.field(), onDone: question.done, onClose: () => (closed += 1) });
   const field = mounted.get<HTMLInputElement>('input');
   const give = async (name: string) => {
     await field.setValue(name);
