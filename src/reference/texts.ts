@@ -11,6 +11,15 @@ const catalogues = byLanguage(import.meta.glob<typeof de>('./words/*.json', { im
 /** The words on every name of the boards' modules and of the language, fetched in one language. Rejects without a connection. */
 export const loadReferenceTexts = (language: Language): Promise<ReferenceTexts> => catalogues[language]();
 
+/** The same, and the words on the names of these libraries. */
+export async function loadTextsWith(
+  language: Language,
+  libraries: readonly Pick<RobotReference, 'texts'>[],
+): Promise<ReferenceTexts> {
+  const texts = await loadReferenceTexts(language);
+  return Object.assign({}, texts, ...libraries.map((library) => textsOfRobot(library, language))) as ReferenceTexts;
+}
+
 /** The words on the names of a robot's libraries, in one language. */
 export const textsOfRobot = ({ texts }: Pick<RobotReference, 'texts'>, language: Language): ReferenceTexts =>
   Object.fromEntries(Object.entries(texts).map(([key, text]) => [key, text[language]]));

@@ -2,9 +2,9 @@ import type { BoardType } from '#board/boards/board-type';
 import { byLanguage } from '#core/words';
 import { freeReference } from '#libraries/reference';
 import type { ReferenceContext } from '#reference/context';
+import { loadTextsWith, type ReferenceTexts } from '#reference/texts';
 import { robotReferences } from '#robots/references';
 
-import { loadWords, type Words } from '../../pupil/code/help/words-on';
 import type { Language } from '../../kit/i18n';
 import type { GuideContent } from './content/content';
 
@@ -14,13 +14,13 @@ const contents = byLanguage(import.meta.glob<GuideContent>('../words/guide/*.jso
 /** The help in one language: its own words, and those of the reference. */
 export interface Guide {
   readonly content: GuideContent;
-  readonly words: Words;
+  readonly words: ReferenceTexts;
 }
 
 /** Fetches the help of a language. Rejects without a connection. */
 export async function loadGuide(language: Language, robot: string | null): Promise<Guide> {
   const libraries = [freeReference, ...robotReferences.filter((it) => it.robot === robot)];
-  const [content, words] = await Promise.all([contents[language](), loadWords(language, libraries)]);
+  const [content, words] = await Promise.all([contents[language](), loadTextsWith(language, libraries)]);
   return { content, words };
 }
 

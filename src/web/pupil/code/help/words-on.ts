@@ -1,5 +1,5 @@
 import type { Item } from '#reference/item';
-import { loadReferenceTexts, textsOfRobot, type ReferenceTexts } from '#reference/texts';
+import { loadTextsWith, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
 import type { Language } from '../../../kit/i18n';
 import { loadTexts, t } from '../../../kit/i18n';
@@ -13,8 +13,8 @@ export async function loadWords(
   language: Language,
   libraries: readonly Pick<RobotReference, 'texts'>[],
 ): Promise<Words> {
-  const [words] = await Promise.all([loadReferenceTexts(language), loadTexts(language)]);
-  return Object.assign({}, words, ...libraries.map((library) => textsOfRobot(library, language))) as Words;
+  const [words] = await Promise.all([loadTextsWith(language, libraries), loadTexts(language)]);
+  return words;
 }
 
 /** The text on an item; empty if nothing is known about it. */
