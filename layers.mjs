@@ -68,15 +68,16 @@ export const wings = {
     visit: ['session/run', 'session/work'],
     layout: ['session/run', 'session/work', 'session/visit'],
     task: ['session/run', 'session/work', 'session/layout'],
+    models: ['session/run', 'session/work', 'session/visit', 'session/layout', 'session/task'],
   },
   course: { editor: ['session'] },
   pupil: {
-    debug: ['session/run', 'session/work'],
-    why: ['session/run', 'session/work', 'pupil/debug'],
+    debug: ['session'],
+    why: ['session', 'pupil/debug'],
     console: ['session', 'pupil/debug', 'pupil/why'],
     'look-back': ['session', 'pupil/console'],
     chart: ['session', 'pupil/console', 'pupil/look-back'],
-    'device-log': ['session/run', 'session/work'],
+    'device-log': ['session'],
     board: ['session', 'pupil/device-log', 'pupil/debug'],
     narration: ['session', 'course/editor'],
     'several-devices': ['session', 'pupil/board'],
@@ -84,7 +85,7 @@ export const wings = {
       'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
     ], // prettier-ignore
     code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
-    locks: ['session/run', 'session/work', 'course/editor', 'pupil/code'],
+    locks: ['session', 'course/editor', 'pupil/code'],
     device: ['session', 'pupil/arena'],
     galleries: ['session', 'pupil/device'],
     'real-device': ['session/work'],
@@ -97,7 +98,7 @@ export const wings = {
   },
   teacher: {
     projector: ['session', 'pupil/console', 'pupil/arena'],
-    print: ['session', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
+    print: ['session', 'course/editor', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
     class: ['session', 'pupil/galleries', 'exchange/share'],
     'task-maker': [
       'session', 'course/editor', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
@@ -105,8 +106,8 @@ export const wings = {
     ], // prettier-ignore
     series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker'],
   },
-  help: ['session', 'course/editor', 'pupil/console', 'pupil/code'],
-  app: ['session', 'course', 'pupil', 'exchange', 'teacher', 'help'],
+  help: ['session', 'course/editor'],
+  app: ['session'],
 };
 
 /** The rows of the page's rooms by the folder below `src/web/`: what each may import, rooms or whole wings. */

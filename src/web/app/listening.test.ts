@@ -3,14 +3,14 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, shallowRef } from 'vue';
 
-import { pressBoard } from '../pupil/board/drawing/board-press';
-import LiveRegion from './LiveRegion.vue';
+import { useDrop } from '../exchange/share/use-drop';
+import { useCommandKeys } from '../kit/command-keys';
+import { useBoardKeys } from '../pupil/board/use-board-keys';
+import LiveRegion from '../pupil/console/LiveRegion.vue';
+import { useDark } from '../session/work/settings/use-dark';
 import { mountOn, setWindow, textOf } from './testing/mount-on';
 import { createPage, type TestPage } from './testing/page';
 import { inputsOf, show, startRun } from './testing/run';
-import { useDark } from './use-dark';
-import { useDrop } from './use-drop';
-import { useKeys } from './use-keys';
 import { useSound } from './use-sound';
 
 /** Mounts something that listens to the page. */
@@ -45,12 +45,8 @@ describe('keys on the page', () => {
     const page = createPage();
     const commands: string[] = [];
     const { unmount } = listening(page, () => {
-      useKeys(page, {
-        press: (name, down) => pressBoard(page.run, name, down),
-        run: () => commands.push('run'),
-        stop: () => commands.push('stop'),
-        save: () => commands.push('save'),
-      });
+      useBoardKeys(page);
+      useCommandKeys({ enter: () => commands.push('run'), s: () => commands.push('save') });
     });
     await startRun(page);
     return { page, commands, unmount };

@@ -1,6 +1,7 @@
-import type { GuideModel } from './guide-model';
-import { part } from '../kit/part';
-import type { TourModel } from './tour-model';
+import { createGuide, type GuideModel } from './guide-model';
+import { lateParts } from '../kit/part';
+import { usePage } from '../kit/parts';
+import { createTour, type TourModel } from './tour-model';
 
 /** The help for beginners: guide and tour. */
 export interface FirstStepsParts {
@@ -8,4 +9,7 @@ export interface FirstStepsParts {
   readonly tour: TourModel;
 }
 
-export const [provideFirstSteps, useFirstSteps] = part<FirstStepsParts>('first steps');
+export const [firstStepsOf, useFirstSteps] = lateParts(usePage, (): FirstStepsParts => ({
+  guide: createGuide(),
+  tour: createTour(),
+}));

@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
-import { afterEach, describe, expect, it } from 'vitest';
-import { effectScope } from 'vue';
+import { flushPromises } from '@vue/test-utils';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { defineComponent, effectScope, h, nextTick, shallowRef } from 'vue';
 
 import { guideSections } from '../../help/guide/entries';
 import {
@@ -12,16 +13,28 @@ import {
   type MenuHost,
 } from '../../kit/features/feature';
 import type { FeaturePage } from '../../kit/features/feature-page';
+import type { FeatureWindow } from '../../kit/features/feature-window';
+import { itemsAt, type BarItem } from '../../session/layout/bar-item';
 import { createRouter } from '../../session/layout/router';
-import { allHelpEntries } from './all-help-entries';
+import { allHelpEntries } from '../../help/guide/all-help-entries';
+import { mountOn, textOf } from '../testing/mount-on';
+import { createPage } from '../testing/page';
 import { featurePages } from './feature-pages';
+import { featureWindows } from './feature-windows';
+import FeatureWindows from './FeatureWindows.vue';
 
-/** A made-up feature: its folder holds these three files, and no other file names it. */
+/** A made-up feature: its folder holds these five files, and no other file names it. */
 interface MadeUp {
   readonly pages: readonly FeaturePage[];
   readonly contribution: Contribution;
   readonly helpEntries: readonly HelpEntry[];
+  readonly windows: readonly FeatureWindow[];
+  readonly barItems: readonly BarItem[];
 }
+/** True while a trophy is handed over. */
+const isHanded = shallowRef(false);
+const Trophy = defineComponent(() => () => h('p', { class: 'trophy' }, 'Gold'));
+const fetchTrophy = vi.fn(() => Promise.resolve({ [Symbol.toStringTag]: 'Module', default: Trophy }));
 const files: Readonly<Record<string, MadeUp>> = {
   '../teacher/trophies/': {
     pages: [{ name: 'trophies', hasIds: true, load: () => Promise.reject(new Error('made up')) }],
@@ -48,6 +61,8 @@ const files: Readonly<Record<string, MadeUp>> = {
         ...{ name: () => 'Pokale', text: () => 'Zeigt alle Pokale.' },
       },
     ],
+    windows: [{ layer: 'window', shows: () => () => isHanded.value, load: fetchTrophy }],
+    barItems: [{ place: 'work', order: 5, kinds: ['wide'], view: Trophy }],
   },
 };
 const pages = [...featurePages, ...collected(files).flatMap((feature) => feature.pages)];
@@ -78,5 +93,35 @@ describe('a made-up feature', () => {
     const sections = guideSections([...allHelpEntries, ...collected(files).flatMap((feature) => feature.helpEntries)]);
     const ids = sections.find(({ id }) => id === 'menu')?.entries.map(({ id }) => id) ?? [];
     expect(ids[ids.indexOf('class') + 1]).toBe('trophies');
+  });
+
+  it('has its window over the page while it says so, fetched with the first time', async () => {
+    const windows = [...featureWindows, ...collected(files).flatMap((feature) => feature.windows)];
+    mountOn(createPage(), FeatureWindows, { layers: ['page', 'window'], windows });
+    const shown = (): string => textOf(document.querySelector('.trophy'));
+    await flushPromises();
+    expect([shown(), fetchTrophy.mock.calls.length]).toEqual(['', 0]);
+    isHanded.value = true;
+    await flushPromises();
+    expect([shown(), fetchTrophy.mock.calls.length]).toEqual(['Gold', 1]);
+    isHanded.value = false;
+    await nextTick();
+    expect(shown()).toBe('');
+  });
+
+  it('is not drawn in another layer than its own', async () => {
+    isHanded.value = true;
+    mountOn(createPage(), FeatureWindows, { layers: ['task'], windows: collected(files).flatMap((it) => it.windows) });
+    await flushPromises();
+    expect(document.querySelector('.trophy')).toBeNull();
+  });
+
+  it('stands at its place in the bar, where there is room', () => {
+    const before: BarItem = { place: 'work', view: defineComponent(() => () => null) };
+    const after: BarItem = { ...before, order: 10 };
+    const items = [after, ...collected(files).flatMap((feature) => feature.barItems), before];
+    expect(itemsAt(items, 'work', 'wide').map(({ order }) => order)).toEqual([undefined, 5, 10]);
+    expect(itemsAt(items, 'work', 'medium').map(({ order }) => order)).toEqual([undefined, 10]);
+    expect(itemsAt(items, 'help', 'wide')).toEqual([]);
   });
 });

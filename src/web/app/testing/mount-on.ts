@@ -4,7 +4,7 @@ import { defineComponent, h, type Component } from 'vue';
 
 import { loadTexts, showLanguage } from '../../kit/i18n';
 import { controls } from '../../kit/controls/controls';
-import { provideParts } from '../provide-parts';
+import { provideSession } from '../../session/models/create-session';
 import type { TestPage } from './page';
 
 /*
@@ -39,7 +39,7 @@ export function mountOn(
 ): VueWrapper {
   const Page = defineComponent({
     setup() {
-      provideParts(page);
+      provideSession(page);
       return () => h(component, props, slots);
     },
   });

@@ -10,25 +10,12 @@ import {
 import type { Contribution, MenuEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import type { TextKey } from '../../kit/i18n/texts';
-import { useCourseEditor } from '../../course/editor/state/parts';
-import { usePage } from '../../kit/parts';
-import { useLayout } from '../../session/layout/parts';
-import { useRun } from '../../session/run/parts';
-import { useVisit } from '../../session/visit/parts';
-import { useWork } from '../../session/work/model/parts';
 import { useCommands } from './use-commands';
 
 /** Sharing, saving and opening. */
 export const contribution: Contribution = {
   menu() {
-    const commands = useCommands({
-      ...usePage(),
-      ...useRun(),
-      ...useWork(),
-      ...useVisit(),
-      ...useLayout(),
-      ...useCourseEditor(),
-    });
+    const commands = useCommands();
     const entry = (id: string, icon: string, key: TextKey, act: MenuEntry['act']): MenuEntry => ({
       id,
       testId: `menu-${id}`,

@@ -18,7 +18,7 @@ import { Reader } from '../../session/run/worker/reader';
 import { collectFiles, collectLinks, type Collected } from '../../teacher/series/collect';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 import { openAddress } from './open-address';
-import { useCommands } from './use-commands';
+import { commandsOf } from './use-commands';
 
 let page: TestPage;
 beforeEach(async () => {
@@ -79,7 +79,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
   it('is opened by the page, dropped or chosen, as what it is', async () => {
     location.hash = '';
     const before = page.work.work.value;
-    useCommands(page).take([fileOf(name, bytes)]);
+    commandsOf(page).take([fileOf(name, bytes)]);
     await soon(() => expect(opened(before, name)).toContain(onPage));
   });
 

@@ -19,7 +19,7 @@ import { courseName, firstCourse } from '../../session/work/catalogue/first-cour
 import { useCourses } from '../../session/work/use-courses';
 import type { TaskLocks } from '../../session/work/model/task-locks';
 import { replaceFile } from './load-files';
-import { useCommands } from './use-commands';
+import { commandsOf } from './use-commands';
 
 let page: TestPage;
 beforeEach(() => {
@@ -38,7 +38,7 @@ function notice(): string {
   const { key, values } = page.notices.current.value!;
   return t(key, values);
 }
-const take = (...files: readonly File[]): void => useCommands(page).take(files);
+const take = (...files: readonly File[]): void => commandsOf(page).take(files);
 const file = (name: string, content: BlobPart = ''): File => new File([content], name);
 const texts = (): Readonly<Record<string, string>> =>
   Object.fromEntries(page.work.files.value.map(({ name, text }) => [name, text]));
@@ -316,7 +316,7 @@ describe('several projects that come together', () => {
     useCourses(page).restore(page.work.work.value.previous[0]!);
     expect(kept()).toEqual(['Beat – Neuland']);
     const saved = downloads();
-    useCommands(page).save();
+    commandsOf(page).save();
     await vi.waitFor(() => expect(saved[0]?.name).toBe('Anna.parcours.json'));
     vi.restoreAllMocks();
   });
@@ -343,7 +343,7 @@ describe('what is saved', () => {
 
   it('comes back as it was from a project, with program, course and device', async () => {
     page.settings.change({ device: 'calliope-mini-3' });
-    const [name, text] = await download(() => useCommands(page).save());
+    const [name, text] = await download(() => commandsOf(page).save());
     expect(name).toBe('Neuland.parcours.json');
     expect(notice()).toBe('Neuland.parcours.json ist gespeichert.');
     const before = page.work.work.value.project;
@@ -355,7 +355,7 @@ describe('what is saved', () => {
   });
 
   it('has no program in a course', async () => {
-    const [name, text] = await download(() => useCommands(page).saveScene());
+    const [name, text] = await download(() => commandsOf(page).saveScene());
     expect(name).toBe('Neuland.json');
     expect(text).not.toContain('x = 1');
     expect(JSON.parse(text)).toMatchObject({ name: 'Neuland', size: [700, 500] });
@@ -363,13 +363,13 @@ describe('what is saved', () => {
 
   it('is the shown file as a program', async () => {
     page.work.create('turn.py', 'left = 1\n');
-    expect(await download(() => useCommands(page).saveProgram())).toEqual(['turn.py', 'left = 1\n']);
+    expect(await download(() => commandsOf(page).saveProgram())).toEqual(['turn.py', 'left = 1\n']);
     expect(notice()).toBe('turn.py ist gespeichert.');
   });
 
   it('has a name that every file system takes', async () => {
     page.work.setScene({ ...course, name: '..a/b: "c"? ' }, null);
-    const [name] = await download(() => useCommands(page).saveScene());
+    const [name] = await download(() => commandsOf(page).saveScene());
     expect(name).toBe('ab c.json');
   });
 });

@@ -7,7 +7,7 @@ import { withoutSecrets } from '#check/task/write-task';
 import { parseTape, setupAsKept, tapeToText } from '#tape/file';
 import { PHYSICS } from '#simulation/physics-version';
 import { version } from '../../../../package.json';
-import { createParts, type AllParts } from '../../app/provide-parts';
+import { createParts, type AllParts } from '../../app/testing/page';
 import { downloads } from '../../app/testing/downloads';
 import { workerHere } from '../../app/testing/worker-here';
 import { linkToRun, saveRun } from '../../pupil/look-back/save-run';
@@ -17,7 +17,7 @@ import { noHost } from '../../session/visit/host-view';
 import { firstCourse } from '../../session/work/catalogue/first-course';
 import { nothingKept } from '../../session/work/model/keep-work';
 import { openAddress } from './open-address';
-import { useCommands } from './use-commands';
+import { commandsOf } from './use-commands';
 
 const firmware = WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 const PROGRAM = 'from mbrobot import *\nforward()\nfor i in range(8):\n    print(i)\n    delay(100)\nstop()\n';
@@ -59,7 +59,7 @@ async function saved(program = PROGRAM, act: () => void | Promise<void> = () => 
   expect(files.map(({ name }) => name)).toEqual([expect.stringMatching(/\.run\.json$/)]);
   return files[0]!.blob.text();
 }
-const open = (text: string): void => useCommands(page).take([new File([text], 'mine.run.json')]);
+const open = (text: string): void => commandsOf(page).take([new File([text], 'mine.run.json')]);
 const programNow = (): string | undefined => page.work.find('main.py')?.text;
 
 describe('a run that is taken along', () => {

@@ -1,9 +1,18 @@
+import { useCourseEditor } from '../../course/editor/state/parts';
+import { latePart } from '../../kit/late-part';
+import { usePage } from '../../kit/parts';
+import { useLayout } from '../../session/layout/parts';
+import { useRun } from '../../session/run/parts';
+import { useWork } from '../../session/work/model/parts';
 import { saveFile } from '../../session/work/save-file';
 import type { TakesFiles } from './load-files';
-import { latePart } from '../../kit/late-part';
+
+/** The commands for a component, in `setup`. */
+export const useCommands = () =>
+  commandsOf({ ...usePage(), ...useRun(), ...useWork(), ...useLayout(), ...useCourseEditor() });
 
 /** The commands that several bars and keys share. */
-export function useCommands(app: TakesFiles) {
+export function commandsOf(app: TakesFiles) {
   /** Takes files in, from the picker or dropped onto the page. */
   function take(files: Iterable<File>): void {
     const all = [...files]; // a browser empties the list of dropped files at once

@@ -52,7 +52,7 @@ describe('the greeting of a first visit', () => {
     expect(isThere('welcome')).toBe(false);
   });
 
-  it('is not shown to whoever has been greeted, has written something, or sees some output', async () => {
+  it('is not shown to whoever has been greeted, has written something, or looks at a page', async () => {
     await visit((page) => page.settings.change({ welcomed: true }));
     expect(isThere('welcome')).toBe(false);
     await visit((page) => page.work.setText('main.py', 'meins = 1\n'));

@@ -1,23 +1,18 @@
 import { computed, watch, type ComputedRef } from 'vue';
 
-import type { ConsoleParts } from '../../pupil/console/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
 import type { FirstStepsParts } from '../parts';
 
-type Parts = Pick<RunParts, 'run'> &
-  WorkParts &
-  Pick<LayoutParts, 'router' | 'layout'> &
-  ConsoleParts &
-  FirstStepsParts;
+type Parts = Pick<RunParts, 'run'> & WorkParts & Pick<LayoutParts, 'router' | 'layout'> & FirstStepsParts;
 
 /**
  * True if a newcomer is greeted: on a page of its own (no host, no link, no requested course), until there is an
  * answer, a first run or anything else to look at in its place.
  */
-export function useGreeting({ run, settings, work, router, layout, console, tour }: Parts): ComputedRef<boolean> {
+export function useGreeting({ run, settings, work, router, layout, tour }: Parts): ComputedRef<boolean> {
   const isFirstVisit = computed(() => {
     const { project } = work.work.value;
     const isAlone = window.parent === window && location.search === '' && router.page.value === null;
@@ -32,7 +27,6 @@ export function useGreeting({ run, settings, work, router, layout, console, tour
       isFirstVisit.value &&
       !run.isActive.value &&
       !tour.isOpen.value &&
-      console.entries.value.length === 0 &&
       (layout.kind.value !== 'phone' || layout.tab.value === 'code'),
   );
 }

@@ -191,10 +191,10 @@ describe('the help on the page', () => {
     expect(byId('guide').getAttribute('role')).toBe('dialog');
     expect(byId('guide').getAttribute('aria-modal')).toBe('true');
     expect(inApp().hasAttribute('inert')).toBe(true);
-    expect(page.guide.isShown.value).toBe(true);
+    expect(page.layout.isHelpShown.value).toBe(true);
     unmount();
     expect(inApp().hasAttribute('inert')).toBe(false);
-    expect(page.guide.isShown.value).toBe(false);
+    expect(page.layout.isHelpShown.value).toBe(false);
   });
 
   it('gives the keyboard back to what had it', async () => {

@@ -8,7 +8,7 @@ import de from '../words/guide/de.json';
 import en from '../words/guide/en.json';
 import fr from '../words/guide/fr.json';
 import italian from '../words/guide/it.json';
-import { allHelpEntries } from '../../app/features/all-help-entries';
+import { allHelpEntries } from './all-help-entries';
 import type { HelpEntry } from '../../kit/features/feature';
 import { guideSections } from './entries';
 
@@ -21,6 +21,7 @@ const sources = import.meta.glob<string>(
     '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,LanguageMenu,MainMenu}.vue',
     '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
     '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu,GhostItems}.vue',
+    '../../{exchange,help}/**/{ShareButtons,HelpButton}.vue',
     '../../course/editor/{EditorActions,EditorMenu}.vue',
     '../../pupil/debug/*.vue',
     '../../pupil/look-back/LookBackHead.vue',

@@ -1,13 +1,13 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import { microbitV2 } from '#board/boards/microbit-v2';
-import type { Words } from '../../pupil/code/help/words-on';
+import type { ReferenceTexts } from '#reference/texts';
+
 import { useHardware } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { shownLanguage } from '../../kit/i18n';
 import { commandsOf, type Command } from './commands';
-import type { HelpEntry } from '../../kit/features/feature';
-import type { FirstStepsParts } from '../parts';
+import { allHelpEntries } from './all-help-entries';
 import { guideSections, type GuideEntry } from './entries';
 import { loadGuide, modulesFor, referenceFor, type Guide } from './load-guide';
 import { fitOf, wordsOf } from './search';
@@ -34,19 +34,17 @@ export interface GuideModel {
 }
 
 /** The help on what is in use: it follows language, robot and board. */
-export function useGuide(app: WorkParts & Pick<FirstStepsParts, 'guide'>): GuideModel {
+export function useGuide(app: WorkParts): GuideModel {
   const hardware = useHardware(app);
   const robot = computed(() => hardware.value?.robot?.id ?? null);
   const guide = shallowRef<Guide | null>(null);
-  const contributed = shallowRef<readonly HelpEntry[]>([]);
   const isMissing = shallowRef(false);
   const query = shallowRef('');
   watch(
     [shownLanguage, robot],
     async ([language, id]) => {
       try {
-        const [loaded, entries] = await Promise.all([loadGuide(language, id), app.guide.contributed()]);
-        contributed.value = entries;
+        const loaded = await loadGuide(language, id);
         if (shownLanguage() === language && robot.value === id) guide.value = loaded; // otherwise another one is loading
         isMissing.value = false;
       } catch {
@@ -60,7 +58,7 @@ export function useGuide(app: WorkParts & Pick<FirstStepsParts, 'guide'>): Guide
     const { content } = guide.value;
     const board = hardware.value?.board ?? microbitV2;
     const context = referenceFor(robot.value, board, hardware.value?.firmware.features ?? []);
-    const explained = guideSections(contributed.value).map(({ id, entries }): ShownSection => ({
+    const explained = guideSections(allHelpEntries).map(({ id, entries }): ShownSection => ({
       kind: 'entries',
       id,
       title: content.sections[id],
@@ -122,7 +120,7 @@ function fitting(
     .map(({ section }) => section);
 }
 
-const textOf = ({ module, text }: Command, about: Words): string => `${module} ${about[text] ?? ''}`;
+const textOf = ({ module, text }: Command, about: ReferenceTexts): string => `${module} ${about[text] ?? ''}`;
 
 function ranked<T>(
   items: readonly T[],

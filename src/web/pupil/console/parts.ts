@@ -1,6 +1,10 @@
-import type { ConsoleModel } from './console-model';
-import type { Jump } from './jump';
-import { part } from '../../kit/part';
+import { ConsoleModel } from './console-model';
+import { createJump, type Jump } from './jump';
+import { lateParts } from '../../kit/part';
+import { usePage } from '../../kit/parts';
+import { tableNow } from '../../session/work/hardware/use-hardware';
+import { useWork, type WorkParts } from '../../session/work/model/parts';
+import type { WithLate } from '../../kit/state/late-models';
 
 /** The console, and the way from its errors to the line. */
 export interface ConsoleParts {
@@ -8,4 +12,13 @@ export interface ConsoleParts {
   readonly jump: Jump;
 }
 
-export const [provideConsole, useConsole] = part<ConsoleParts>('console');
+export const [consoleOf, useConsole] = lateParts(
+  () => ({ ...usePage(), ...useWork() }),
+  ({ work, settings }: WorkParts & WithLate): ConsoleParts => ({
+    console: new ConsoleModel(
+      (device) => tableNow({ work, settings }, device),
+      () => work.place.value,
+    ),
+    jump: createJump(work),
+  }),
+);

@@ -6,7 +6,7 @@ import { microbitPage } from '#device-log/testing/microbit-page';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { setLanguage, t } from '../../kit/i18n';
 import { LANGUAGES } from '../../kit/i18n/texts';
-import { useCommands } from '../../exchange/share/use-commands';
+import { commandsOf } from '../../exchange/share/use-commands';
 
 const csv = 'Time (seconds),cm\n0.10,12.5\n0.20,11\n';
 let page: TestPage;
@@ -22,7 +22,7 @@ const htm = (bytes: Uint8Array): File => file('MY_DATA.HTM', bytes.slice());
 async function dropped(...files: readonly File[]): Promise<string> {
   page.notices.close();
   const before = page.dataLog.device.value;
-  useCommands(page).take(files);
+  commandsOf(page).take(files);
   const isDone = (): boolean => page.notices.current.value !== null || page.dataLog.device.value !== before;
   await vi.waitFor(() => expect(isDone()).toBe(true), { timeout: 20_000, interval: 5 });
   const notice = page.notices.current.value;

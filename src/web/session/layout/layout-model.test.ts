@@ -82,7 +82,7 @@ describe('which panes are shown', () => {
   it('beside the help are program and arena; the board comes back on a very wide screen', () => {
     const page = pageIn(1400, 800);
     page.settings.change({ showBoard: true, showArena: true });
-    page.guide.isShown.value = true;
+    page.layout.isHelpShown.value = true;
     expect(shown(page)).not.toContain('board');
     setWindow(1800, 800);
     expect(shown(page)).toContain('board');

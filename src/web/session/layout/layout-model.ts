@@ -1,4 +1,4 @@
-import { computed, onScopeDispose, shallowRef, type ComputedRef, type Ref, type ShallowRef } from 'vue';
+import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { PARTS, type Part } from '#embed/simulator';
 
@@ -43,6 +43,8 @@ export interface LayoutModel {
   readonly canFold: ComputedRef<boolean>;
   /** A phone held across: its panes are wide and low. */
   readonly isAcross: Readonly<ShallowRef<boolean>>;
+  /** True while the help takes its share of the page. The help itself sets it. */
+  readonly isHelpShown: ShallowRef<boolean>;
 }
 
 /** Sizes of what a splitter moves, in px. */
@@ -103,15 +105,9 @@ const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 4
 /** True if the window is a phone's now, before there is a layout. */
 export const isPhoneNow = (): boolean => !QUERIES.some(([, query]) => matchMedia(query).matches);
 
-/**
- * Creates the layout, which follows the window's size, the host's parts and the pupil's settings.
- * @param isHelpShown whether the help takes its share of the page
- */
-export function createLayout(
-  { current }: Pick<SettingsModel, 'current'>,
-  host: Pick<HostView, 'parts'>,
-  isHelpShown: Readonly<Ref<boolean>>,
-): LayoutModel {
+/** Creates the layout, which follows the window's size, the host's parts and the pupil's settings. */
+export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: Pick<HostView, 'parts'>): LayoutModel {
+  const isHelpShown = shallowRef(false);
   const kind = useFirstMatch(QUERIES, 'phone');
   const pair = useFirstMatch(PAIRS, 'phone');
   const tab = shallowRef<Pane>('code');
@@ -146,7 +142,7 @@ export function createLayout(
   const console = useConsolePlace(arrangement);
   const isAcross = useFirstMatch(ACROSS, false);
   const sizes = useSizes(current, kind, console);
-  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, ...console };
+  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, ...console };
 }
 
 type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;

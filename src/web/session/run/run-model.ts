@@ -54,6 +54,9 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onKilled(): void;
 }
 
+/** A room that takes note of runs. */
+export type RunListener = Partial<Pick<RunHost, 'onStart' | 'onOutput' | 'onEnded' | 'onRestarted'>>;
+
 /** The options of a start. */
 export interface Beginning {
   /** Set-up of an earlier run that is to be repeated; left out: a new one. */

@@ -1,6 +1,11 @@
-import { part } from '../../../kit/part';
-import type { CourseEditorModel } from './course-editor-model';
-import type { EditorPanels } from './editor-panels';
+import { lateParts } from '../../../kit/part';
+import { usePage } from '../../../kit/parts';
+import type { WithLate } from '../../../kit/state/late-models';
+import { useLayout, type LayoutParts } from '../../../session/layout/parts';
+import { useRun, type RunParts } from '../../../session/run/parts';
+import { useWork, type WorkParts } from '../../../session/work/model/parts';
+import { createCourseEditor, type CourseEditorModel } from './course-editor-model';
+import { createEditorPanels, type EditorPanels } from './editor-panels';
 
 /** The course editor and its windows. */
 export interface CourseEditorParts {
@@ -8,4 +13,16 @@ export interface CourseEditorParts {
   readonly panels: EditorPanels;
 }
 
-export const [provideCourseEditor, useCourseEditor] = part<CourseEditorParts>('course editor');
+/** The models that the editor needs. */
+type Around = WorkParts & Pick<RunParts, 'run' | 'runStart'> & Pick<LayoutParts, 'layout'> & WithLate;
+
+export const [courseEditorOf, useCourseEditor] = lateParts(
+  () => ({ ...usePage(), ...useWork(), ...useRun(), ...useLayout() }),
+  ({ work, settings, run, runStart, layout }: Around): CourseEditorParts => {
+    const { kind } = layout;
+    return {
+      editor: createCourseEditor({ work, settings, kind, runStart, isActive: run.isActive, past: run.past }),
+      panels: createEditorPanels({ layout, settings }),
+    };
+  },
+);

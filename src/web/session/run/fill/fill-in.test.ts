@@ -5,7 +5,7 @@ import { effectScope, type EffectScope } from 'vue';
 
 import type { Snapshot } from '#simulation/snapshot';
 import { Rows } from '#tape/rows/rows';
-import { createParts, type AllParts } from '../../../app/provide-parts';
+import { createParts, type AllParts } from '../../../app/testing/page';
 import { workerHere } from '../../../app/testing/worker-here';
 import { noHost } from '../../visit/host-view';
 import { nothingKept } from '../../work/model/keep-work';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { command, type CommandKey } from './use-keys';
+import { command, type CommandKey } from './command-keys';
 
 /** The effect of a key pressed with Ctrl, and whether the browser's own is prevented. */
 function pressed(key: string, held: Partial<CommandKey> = {}): readonly string[] {
@@ -8,7 +8,7 @@ function pressed(key: string, held: Partial<CommandKey> = {}): readonly string[]
   const plain = { altKey: false, shiftKey: false, repeat: false, preventDefault: () => done.push('kept') };
   command(
     { ...plain, key, ...held },
-    { run: () => done.push('run'), stop: () => done.push('stop'), save: () => done.push('save') },
+    { enter: () => done.push('run'), 'shift+enter': () => done.push('stop'), s: () => done.push('save') },
   );
   return done;
 }

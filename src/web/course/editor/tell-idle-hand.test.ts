@@ -2,8 +2,8 @@
 import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { createPage } from './testing/page';
-import { startRun } from './testing/run';
+import { createPage } from '../../app/testing/page';
+import { startRun } from '../../app/testing/run';
 
 const pose = { xMm: 300.4, yMm: 200, headingDeg: 30.2 };
 

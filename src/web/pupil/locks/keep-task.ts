@@ -1,7 +1,7 @@
 import { watch } from 'vue';
 
-import type { LockedPage } from '../pupil/locks/lock-task';
-import { isHandedOut } from '../session/work/model/task-locks';
+import type { LockedPage } from './lock-task';
+import { isHandedOut } from '../../session/work/model/task-locks';
 
 /** Applies the locks of the open task. The code for it is loaded with the first task. */
 export function keepTask(app: LockedPage): void {
@@ -14,7 +14,7 @@ export function keepTask(app: LockedPage): void {
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
-      void import('../pupil/locks/lock-task').then(
+      void import('./lock-task').then(
         ({ lockTask }) => {
           if (isWanted) stop = lockTask(app, opened);
         },

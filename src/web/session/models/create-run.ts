@@ -1,21 +1,17 @@
-import { watch, type ShallowRef } from 'vue';
+import { shallowRef } from 'vue';
 
 import type { Scene } from '#scene/scene';
 
-import { fetchAdvice } from '../pupil/console/advice/explain';
-import { RadioModel } from '../session/run/radio-model';
-import { RunModel, type RunHost } from '../session/run/run-model';
-import { SensorsModel } from '../session/run/sensors-model';
-import type { RunParts } from '../session/run/parts';
-import { createWorker } from '../session/run/worker/create-worker';
-import { compileFirmware } from '../session/run/worker/firmware';
-import { troubleKey } from '../session/run/worker/firmware-trouble';
-import type { VisitParts } from '../session/visit/parts';
-import { runSetup } from '../session/work/run-setup';
-import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
-
-/** Time from the start of the first run until the page fetches what explains errors, in ms. */
-const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
+import { RadioModel } from '../run/radio-model';
+import { RunModel, type RunHost } from '../run/run-model';
+import { SensorsModel } from '../run/sensors-model';
+import type { RunParts } from '../run/parts';
+import { createWorker } from '../run/worker/create-worker';
+import { compileFirmware } from '../run/worker/firmware';
+import { troubleKey } from '../run/worker/firmware-trouble';
+import type { VisitParts } from '../visit/parts';
+import { runSetup } from '../work/run-setup';
+import { showFailure, showStart, type RunMessages } from './run-messages';
 
 /** The engine that runs a program: a worker and the VM. */
 export type RunEngine = Pick<RunHost, 'createWorker' | 'firmware'>;
@@ -24,21 +20,18 @@ export type RunEngine = Pick<RunHost, 'createWorker' | 'firmware'>;
 export const browserEngine: RunEngine = { createWorker, firmware: compileFirmware };
 
 /** The models that a run uses. */
-type Around = RunMessages &
-  VisitParts &
-  Pick<RunParts, 'hand' | 'dataLog' | 'sound'> & {
-    /** The course that the run was given. */
-    readonly runStart: ShallowRef<Scene | null>;
-  };
+type Around = RunMessages & VisitParts & Pick<RunParts, 'hand' | 'dataLog' | 'sound' | 'listeners'>;
 
-/** Makes the run and what reaches into it; whatever comes out of it goes to console, notices, sound and host. */
-export function createRun(around: Around, engine: RunEngine): RunParts {
-  const { hand, dataLog, sound } = around;
+/** Makes the run and what reaches into it; whatever comes out of it goes to listeners, notices, sound and host. */
+export function createRun(models: Omit<Around, 'listeners'>, engine: RunEngine): RunParts {
+  const around: Around = { ...models, listeners: [] };
+  const { hand, dataLog, sound, listeners } = around;
+  const runStart = shallowRef<Scene | null>(null);
   const run: RunModel = new RunModel({
     ...engine,
     setup: (kept) => {
       const setup = kept ?? runSetup(around, (place) => sensors.startInputs(place));
-      around.runStart.value = setup.scene;
+      runStart.value = setup.scene;
       return setup;
     },
     refuses: (action) => around.work.locks.refusesInput(action),
@@ -58,15 +51,7 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
   });
   const sensors = new SensorsModel(run);
   const radio = new RadioModel(run);
-  // At once: a reset leaves this phase in the same breath.
-  watch(
-    run.phase,
-    (phase) => {
-      if (phase === 'stopped') around.console.addNote('console.stopped');
-    },
-    { flush: 'sync' },
-  );
-  return { run, sensors, radio, dataLog, sound, hand };
+  return { run, runStart, listeners, sensors, radio, dataLog, sound, hand };
 }
 
 /** The name of a further device, for a host. */
@@ -77,23 +62,19 @@ function further({ work }: Around, device: number): { readonly device?: string }
 
 /** Actions at the start of a run. */
 function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStart' | 'onRestarted'> {
-  const { host, jump, console, dataLog, notices, hand } = around;
-  let runs = 0;
+  const { host, dataLog, notices, hand, listeners } = around;
   return {
     onStart: () => {
-      runs += 1;
       hand.reset();
       host.tell({ type: 'started' });
-      jump.wrong.value = null;
       showStart(around);
-      console.startRun(runs, around.work.devices.value.length);
-      if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
+      for (const it of listeners) it.onStart?.();
       dataLog.clear();
       clearRadio();
     },
     onRestarted: (device) => {
       host.tell({ type: 'program-restarted', ...further(around, device) });
-      jump.wrong.value = null;
+      for (const it of listeners) it.onRestarted?.(device);
       notices.close();
     },
   };
@@ -101,7 +82,7 @@ function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStar
 
 /** The inputs to a run, its output and its result. */
 function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' | 'onOutput' | 'onEnded'> {
-  const { host, console } = around;
+  const { host, listeners } = around;
   return {
     onInput: (action, device) => {
       const { type } = action;
@@ -109,13 +90,12 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
         host.tell({ type: 'sensed', action, ...further(around, device) });
     },
     onOutput: (output) => {
-      const { text, device, timeUs } = output;
       run().recording.value.addOutput(output);
-      console.write(text, device, timeUs);
-      host.tell({ type: 'output', text, ...further(around, device) });
+      for (const it of listeners) it.onOutput?.(output);
+      host.tell({ type: 'output', text: output.text, ...further(around, output.device) });
     },
     onEnded: (ended, device) => {
-      showEnd(around, ended, run(), device);
+      for (const it of listeners) it.onEnded?.(ended, device);
       const verdict = run().snapshot.value?.verdict ?? null;
       host.tell({ type: 'program-ended', ended, verdict, ...further(around, device) });
     },

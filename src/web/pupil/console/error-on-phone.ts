@@ -1,11 +1,11 @@
 import type { Ended } from '#simulation/simulation';
 
-import { fetchAdvice } from '../pupil/console/advice/explain';
-import { errorText } from '../pupil/console/error-text';
-import type { LayoutParts } from '../session/layout/parts';
-import type { PageParts } from '../kit/parts';
-import type { RunModel } from '../session/run/run-model';
-import type { WorkParts } from '../session/work/model/parts';
+import { fetchAdvice } from './advice/explain';
+import { errorText } from './error-text';
+import type { LayoutParts } from '../../session/layout/parts';
+import type { PageParts } from '../../kit/parts';
+import type { RunModel } from '../../session/run/run-model';
+import type { WorkParts } from '../../session/work/model/parts';
 
 /** The models that show the error and its line. */
 type PhoneParts = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;

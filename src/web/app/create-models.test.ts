@@ -12,9 +12,8 @@ import { firstCourse } from '../session/work/catalogue/first-course';
 import { nothingKept, openedFrom } from '../session/work/model/keep-work';
 import { workToText } from '../session/work/storage/history';
 import type { TabStorage } from '../session/work/storage/tab-storage';
-import { createParts } from './provide-parts';
 import { setWindow } from './testing/mount-on';
-import { createPage, type TestPage } from './testing/page';
+import { createPage, createParts, type TestPage } from './testing/page';
 import { inputsOf, show, startRun } from './testing/run';
 
 const course = (id: string) => courses.find((one) => one.id === id)!;

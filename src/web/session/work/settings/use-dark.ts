@@ -1,6 +1,10 @@
 import { computed, onScopeDispose, shallowRef, watchEffect, type ComputedRef } from 'vue';
 
-import type { SettingsModel } from '../session/work/settings/settings-model';
+import { lateModel } from '../../../kit/state/late-models';
+import type { SettingsModel } from './settings-model';
+
+/** True if this page is dark; from the first question on the document is marked. */
+export const isDark = lateModel(({ settings }: { readonly settings: SettingsModel }) => useDark(settings));
 
 /** True if the page is dark: as chosen, or as the device wishes. Marks the document for the style sheets. */
 export function useDark({ current }: SettingsModel): ComputedRef<boolean> {

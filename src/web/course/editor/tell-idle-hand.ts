@@ -1,9 +1,9 @@
 import { watch } from 'vue';
 
-import type { CourseEditorParts } from '../course/editor/state/parts';
-import type { PageParts } from '../kit/parts';
-import type { RunParts } from '../session/run/parts';
-import type { WorkParts } from '../session/work/model/parts';
+import type { CourseEditorParts } from './state/parts';
+import type { PageParts } from '../../kit/parts';
+import type { RunParts } from '../../session/run/parts';
+import type { WorkParts } from '../../session/work/model/parts';
 
 type Around = Pick<PageParts, 'notices'> &
   Pick<RunParts, 'run' | 'hand'> &

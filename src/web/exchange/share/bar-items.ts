@@ -1,0 +1,4 @@
+import type { BarItem } from '../../session/layout/bar-item';
+import ShareButtons from './ShareButtons.vue';
+
+export const barItems: readonly BarItem[] = [{ place: 'files', kinds: ['wide'], view: ShareButtons }];

@@ -1,0 +1,8 @@
+import type { BarItem } from '../../session/layout/bar-item';
+import RunControls from './RunControls.vue';
+import SpeedMenu from './SpeedMenu.vue';
+
+export const barItems: readonly BarItem[] = [
+  { place: 'run', view: RunControls },
+  { place: 'speed', view: SpeedMenu },
+];

@@ -1,0 +1,4 @@
+import type { FeaturePane } from '../../session/layout/feature-pane';
+import BoardPane from './BoardPane.vue';
+
+export const panes: readonly FeaturePane[] = [{ place: 'board', view: BoardPane }];

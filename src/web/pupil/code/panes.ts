@@ -1,0 +1,4 @@
+import type { FeaturePane } from '../../session/layout/feature-pane';
+import CodePane from './CodePane.vue';
+
+export const panes: readonly FeaturePane[] = [{ place: 'code', view: CodePane, staysMade: true }];

@@ -1,0 +1,103 @@
+import { watch } from 'vue';
+
+import { filesOfDevice } from '#project/devices';
+import type { Ended } from '#simulation/simulation';
+
+import type { PageParts } from '../../kit/parts';
+import type { LayoutParts } from '../../session/layout/parts';
+import type { RunParts } from '../../session/run/parts';
+import type { RunModel } from '../../session/run/run-model';
+import { tableNow } from '../../session/work/hardware/use-hardware';
+import type { WorkParts } from '../../session/work/model/parts';
+import { fetchAdvice } from './advice/explain';
+import { placeIn, sourceAt } from './error-text';
+import type { ConsoleParts } from './parts';
+
+/** Time from the start of the first run until the page fetches what explains errors, in ms. */
+const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
+
+/** The models that show what comes out of a run in words. */
+type Around = WorkParts &
+  ConsoleParts &
+  Pick<PageParts, 'notices'> &
+  Pick<LayoutParts, 'layout'> &
+  Pick<RunParts, 'run' | 'listeners'>;
+
+/** Writes what runs print into the console, and how they end. */
+export function followRuns(around: Around): void {
+  const { run, work, console, jump, listeners } = around;
+  let runs = 0;
+  listeners.push({
+    onStart: () => {
+      runs += 1;
+      jump.wrong.value = null;
+      console.startRun(runs, work.devices.value.length);
+      if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
+    },
+    onRestarted: () => (jump.wrong.value = null),
+    onOutput: ({ text, device, timeUs }) => console.write(text, device, timeUs),
+    onEnded: (ended, device) => showEnd(around, ended, device),
+  });
+  // At once: a reset leaves this phase in the same breath.
+  watch(
+    run.phase,
+    (phase) => {
+      if (phase === 'stopped') console.addNote('console.stopped');
+    },
+    { flush: 'sync' },
+  );
+}
+
+/** Clears the output of another course's runs, unless the next run has already begun. */
+export function emptyConsole({ work, run, console }: Pick<Around, 'work' | 'run' | 'console'>): void {
+  async function empty(): Promise<void> {
+    await run.reset();
+    if (!run.isActive.value) console.clear();
+  }
+  watch(work.openings, () => void empty(), { flush: 'sync' });
+}
+
+/** Shows how the program ended: an exception on a card with its line, anything else as a note in the console. */
+function showEnd(parts: Around, ended: Ended, device: number): void {
+  const { run, work, console, jump } = parts;
+  const { exception, kind } = ended;
+  const drives = isDriving(run, device);
+  if (kind === 'stopped') {
+    console.quieten(device); // the pupil wanted it: nothing is wrong
+    console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted', device);
+    return;
+  }
+  if (kind === 'panic') {
+    console.addNote('console.panic', device);
+    return;
+  }
+  if (exception === null) {
+    console.addNote(drives ? 'console.finishedDriving' : 'console.finished', device);
+    return;
+  }
+  const files = filesOfDevice(work.work.value.project, device);
+  const place = placeIn(exception.traceback, files);
+  jump.wrong.value = place === null ? null : { ...place, device };
+  console.addError(
+    place,
+    { failure: exception, source: sourceAt(place, files), table: tableNow(parts, device) },
+    device,
+  );
+  if (drives) console.addNote('console.motorsOn', device);
+  if (device === run.device) console.isTogether.value = false; // the explanation is there
+  if (device === run.device && isHidden(parts))
+    void import('./error-on-phone').then(
+      ({ showErrorOnPhone }) => showErrorOnPhone(parts, ended, run),
+      () => undefined, // without a connection it stands in the console alone
+    );
+}
+
+/** True if an error would stay hidden behind a tab of a phone. Where a host has no console here, it shows its own. */
+const isHidden = ({ layout }: Around): boolean =>
+  layout.kind.value === 'phone' && !layout.isShown.value.console && layout.tabs.value.includes('console');
+
+/** True if the motors turn: they go on when the program is over, as on the real robot. */
+function isDriving(run: RunModel, device: number): boolean {
+  const duty = run.deviceNow(device)?.robot?.state.duty;
+  return duty !== undefined && (duty.left !== 0 || duty.right !== 0);
+}

@@ -1,0 +1,7 @@
+import type { FeaturePane } from '../../session/layout/feature-pane';
+import ConsolePane from './ConsolePane.vue';
+import { useConsole } from './parts';
+
+export const panes: readonly FeaturePane[] = [
+  { place: 'console', view: ConsolePane, staysMade: true, news: () => useConsole().console.isNew },
+];

@@ -1,0 +1,18 @@
+import type { Ref } from 'vue';
+
+import type { Drawn } from '../../kit/features/drawn';
+import type { Pane } from './layout-model';
+
+/**
+ * A pane, or the row above the panes. A feature lists them in its `panes.ts`, which comes with the app: the page's first
+ * picture consists of them.
+ */
+export type FeaturePane = Drawn & {
+  readonly place: Pane | 'row';
+  /** It is drawn inside the pane of this place, in that pane's slot of this name. */
+  readonly slot?: string;
+  /** True if it keeps its state while it is hidden. */
+  readonly staysMade?: true;
+  /** Called in the set-up of a phone's tabs. @returns whether it shows something that has not been seen; its tab sets it to `false` */
+  readonly news?: () => Ref<boolean>;
+};
