@@ -2,8 +2,8 @@ import type { CourseEditorParts } from '../../course/editor/state/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import type { TaskParts } from '../../session/task/parts';
 import type { Workplace } from '../../session/work/model/parts';
-import { chooseStage } from './choose-stage';
-import type { Stage } from './stage';
+import { chooseStage } from '../../session/layout/stages/choose-stage';
+import type { Stage } from '../../session/layout/stages/stage';
 
 type Parts = Workplace & Pick<LayoutParts, 'layout'> & TaskParts & Pick<CourseEditorParts, 'editor'>;
 

@@ -14,7 +14,7 @@ import WelcomeCard from './WelcomeCard.vue';
 beforeEach(() => setWindow(1400, 800));
 
 describe('the greeting of a first visit', () => {
-  beforeAll(() => Promise.all([import('../tour/TourBubble.vue'), import('./change-stage'), import('../../session/work/catalogue/ready-courses')])); // prettier-ignore
+  beforeAll(() => Promise.all([import('../tour/TourBubble.vue'), import('../../session/layout/stages/change-stage'), import('../../session/work/catalogue/ready-courses')])); // prettier-ignore
   /** A page with the places where the greeting stands. */
   async function visit(prepare: (page: TestPage) => void = () => undefined): Promise<TestPage> {
     document.body.insertAdjacentHTML(

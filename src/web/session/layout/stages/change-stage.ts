@@ -1,12 +1,12 @@
 import { NO_ROBOT } from '#simulation/hardware';
 
-import { hardwareNow } from '../../session/work/hardware/use-hardware';
-import type { WorkParts, Workplace } from '../../session/work/model/parts';
-import type { LayoutParts } from '../../session/layout/parts';
-import { isOurs, useCourses } from '../../session/work/use-courses';
-import { useDevice } from '../../session/work/hardware/use-device';
-import { boardPrograms } from '../../session/work/catalogue/board-programs';
-import { firstCourse } from '../../session/work/catalogue/first-course';
+import { hardwareNow } from '../../work/hardware/use-hardware';
+import type { WorkParts, Workplace } from '../../work/model/parts';
+import type { LayoutParts } from '../parts';
+import { isOurs, useCourses } from '../../work/use-courses';
+import { useDevice } from '../../work/hardware/use-device';
+import { boardPrograms } from '../../work/catalogue/board-programs';
+import { firstCourse } from '../../work/catalogue/first-course';
 import { sightOf, type Stage } from './stage';
 
 /**

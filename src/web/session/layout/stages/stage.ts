@@ -1,4 +1,4 @@
-import type { Settings } from '../../session/work/settings/settings';
+import type { Settings } from '../../work/settings/settings';
 
 /**
  * The stages, by how much of the app is in sight: the microcomputer alone (program, board, console), with the robot in

@@ -1,16 +1,15 @@
 import { mdiChip, mdiPencilRuler, mdiRobotOutline } from '@mdi/js';
 
-import type { Contribution } from '../../kit/features/feature';
-import { t } from '../../kit/i18n';
-import { usePage } from '../../kit/parts';
-import { useLayout } from '../../session/layout/parts';
-import { useRun } from '../../session/run/parts';
-import { useVisit } from '../../session/visit/parts';
-import { useWork } from '../../session/work/model/parts';
-import words from '../words';
-import greetingWords from '../words/greeting';
+import type { Contribution } from '../../../kit/features/feature';
+import { t } from '../../../kit/i18n';
+import { usePage } from '../../../kit/parts';
+import { useLayout } from '../parts';
+import { useRun } from '../../run/parts';
+import { useVisit } from '../../visit/parts';
+import { useWork } from '../../work/model/parts';
 import { chooseStage } from './choose-stage';
 import { STAGES, stageOf, type Stage } from './stage';
+import words from './words';
 
 const icons: Readonly<Record<Stage, string>> = { board: mdiChip, robot: mdiRobotOutline, all: mdiPencilRuler };
 
@@ -23,7 +22,7 @@ export const contribution: Contribution = {
       {
         group: 'stages',
         order: 0,
-        heading: () => t(words.stages.stages),
+        heading: () => t(words.heading),
         entries() {
           if (host.parts.value !== null) return []; // the host says what is shown
           const now = stageOf(app.settings.current.value, app.layout.kind.value !== 'phone');
@@ -31,7 +30,7 @@ export const contribution: Contribution = {
             id: stage,
             testId: `stage-${stage}`,
             icon: icons[stage],
-            title: t(greetingWords.stages[stage].name),
+            title: t(words[stage].name),
             choice: 'radio',
             isChosen: stage === now,
             act: () => void chooseStage(app, stage),

@@ -1,7 +1,7 @@
-import type { Workplace } from '../../session/work/model/parts';
-import type { LayoutParts } from '../../session/layout/parts';
+import type { Workplace } from '../../work/model/parts';
+import type { LayoutParts } from '../parts';
 import type { Stage } from './stage';
-import { latePart } from '../../kit/late-part';
+import { latePart } from '../../../kit/late-part';
 
 /** Brings a stage into sight, see `changeStage`, which is loaded with the first choice. */
 export async function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): Promise<void> {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { defaultSettings } from '../../session/work/settings/settings';
+import { defaultSettings } from '../../work/settings/settings';
 import { sightOf, STAGES, stageOf } from './stage';
 
 const first = defaultSettings('de');
