@@ -87,6 +87,19 @@ describe('the whole page', () => {
     expect(document.querySelector('.drop')).toBeNull();
   });
 
+  it('has the curves inside the console, which keeps its output meanwhile', async () => {
+    await opened(1400);
+    document.querySelector<HTMLElement>('[data-testid="tab-chart"]')?.click();
+    await vi.waitFor(
+      () => expect(document.querySelector('.pane-console [data-testid="chart"]')).not.toBeNull(),
+      20_000,
+    );
+    expect(landmarks()).toContain('Konsole');
+    document.querySelector<HTMLElement>('[data-testid="tab-console"]')?.click();
+    await nextTick();
+    expect(document.querySelector('[data-testid="chart"]')).toBeNull();
+  });
+
   it('saves with Ctrl+S from anywhere, instead of the browser', async () => {
     const saved = downloads();
     await opened(1400);

@@ -3,29 +3,47 @@ import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 import { defineComponent, h } from 'vue';
 
-import { part } from './part';
+import { lateParts, part } from './part';
+import { LateModels } from './state/late-models';
 
-const [provideLamp, useLamp] = part<{ readonly watts: number }>('lamp');
-const Shade = defineComponent({
-  setup() {
-    const { watts } = useLamp();
-    return () => h('p', `${watts} W`);
-  },
+interface Base {
+  readonly late: LateModels;
+  readonly name: string;
+}
+const [provideBase, useBase] = part<Base>('base');
+const made: string[] = [];
+const [upperOf, useUpper] = lateParts(useBase, ({ name }: Base) => {
+  made.push(name);
+  return { title: `above ${name}` };
 });
 
-describe('a slot for the models of a room', () => {
-  it('hands what was put in to the components below', () => {
-    const Room = defineComponent({
-      setup() {
-        provideLamp({ watts: 9 });
-        return () => h(Shade);
-      },
-    });
-    expect(mount(Room).text()).toBe('9 W');
+/** A page whose component notes the upper models that it gets. */
+function page(name: string) {
+  const base: Base = { late: new LateModels(), name };
+  const got: object[] = [];
+  const Child = defineComponent(() => {
+    got.push(useUpper());
+    return () => null;
   });
+  const Page = defineComponent(() => {
+    provideBase(base);
+    return () => [h(Child), h(Child)];
+  });
+  return { base, got, open: () => mount(Page) };
+}
 
-  it('says which room is missing when nobody has filled it', () => {
-    const quiet = { global: { config: { warnHandler: () => undefined } } };
-    expect(() => mount(Shade, quiet)).toThrow('Nothing is provided for the room lamp.');
+describe('models that a room makes itself', () => {
+  it('are made once per page, when somebody asks, and are the same for components and functions', () => {
+    const first = page('first');
+    expect(made).toEqual([]);
+    const upper = upperOf(first.base);
+    expect(upper).toEqual({ title: 'above first' });
+    first.open();
+    expect(first.got).toHaveLength(2);
+    for (const it of first.got) expect(it).toBe(upper);
+    const second = page('second');
+    second.open();
+    expect(second.got[0]).toEqual({ title: 'above second' });
+    expect(made).toEqual(['first', 'second']);
   });
 });
