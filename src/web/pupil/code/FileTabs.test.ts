@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { mountOn, named } from '../../app/testing/mount-on';
@@ -62,6 +62,7 @@ describe('the tabs of the files', () => {
   it('ask for the name of a new file, which is then open and empty', async () => {
     const { page } = tabs('main.py');
     named('Neue Datei').click();
+    await vi.dynamicImportSettled();
     const question = page.dialogs.current.value;
     if (question?.kind !== 'name') throw new Error('A file name should be asked for.');
     expect(question).toMatchObject({ title: 'code.newTitle' });
