@@ -150,6 +150,7 @@ export default tseslint.config(
     rules: {
       'max-lines': ['error', 300],
       'no-undef': 'off',
+      'vue/v-bind-style': ['error', 'shorthand', { sameNameShorthand: 'always' }],
       'vue/block-lang': ['error', { script: { lang: 'ts' } }],
       'vue/block-order': ['error', { order: ['script', 'template', 'style'] }],
       'vue/component-api-style': ['error', ['script-setup']],
