@@ -26,7 +26,6 @@ export interface NameField {
   readonly placeholder?: string;
   /** True for text that is read letter by letter, as in a program. */
   readonly mono?: boolean;
-  readonly cancel: string;
   readonly submit: string;
 }
 

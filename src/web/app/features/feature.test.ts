@@ -9,7 +9,7 @@ import {
   menuGroups,
   type Contribution,
   type HelpEntry,
-  type MenuEntry,
+  type FeatureEntry,
   type MenuHost,
 } from '../../kit/features/feature';
 import type { FeaturePage } from '../../kit/features/feature-page';
@@ -81,7 +81,7 @@ describe('a made-up feature', () => {
 
   it('has an entry in the main menu, at its place, which opens its page', () => {
     const own = collected(files).flatMap((feature) => feature.contribution.menu());
-    const before = { group: 'pages', order: 20, entries: (): readonly MenuEntry[] => [] } as const;
+    const before = { group: 'pages', order: 20, entries: (): readonly FeatureEntry[] => [] } as const;
     const [group] = menuGroups([...own, before]);
     expect([group?.name, group?.parts.map(({ order }) => order)]).toEqual(['pages', [20, 25]]);
     const menu: MenuHost = { leaveFor: (act) => act(), openDialog: () => undefined, showInside: () => undefined };

@@ -7,7 +7,7 @@ import {
   mdiShareVariant,
 } from '@mdi/js';
 
-import type { Contribution, MenuEntry } from '../../kit/features/feature';
+import type { Contribution, FeatureEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import type { TextKey } from '../../kit/i18n/texts';
 import { useCommands } from './use-commands';
@@ -16,7 +16,7 @@ import { useCommands } from './use-commands';
 export const contribution: Contribution = {
   menu() {
     const commands = useCommands();
-    const entry = (id: string, icon: string, key: TextKey, act: MenuEntry['act']): MenuEntry => ({
+    const entry = (id: string, icon: string, key: TextKey, act: FeatureEntry['act']): FeatureEntry => ({
       id,
       testId: `menu-${id}`,
       icon,

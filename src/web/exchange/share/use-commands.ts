@@ -1,4 +1,5 @@
 import { useCourseEditor } from '../../course/editor/state/parts';
+import { pickFiles } from '../../kit/files/pick-files';
 import { latePart } from '../../kit/late-part';
 import { usePage } from '../../kit/parts';
 import { useLayout } from '../../session/layout/parts';
@@ -20,12 +21,8 @@ export function commandsOf(app: TakesFiles) {
   }
 
   function load(): void {
-    const picker = document.createElement('input');
-    picker.type = 'file';
-    picker.accept = '.py,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
-    picker.multiple = true;
-    picker.addEventListener('change', () => take(picker.files ?? []));
-    picker.click();
+    const accept = '.py,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
+    pickFiles({ accept, multiple: true }, take);
   }
 
   /** Does something with a part of the page once that is loaded; a message says if it cannot be. */

@@ -31,13 +31,13 @@ const sources = import.meta.glob<string>(
   { query: '?raw', import: 'default', eager: true },
 );
 
-/** The controls in a component's template, each by all names that it has. */
+/** The controls in a component's template, and the entries of menus and tabs in its script, each by all its names. */
 function controlsIn(source: string): readonly (readonly string[])[] {
   const template = source.slice(source.indexOf('<template>'));
   const tags = template.matchAll(
-    /<(?:CtlButton|PageButton|button|PageListItem)\b((?:\s+[^\s=>/]+(?:="[^"]*")?)*)\s*(\/?)>/g,
+    /<(?:CtlButton|PageButton|MenuButton|button|PageListItem)\b((?:\s+[^\s=>/]+(?:="[^"]*")?)*)\s*(\/?)>/g,
   );
-  return Array.from(tags, ({ 1: attributes = '', 2: isEmpty, 0: tag, index }) => {
+  const inTemplate = Array.from(tags, ({ 1: attributes = '', 2: isEmpty, 0: tag, index }) => {
     const ids = Array.from(attributes.matchAll(/ data-testid="([^"]+)"/g), ({ 1: id = '' }) => id);
     const patterns = Array.from(attributes.matchAll(/:data-testid="`([^`]+)`"/g), ({ 1: id = '' }) =>
       id.replace(/\$\{[^}]*\}/g, '*'),
@@ -48,6 +48,18 @@ function controlsIn(source: string): readonly (readonly string[])[] {
     const keys = Array.from(said.matchAll(/'([a-zA-Z]+\.[a-zA-Z]+)'/g), ({ 1: key = '' }) => key);
     const texts = Array.from(said.matchAll(/\bt\((\w+\.\w+)\)/g), ({ 1: text = '' }) => text);
     return [...ids, ...patterns, ...keys, ...texts];
+  });
+  return [...inTemplate, ...entriesIn(source)];
+}
+
+/** The entries of menus and the tabs in a component's script, each by all names that it has. */
+function entriesIn(source: string): readonly (readonly string[])[] {
+  const entries = source.matchAll(
+    /\bid(?:: '[\w-]+')?, (?:testId: (?:'([^']+)'|`([^`]+)`)|icon: \w+, title: t\('?(\w+\.\w+)'?\))/g,
+  );
+  return Array.from(entries, ([, id, pattern, text]) => {
+    const name = id ?? pattern?.replace(/\$\{[^}]*\}/g, '*') ?? text;
+    return name === undefined ? [] : [name];
   });
 }
 

@@ -1,5 +1,7 @@
 import type { Component } from 'vue';
 
+import type { MenuEntry } from '../controls/menu-entry';
+
 /** Loads a component. */
 export type LoadedView = () => Promise<{ readonly default: Component }>;
 
@@ -16,22 +18,8 @@ export interface MenuHost {
   showInside(load: LoadedView, stays?: boolean): void;
 }
 
-/** An entry of a menu. What may change is asked for when the menu is drawn. */
-export interface MenuEntry {
-  readonly id: string;
-  readonly testId?: string | undefined;
-  readonly icon: string;
-  readonly title: string;
-  /** An entry that is chosen or ticked: `radio` is one of several. */
-  readonly choice?: 'radio' | 'checkbox';
-  readonly isChosen?: boolean;
-  readonly isDisabled?: boolean;
-  /** The language of the title, if it is another than the page's. */
-  readonly lang?: string;
-  /** The menu stays open. */
-  readonly stays?: boolean;
-  readonly act: (menu: MenuHost) => void;
-}
+/** An entry of the main menu. What may change is asked for when the menu is drawn. */
+export type FeatureEntry = MenuEntry<MenuHost>;
 
 /** Entries of a feature in one group of the main menu. */
 export interface MenuPart {
@@ -40,7 +28,7 @@ export interface MenuPart {
   readonly order: number;
   /** A heading above the entries. */
   readonly heading?: () => string;
-  readonly entries: () => readonly MenuEntry[];
+  readonly entries: () => readonly FeatureEntry[];
 }
 
 /**

@@ -28,7 +28,6 @@ export const fileNameQuestion = (
       return found === null ? null : t(`code.${found}`, { max: NAME_CHARACTERS });
     },
     placeholder: 'drive.py',
-    cancel: t('code.cancel'),
     submit: t(own === '' ? 'code.create' : 'code.rename'),
   }),
   done,

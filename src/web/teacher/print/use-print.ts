@@ -96,7 +96,7 @@ function useSaving(name: () => string) {
     try {
       const file = fileName(name(), ending);
       saveBlob(file, await make());
-      said.value = { text: t(words.saved, { file }), isError: false };
+      said.value = { text: t('files.saved', { file }), isError: false };
     } catch {
       const isGivenUp = signal?.aborted === true;
       said.value = { text: t(isGivenUp ? runWords.givenUp : words.failed), isError: !isGivenUp };

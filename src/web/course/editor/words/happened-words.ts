@@ -22,7 +22,7 @@ export function wordsFor(happened: Happened): string {
     case 'redo':
       return t(texts.redone, { what: editWords(happened) });
     case 'problem':
-      return t(editingWords.panels.tooMuch);
+      return t('notice.courseFull');
     case 'selected':
       return selectionWords(happened.scene, happened.selection);
     case 'copied':
