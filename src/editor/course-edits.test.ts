@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import type { Background, Scene } from '#scene/scene';
-import { backgroundPlaced, cleared, described, named, withBackground, withSize } from './course-edits';
+import type { Scene } from '#scene/scene';
+import { cleared, described, named, withSize } from './course-edits';
 import { block, course, footprint } from './testing/desk';
 
 function done(scene: Scene, edit: SceneEdit | null): Scene {
@@ -10,8 +10,6 @@ function done(scene: Scene, edit: SceneEdit | null): Scene {
   expect(editProblem(scene, edit)).toBeNull();
   return applyEdit(scene, edit);
 }
-
-const background: Background = { at: [0, 0], size: [400, 300], cells: [4, 3], levels: 'AAAA', picture: '' };
 
 describe('the course as a whole', () => {
   it('gets a name of at most 200 characters and a description', () => {
@@ -27,18 +25,6 @@ describe('the course as a whole', () => {
     expect(small.robot.at).toEqual([440, 370]);
     expect(done(course(), withSize(course(), [5, 99_999], footprint)).size).toEqual([200, 10_000]);
     expect(withSize(course(), [1200, 900])).toBeNull();
-  });
-
-  it('gets a picture that can be placed and sized, and never lost outside', () => {
-    const scene = done(course(), withBackground(course(), background));
-    expect(done(scene, backgroundPlaced(scene, [100, 50], [800, 600])).background).toEqual({
-      ...background,
-      at: [100, 50],
-      size: [800, 600],
-    });
-    expect(done(scene, backgroundPlaced(scene, [9000, -9000], [400, 300])).background?.at).toEqual([1199, -299]);
-    expect(backgroundPlaced(scene, [0, 0], [400, 300])).toBeNull();
-    expect(done(scene, withBackground(scene, null)).background).toBeNull();
   });
 
   it('is cleared of objects', () => {

@@ -1,6 +1,6 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
-import { sceneLimits, type Background, type Point, type Scene } from '#scene/scene';
+import { sceneLimits, type Point, type Scene } from '#scene/scene';
 import { combined, startingAt } from './edits';
 import { within } from './plane';
 import { placeInside } from './robot-place';
@@ -29,30 +29,6 @@ export function withSize(scene: Scene, size: Point, footprint: readonly Outline[
     { type: 'course', changes: { size: next } },
     startingAt(scene, { at: placeInside(scene.robot, next, footprint) }),
   ]);
-}
-
-/** Lays a picture on the floor, or takes it away (`null`). */
-export const withBackground = (scene: Scene, background: Background | null): SceneEdit | null =>
-  background === scene.background ? null : { type: 'course', changes: { background } };
-
-/**
- * Moves the picture on the floor or gives it another size, in whole mm; what the sensors read of it goes along. A part
- * of it stays in the arena.
- */
-export function backgroundPlaced(scene: Scene, at: Point, size: Point): SceneEdit | null {
-  const { background } = scene;
-  if (!background) return null;
-  const side = (mm: number): number => Math.round(within(mm, sceneLimits.backgroundMm));
-  const next: Point = [side(size[0]), side(size[1])];
-  const coordinate = (mm: number, extent: number, length: number): number =>
-    Math.round(within(mm, { min: 1 - extent, max: length - 1 })) + 0;
-  const place: Point = [coordinate(at[0], next[0], scene.size[0]), coordinate(at[1], next[1], scene.size[1])];
-  const isSame =
-    place[0] === background.at[0] &&
-    place[1] === background.at[1] &&
-    next[0] === background.size[0] &&
-    next[1] === background.size[1];
-  return isSame ? null : { type: 'course', changes: { background: { ...background, at: place, size: next } } };
 }
 
 /** Removes all objects; `null` if there are none. */

@@ -23,9 +23,6 @@ export interface EffectPart {
   readonly fxSteps: number;
 }
 
-/** Characters of one part. */
-export const PART_LENGTH = 72;
-
 /** Position of each field in a part: first digit, number of digits, first digit of its random range. */
 const FIELDS = {
   waveform: [0, 1, null],

@@ -11,7 +11,7 @@ import { LANGUAGES } from '../../../kit/i18n/texts';
 import { courseKinds, coursesOf, projectOf, withSolution } from '#catalogue/course';
 import { readyCourse } from './ready-courses';
 import { courses } from '#catalogue/courses';
-import { courseText } from './course-words';
+import { courseTask } from './course-words';
 import { examples, isUntouched } from './examples';
 import { courseName, firstCourse, isAsFound } from './first-course';
 import { findProblems } from '#scene/rules';
@@ -163,7 +163,7 @@ describe('the ready courses', () => {
     Object.assign(globalThis, { document: { documentElement: {} } });
     await setLanguage('en');
     const maze = courses.find(({ id }) => id === 'small-maze')!;
-    expect([courseName(maze.scene, maze.id), courseText(maze)]).toEqual([maze.texts.en.name, maze.texts.en.text]);
+    expect([courseName(maze.scene, maze.id), courseTask(maze)]).toEqual([maze.texts.en.name, maze.texts.en.task]);
     await setLanguage('de');
     expect(courseName(maze.scene, maze.id)).toBe('Kleines Labyrinth');
     expect(courseName({ ...maze.scene, name: 'Von Anna' }, null)).toBe('Von Anna');
