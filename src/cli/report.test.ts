@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { rounded } from '#simulation/report';
+import { defaultScene } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { exitCodeOf, jsonLine, verdictLines, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceColumns, traceHeader, traceLine } from './trace-csv';
@@ -72,19 +74,8 @@ describe('the report', () => {
 
 describe('the line about the task', () => {
   const open: Verdict = {
-    state: 'open',
-    atMs: null,
-    reason: null,
-    by: null,
-    place: null,
-    help: [],
-    early: null,
-    stars: null,
-    checkpoints: { passed: 1, of: 3 },
-    targets: { reached: 0, of: 1 },
-    blocks: { delivered: 0, of: 0 },
-    touches: 0,
-    robots: [],
+    ...verdictAtStart(defaultScene()),
+    ...{ checkpoints: { passed: 1, of: 3 }, targets: { reached: 0, of: 1 } },
   };
   const failed = { ...open, state: 'failed', atMs: 4200 } as const;
 

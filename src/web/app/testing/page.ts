@@ -1,6 +1,6 @@
 import { effectScope, type EffectScope } from 'vue';
 
-import type { WorkerPort } from '../../session/run/run-client';
+import { fakeWorker } from '../../session/run/testing/fake-worker';
 import type { FromWorker, ToWorker } from '../../session/run/worker/protocol';
 import { noHost, type HostWish } from '../../session/visit/host-view';
 import { nothingKept, type Opened } from '../../session/work/model/keep-work';
@@ -39,23 +39,7 @@ export interface TestPage extends AllParts {
 
 /** Makes the models of a page that keeps nothing. It needs a document: happy-dom in Node. */
 export function createPage(wish: Partial<HostWish> = {}): TestPage {
-  const sent: ToWorker[] = [];
-  let current: WorkerPort | null = null;
-  const say = (data: FromWorker): void => current?.onmessage?.({ data } as MessageEvent<FromWorker>);
-  const createWorker = (): WorkerPort => {
-    const worker: WorkerPort = {
-      onmessage: null,
-      onerror: null,
-      postMessage(message: ToWorker) {
-        sent.push(message);
-        if (message.type === 'run') current = worker;
-        if (message.type === 'stop') queueMicrotask(() => say({ type: 'stopped' }));
-      },
-      terminate: () => undefined,
-    };
-    return worker;
-  };
-  const engine = { createWorker, firmware: () => Promise.resolve({} as WebAssembly.Module) };
+  const { sent, say, engine } = fakeWorker();
   const scope = effectScope(true);
   const parts = scope.run(() => createParts(nothingKept, { ...noHost, ...wish }, engine));
   if (parts === undefined) throw new Error('The scope of the page has ended.');

@@ -43,7 +43,7 @@ describe('what a host does to a run', () => {
     expect([taker.take(down), taker.take(up)]).toEqual([null, null]);
     taker.take({ type: 'sensor', id: 'buttonB', value: 1 });
     taker.take({ type: 'sensor', id: 'buttonB', value: 0 });
-    expect(inputs).toEqual([
+    expect(inputs()).toEqual([
       down,
       up,
       { type: 'sensor', id: 'buttonB', value: 1 },
@@ -66,9 +66,9 @@ describe('what a host does to a run', () => {
     const { inputs, taker } = await hostAtRun();
     expect(taker.take({ type: 'touch', pad: 'pin3', down: true })).toMatch(/no sensor "pin3"/);
     expect(taker.take({ type: 'sensor', id: 'accelerometerX', value: 8001 })).toMatch(/-8000 … 8000 mg/);
-    expect(inputs).toEqual([]);
+    expect(inputs()).toEqual([]);
     expect(taker.take({ type: 'sensor', id: 'accelerometerX', value: 7000 })).toBeNull();
-    expect(inputs).toHaveLength(1);
+    expect(inputs()).toHaveLength(1);
   });
 
   it('reaches the microcomputer that it names; a packet without a name reaches all', async () => {

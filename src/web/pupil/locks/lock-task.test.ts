@@ -17,20 +17,10 @@ import { useSelectionActs } from '../../course/editor/state/use-selection-acts';
 import type { BoardProgram } from '../../session/work/catalogue/board-programs';
 import { useCourses } from '../../session/work/use-courses';
 import { knownCourses } from '../../session/work/catalogue/known-courses';
+import { BLOCK, givenTask } from './testing/given';
 
 const PROGRAM = 'import robot\n\ndef turn():\n    robot.left(90)\n\n# mine\n';
-const BLOCK: SceneEdit = {
-  type: 'add',
-  objects: [{ type: 'block', id: 'b', at: [100, 100], size: [50, 50], angle: 0 }],
-};
-
-/** The task as the class gets it: it asks for a loop, and locks this. */
-const given = (locks: object): Project =>
-  withoutSecrets({
-    files: [{ name: 'main.py', text: PROGRAM }],
-    ...{ scene: defaultScene(), course: null },
-    task: { version: 1, checks: [{ type: 'loop', id: 'loop' }], locks },
-  });
+const given = (locks: object): Project => givenTask(PROGRAM, locks);
 
 /** A pupil's page on which it is open. */
 async function pupil(

@@ -1,8 +1,5 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
-import { withoutSecrets } from '#check/task/write-task';
-import { defaultScene } from '#scene/scene';
-import type { SceneEdit } from '#scene/edit';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
@@ -11,19 +8,11 @@ import { mountOn } from '../../app/testing/mount-on';
 import type { Notice } from '../../kit/notices';
 import MispluggedBar from '../../session/work/hardware/MispluggedBar.vue';
 import { useOpenings } from '../../session/work/use-openings';
+import { BLOCK, givenTask } from './testing/given';
 
 const PROGRAM = 'import robot\n\ndef turn():\n    robot.left(90)\n';
-const BLOCK: SceneEdit = {
-  type: 'add',
-  objects: [{ type: 'block', id: 'b', at: [100, 100], size: [50, 50], angle: 0 }],
-};
 const given = (locks: object): Project =>
-  withoutSecrets({
-    files: [{ name: 'main.py', text: PROGRAM }],
-    ...{ scene: defaultScene(), course: null },
-    settings: { ...defaultProjectSettings, robot: 'maqueen-lite', reality: 0.5 },
-    task: { version: 1, checks: [{ type: 'loop', id: 'loop' }], locks },
-  });
+  givenTask(PROGRAM, locks, { ...defaultProjectSettings, robot: 'maqueen-lite', reality: 0.5 });
 
 /** A page on which a task was opened, and something is done before what keeps it has come. */
 async function hasty(locks: object, act: (page: TestPage) => unknown) {

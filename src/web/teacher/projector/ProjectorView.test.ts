@@ -6,7 +6,7 @@ import { sceneDefaults, type Scene } from '#scene/scene';
 import { briefOf } from '#simulation/task/task-brief';
 import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 
-import { verdictAtStart } from '../../pupil/arena/verdict/verdict-view';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { editingPage, keyOn, press, samples } from '../../app/testing/editing';
 import { byId, isThere, tap } from '../../app/testing/find';
 import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';

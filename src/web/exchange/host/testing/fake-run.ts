@@ -2,34 +2,17 @@ import type { InputAction } from '#simulation/input';
 import { defaultScene } from '#scene/scene';
 
 import { HostView, noHost } from '../../../session/visit/host-view';
-import type { WorkerPort } from '../../../session/run/run-client';
 import { RunModel } from '../../../session/run/run-model';
-import type { FromWorker, ToWorker } from '../../../session/run/worker/protocol';
+import { fakeWorker } from '../../../session/run/testing/fake-worker';
 import { soloRun } from '#simulation/run-setup';
 
 /** The page's end of a run whose worker runs no program: it answers at once, except to a start (the test does). */
 export function fakeRun() {
-  const inputs: InputAction[] = [];
-  let current: WorkerPort | null = null;
-  const say = (data: FromWorker): void => current?.onmessage?.({ data } as MessageEvent<FromWorker>);
-  const createWorker = (): WorkerPort => {
-    const worker: WorkerPort = {
-      onmessage: null,
-      onerror: null,
-      postMessage(message: ToWorker) {
-        if (message.type === 'run') current = worker;
-        if (message.type === 'input') inputs.push(message.action);
-        if (message.type === 'stop') queueMicrotask(() => say({ type: 'stopped' }));
-      },
-      terminate: () => undefined,
-    };
-    return worker;
-  };
+  const { sent, say, engine } = fakeWorker();
   const host = new HostView(noHost);
   const nothing = (): void => undefined;
   const run = new RunModel({
-    createWorker,
-    firmware: () => Promise.resolve({} as WebAssembly.Module),
+    ...engine,
     setup: () => soloRun({ scene: defaultScene(), files: {}, robot: 'none', board: 'auto', seed: 1, reality: 0 }),
     onInput: (action) => {
       const { type } = action;
@@ -40,7 +23,11 @@ export function fakeRun() {
     ...{ onOutput: nothing, onEnded: nothing, onRestarted: nothing, onEvents: nothing },
     ...{ onUnavailable: nothing, onRefused: nothing, onKilled: nothing },
   });
-  return { run, host, inputs, say };
+  return {
+    ...{ run, host, say },
+    /** The inputs that were sent to the worker so far. */
+    inputs: (): readonly InputAction[] => sent.flatMap((message) => (message.type === 'input' ? [message.action] : [])),
+  };
 }
 
 /** Until everything that was promised has come. */

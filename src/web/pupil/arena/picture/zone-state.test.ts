@@ -1,25 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import type { Zone } from '#scene/scene';
+import { defaultScene, type Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { zoneState } from './zone-state';
 
 const zone = (type: Zone['type'], number = 0, blocks = 0): Zone => {
   return { type, id: `${type}${String(number)}`, at: [0, 0], size: [100, 100], angle: 0, round: false, number, blocks };
 };
 const open: Verdict = {
-  state: 'open',
-  atMs: null,
-  reason: null,
-  by: null,
-  place: null,
-  help: [],
-  early: null,
-  stars: null,
-  checkpoints: { passed: 0, of: 3 },
-  targets: { reached: 0, of: 1 },
-  blocks: { delivered: 0, of: 2 },
-  touches: 0,
-  robots: [],
+  ...verdictAtStart(defaultScene()),
+  ...{ checkpoints: { passed: 0, of: 3 }, targets: { reached: 0, of: 1 }, blocks: { delivered: 0, of: 2 } },
 };
 
 describe('a zone of the course', () => {

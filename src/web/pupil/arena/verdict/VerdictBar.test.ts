@@ -12,7 +12,7 @@ import { show, startRun } from '../../../app/testing/run';
 import RunControls from '../RunControls.vue';
 import ViewControls from '../ViewControls.vue';
 import VerdictBar from './VerdictBar.vue';
-import { verdictAtStart } from './verdict-view';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
 
 /**
  * Mounts the bar below the arena; `tell` delivers the run's next picture, with the changes of its verdict since the

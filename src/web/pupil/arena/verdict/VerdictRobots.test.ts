@@ -7,7 +7,7 @@ import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 import { editingPage } from '../../../app/testing/editing';
 import { mountOn, textOf } from '../../../app/testing/mount-on';
 import { newBoard } from '../../several-devices/new-device';
-import { verdictAtStart } from './verdict-view';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import VerdictRobots from './VerdictRobots.vue';
 
 const robot = (device: string, more: Partial<RobotVerdict>): RobotVerdict => ({

@@ -7,7 +7,8 @@ import { shownLanguage, t } from '../../../kit/i18n';
 import { numberText } from '../../../kit/i18n/number-text';
 import type { RunParts } from '../../../session/run/parts';
 import type { WorkParts } from '../../../session/work/model/parts';
-import { goalsOf, secondsLeft, verdictAtStart } from './verdict-view';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
+import { goalsOf, secondsLeft } from './verdict-view';
 
 /** Progress of the course's task, in the words that are shown. */
 export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {

@@ -11,26 +11,6 @@ export interface Goal {
   readonly of: number;
 }
 
-/** The verdict before the start. */
-export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict {
-  const { checkpoints, robotTargets, blocksWanted } = briefOf(scene);
-  return {
-    state: 'open',
-    atMs: null,
-    reason: null,
-    by: null,
-    place: null,
-    help: [],
-    early: null,
-    stars: null,
-    checkpoints: { passed: 0, of: checkpoints.length },
-    targets: { reached: 0, of: robotTargets.length },
-    blocks: { delivered: 0, of: blocksWanted },
-    touches: 0,
-    robots: [],
-  };
-}
-
 /** The goals of the task, in the order in which they are to be reached. */
 export function goalsOf({ checkpoints, targets, blocks }: Verdict): readonly Goal[] {
   const goals: readonly Goal[] = [

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { hasTask } from '#simulation/task/task-brief';
 import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
-import { goalsOf, placeToShow, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
+import { verdictAtStart } from '#simulation/task/verdict-at-start';
+import { goalsOf, placeToShow, rulesOf, secondsLeft } from './verdict-view';
 
 const zone = (part: Partial<Zone>): Zone => ({
   type: 'target',
