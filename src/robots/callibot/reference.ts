@@ -1,16 +1,11 @@
 import { fn, module, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
+import { drivingNames } from '../library-names';
 import words from './words/reference';
 
 /** The names of this robot's libraries (library/*.py) with short descriptions. */
 const callibotModule = module('callibot', {
-  forward: fn('() -> None'),
-  backward: fn('() -> None'),
-  left: fn('() -> None'),
-  right: fn('() -> None'),
-  leftArc: fn('(radius: float) -> None'),
-  rightArc: fn('(radius: float) -> None'),
-  stop: fn('() -> None'),
+  ...drivingNames,
   exit: fn('() -> None'),
   setSpeed: fn('(speed: int) -> None'),
   delay: fn('(ms: float) -> None'),

@@ -1,19 +1,11 @@
-import { absent, fn, module, object, withWordsOf, type, value } from '#reference/table';
+import { absent, fn, module, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
+import { drivingNames, tigerJythonNames } from '../library-names';
 import words from './words/reference';
-
-/** Calls that set up TigerJython's own simulation. */
-const told = withWordsOf('mbrobot.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of this robot's libraries (library/*.py) with short descriptions. */
 const mbrobot = module('mbrobot', {
-  forward: fn('() -> None'),
-  backward: fn('() -> None'),
-  left: fn('() -> None'),
-  right: fn('() -> None'),
-  leftArc: fn('(radius: float) -> None'),
-  rightArc: fn('(radius: float) -> None'),
-  stop: fn('() -> None'),
+  ...drivingNames,
   setSpeed: fn('(speed: int) -> None'),
   resetSpeed: fn('() -> None'),
   delay: fn('(ms: float) -> None'),
@@ -34,18 +26,7 @@ const mbrobot = module('mbrobot', {
   setAlarm: fn('(state: int) -> None'),
   beep: fn('() -> None'),
   calibrate: fn('(offset: int, differential: int = 0, arcScaling: float = 0) -> None'),
-  RobotContext: object({
-    enableTrace: told,
-    enableRotCenter: told,
-    setStartPosition: told,
-    setStartDirection: told,
-    useBackground: told,
-    useObstacle: told,
-  }),
-  setBeamAreaColor: told,
-  setProximityCircleColor: told,
-  setMeshTriangleColor: told,
-  eraseBeamArea: told,
+  ...tigerJythonNames('mbrobot'),
   Motor: type(['(register: int)'], { rotate: fn('(speed: int) -> None') }),
   IRSensor: type(['(pin: Pin)'], { read_digital: fn('() -> int'), read_analog: absent(fn('() -> int')) }),
 });

@@ -1,19 +1,11 @@
-import { fn, module, object, withWordsOf, type, value, values } from '#reference/table';
+import { fn, module, type, value, values } from '#reference/table';
 import type { RobotReference } from '#reference/types';
+import { drivingNames, tigerJythonNames } from '../library-names';
 import words from './words/reference';
-
-/** Calls that set up TigerJython's own simulation. */
-const told = withWordsOf('mbrobot_plus.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of this robot's library (library/mbrobot_plus.py) with short descriptions. */
 const mbrobotPlus = module('mbrobot_plus', {
-  forward: fn('() -> None'),
-  backward: fn('() -> None'),
-  left: fn('() -> None'),
-  right: fn('() -> None'),
-  leftArc: fn('(radius: float) -> None'),
-  rightArc: fn('(radius: float) -> None'),
-  stop: fn('() -> None'),
+  ...drivingNames,
   setSpeed: fn('(speed: int) -> None'),
   resetSpeed: fn('() -> None'),
   setPID: fn('(on: int) -> None'),
@@ -29,18 +21,7 @@ const mbrobotPlus = module('mbrobot_plus', {
   setServo: fn('(servo: str, angle: int) -> None'),
   setAlarm: fn('(on: int) -> None'),
   beep: fn('() -> None'),
-  RobotContext: object({
-    enableTrace: told,
-    enableRotCenter: told,
-    setStartPosition: told,
-    setStartDirection: told,
-    useBackground: told,
-    useObstacle: told,
-  }),
-  setBeamAreaColor: told,
-  setProximityCircleColor: told,
-  setMeshTriangleColor: told,
-  eraseBeamArea: told,
+  ...tigerJythonNames('mbrobot_plus'),
   Motor: type(['(id: int)'], { rotate: fn('(speed: int) -> None') }),
   IRSensor: type(['(index: int)'], { read_digital: fn('() -> int') }),
   IR: type([], { ...values('int', ['L3', 'L2', 'L1', 'R1', 'R2', 'R3']), masks: value('list[int]') }),

@@ -1,21 +1,13 @@
-import { fn, module, object, withWordsOf, type, value } from '#reference/table';
+import { fn, module, withWordsOf, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
+import { drivingNames, tigerJythonNames } from '../library-names';
 import words from './words/reference';
 
 const NAME = 'mbrobot_plusV2';
 
-/** Calls that set up TigerJython's own simulation. */
-const told = withWordsOf(`${NAME}.RobotContext`, fn('(*arguments) -> None'));
-
 /** The names of this robot's library (library/*.py) with short descriptions. */
 const mbrobotPlusV2 = module(NAME, {
-  forward: fn('() -> None'),
-  backward: fn('() -> None'),
-  left: fn('() -> None'),
-  right: fn('() -> None'),
-  leftArc: fn('(radius: float) -> None'),
-  rightArc: fn('(radius: float) -> None'),
-  stop: fn('() -> None'),
+  ...drivingNames,
   setSpeed: fn('(speed: int) -> None'),
   resetSpeed: fn('() -> None'),
   delay: fn('(ms: float) -> None'),
@@ -57,18 +49,7 @@ const mbrobotPlusV2 = module(NAME, {
     masks: value('list'),
   }),
   LEDState: type([], { OFF: value('int'), ON: value('int'), RED: value('int') }),
-  RobotContext: object({
-    enableTrace: told,
-    enableRotCenter: told,
-    setStartPosition: told,
-    setStartDirection: told,
-    useBackground: told,
-    useObstacle: told,
-  }),
-  setBeamAreaColor: told,
-  setProximityCircleColor: told,
-  setMeshTriangleColor: told,
-  eraseBeamArea: told,
+  ...tigerJythonNames(NAME),
 });
 
 /** The Maqueen Plus V2's library, for the editor. */
