@@ -16,7 +16,9 @@ export interface MenuEntry<Host = void> {
   readonly isActive?: boolean;
   /** An entry that unfolds others below it: true if it has. */
   readonly isUnfolded?: boolean;
-  readonly isDisabled?: boolean;
+  readonly isDisabled?: boolean | undefined;
+  /** Its shortcut, such as `Ctrl+D`, which stands behind the title. */
+  readonly keys?: string | undefined;
   /** The language of the title, if it is another than the page's. */
   readonly lang?: string;
   /** The menu stays open. */
