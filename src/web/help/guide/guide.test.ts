@@ -55,7 +55,7 @@ function controlsIn(source: string): readonly (readonly string[])[] {
 /** The entries of menus and the tabs in a component's script, each by all names that it has. */
 function entriesIn(source: string): readonly (readonly string[])[] {
   const entries = source.matchAll(
-    /\bid(?:: '[\w-]+')?, (?:testId: (?:'([^']+)'|`([^`]+)`)|icon: \w+, title: t\('?(\w+\.\w+)'?\))/g,
+    /\bid(?:: [\w'-]+)?, (?:testId: (?:'([^']+)'|`([^`]+)`)|icon: \w+, title: t\('?(\w+\.\w+)'?\))/g,
   );
   return Array.from(entries, ([, id, pattern, text]) => {
     const name = id ?? pattern?.replace(/\$\{[^}]*\}/g, '*') ?? text;
