@@ -1,6 +1,6 @@
 import { defineAsyncComponent, type Component } from 'vue';
 
-import type { LoadedView } from './feature';
+import type { LoadedView } from '../loaded-view';
 
 /** A component that a feature brings: one that comes with the app, or one that is loaded when it is first drawn. */
 export type Drawn = { readonly view: Component } | { readonly load: LoadedView };

@@ -1,9 +1,7 @@
 import type { Component } from 'vue';
 
 import type { MenuEntry } from '../controls/menu-entry';
-
-/** Loads a component. */
-export type LoadedView = () => Promise<{ readonly default: Component }>;
+import type { LoadedView } from '../loaded-view';
 
 /** The groups of the main menu, in the order in which they are shown. */
 export const MENU_GROUPS = ['help', 'run', 'files', 'stages', 'panes', 'pages', 'choices'] as const;

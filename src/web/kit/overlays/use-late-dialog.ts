@@ -1,6 +1,6 @@
 import { defineAsyncComponent, nextTick, shallowRef, type Component, type ShallowRef } from 'vue';
 
-import type { LoadedView } from '../features/feature';
+import type { LoadedView } from '../loaded-view';
 
 /** A place for one dialog at a time, which is loaded when it opens. Where it was opened gets the keyboard back. */
 export function useLateDialog(): {
