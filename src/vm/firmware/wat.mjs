@@ -16,8 +16,18 @@ export function joinModule({ head, functions }) {
   return `${head}\n ${[...functions.values()].join('\n ')}\n)\n`;
 }
 
+/** Texts of functions, flat: each is asked for dozens of times while places are looked for. */
+const flattened = new Map();
+
 /** A function's text on one line with single blanks: patterns are matched against it. */
-export const flat = (text) => text.replace(/\s+/g, ' ').replace(/ \)/g, ')').trim();
+export function flat(text) {
+  let line = flattened.get(text);
+  if (line === undefined) {
+    line = text.replace(/\s+/g, ' ').replaceAll(' )', ')').trim();
+    flattened.set(text, line);
+  }
+  return line;
+}
 
 /**
  * The one function that matches. The build stops if no function or several match: then the published file has changed,
