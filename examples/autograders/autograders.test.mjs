@@ -15,7 +15,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 /** Keeps one check of three, and is not passed. */
-const STANDING = 'while True:\n    pass\n';
+const STANDING = 'from microbit import *\nwhile True:\n    sleep(1000)\n';
 /** The checks of the task and their worlds. */
 const TASK = {
   version: 1,

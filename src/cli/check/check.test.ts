@@ -16,6 +16,8 @@ const { folder, file } = useFolder();
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 /** Touches nothing, reaches nothing, and never ends. */
 const ENDLESS = 'while True:\n    pass\n';
+/** The same, resting: it takes a third of the time to run. */
+const RESTING = 'from microbit import *\nwhile True:\n    sleep(1000)\n';
 
 /** A class in a folder of its own, each program by its name. */
 function classOf(name: string, programs: Readonly<Record<string, string>>): string {
@@ -74,7 +76,7 @@ describe('parcours check', () => {
   });
 
   it('prints lines for people, in their language, without --json', () => {
-    const { code, out } = parcours('check', 'closed-line', classOf('two', { 'anna.py': RIGHT, 'ben.py': ENDLESS }), '--lang', 'de'); // prettier-ignore
+    const { code, out } = parcours('check', 'closed-line', classOf('two', { 'anna.py': RIGHT, 'ben.py': RESTING }), '--lang', 'de'); // prettier-ignore
     expect(code).toBe(3);
     expect(out.split('\n')).toEqual([
       'passed  anna  1  19.5 s',
@@ -95,12 +97,13 @@ describe('parcours check', () => {
   });
 
   it('takes a zip like its folder, and gives the same text with any number of threads', () => {
-    const zip = zipSync(Object.fromEntries(Object.entries(pupils).map(([path, text]) => [`class/${path}`, strToU8(text)]))); // prettier-ignore
+    const several = { ...pupils, 'ben.py': RESTING };
+    const zip = zipSync(Object.fromEntries(Object.entries(several).map(([path, text]) => [`class/${path}`, strToU8(text)]))); // prettier-ignore
     const path = join(folder, 'class.zip');
     writeFileSync(path, zip);
     const [one, four] = ['1', '4'].map((jobs) => parcours('check', 'closed-line', path, '--json', '--jobs', jobs).out);
     expect(one).toBe(four);
-    expect(one).toBe(parcours('check', 'closed-line', classOf('class', pupils), '--json').out);
+    expect(one).toBe(parcours('check', 'closed-line', classOf('threads/class', several), '--json').out);
   });
 
   it('tells of what lies in a folder and leads nowhere, and of a folder or zip without anything', () => {
@@ -271,7 +274,7 @@ describe('parcours check', () => {
 });
 
 describe('results that are kept', () => {
-  const pupils = classOf('kept-results', { 'a.py': RIGHT, 'b.py': ENDLESS, 'c.py': 'from mbrobot import *\nforward()\n', 'd.py': 'x' }); // prettier-ignore
+  const pupils = classOf('kept-results', { 'a.py': RIGHT, 'b.py': RESTING, 'c.py': 'from mbrobot import *\nforward()\n', 'd.py': 'x' }); // prettier-ignore
   const results = join(folder, 'results');
 
   it('are byte for byte those of one machine when seven shards are joined', () => {

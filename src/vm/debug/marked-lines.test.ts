@@ -110,7 +110,7 @@ const PROGRAMS: Readonly<Record<string, Files>> = {
   },
   'callbacks and music': {
     'main.py':
-      'from microbit import *\nimport music\nn = 0\ndef tick():\n    global n\n    n += 1\n    print(n)\nrun_every(tick, ms=70)\nmusic.play(["c4:4", "d", "e"], wait=False)\nfor i in range(4):\n    sleep(50)\n    for k in range(200): pass\nprint("end")\nwhile running_time() < 900: pass',
+      'from microbit import *\nimport music\nn = 0\ndef tick():\n    global n\n    n += 1\n    print(n)\nrun_every(tick, ms=25)\nmusic.play(["c4:1", "d", "e"], wait=False)\nfor i in range(4):\n    sleep(20)\n    for k in range(60): pass\nprint("end")\nwhile running_time() < 300: pass',
   },
   'a board that is reset': {
     'main.py':

@@ -16,12 +16,13 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** The outcome of a mission's program after a number of simulated seconds. */
+/** The outcome of a mission's program after a number of simulated seconds, or as soon as it has ended and the task is done. */
 async function drive({ scene, mission }: MissionCourse, program: string, seconds: number): Promise<Simulation> {
   const files = { 'main.py': program };
   const setup = { scene, files, robot: mission.robot, board: 'auto', seed: 1, reality: 0, keepTrace: false };
   const simulation = await Simulation.create(soloRun(setup), firmware);
-  simulation.advanceTo(seconds * 1_000_000);
+  const isDone = (): boolean => simulation.ended !== null && simulation.verdict?.state !== 'open';
+  for (let second = 1; second <= seconds && !isDone(); second++) simulation.advanceTo(second * 1_000_000);
   return simulation;
 }
 
