@@ -397,7 +397,7 @@ const DRIVES: readonly (readonly string[])[] = [
 ];
 
 /** Number of random set-ups; a thousand take ten minutes. */
-const SETUPS = Number(process.env['PARCOURS_DEVICE_SETUPS'] ?? 30);
+const SETUPS = Number(process.env['PARCOURS_DEVICE_SETUPS'] ?? 12);
 
 describe('the same run', { timeout: 600_000 }, () => {
   it.each([

@@ -131,7 +131,7 @@ describe('the REPL', () => {
   });
 
   it('lets Ctrl-C interrupt the program that Ctrl-D has begun anew', () => {
-    const { vm, type } = replAfter('import os\nwhile "a" in os.listdir(): pass');
+    const { vm, type } = replAfter('import os\nfrom microbit import sleep\nwhile "a" in os.listdir(): sleep(10)');
     type('f = open("a", "w"); n = f.write("x")\r');
     expect(type('\x04')).toContain('MPY: soft reboot');
     expect(vm.ended).toBeNull();
