@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { LANGUAGES } from '../src/core/languages';
+import { PANES, type Pane } from '../src/web/session/layout/layout-model';
 import { expect, playwrightApp, warmTest as test } from './app';
 import { on, openApp } from './page';
 import { by } from './parts';
@@ -92,27 +93,52 @@ test.describe('the course comes first', () => {
       });
 });
 
-test.describe('nothing is cut off', () => {
-  for (const size of SIZES)
-    for (const language of LANGUAGES)
-      test(`in a window of ${size.join(' × ')} (${language})`, async ({ page }) => {
-        await openAt(page, size, { language, robot: 'maqueen-plus-v2' });
-        const isPhone = await page.locator('nav.nav').isVisible();
-        for (const tab of isPhone ? [0, 1, 2, 3] : [null]) {
-          if (tab !== null) await page.locator('nav.nav button').nth(tab).click();
-          await page.waitForTimeout(300);
-          expect(await cutOff(page), `tab ${String(tab)}`).toEqual([]);
-        }
-        if (isPhone) await page.locator('nav.nav button').nth(0).click();
-        await page.click(on('run'));
-        await expect(page.locator('.sensor')).toHaveCount(5);
-        expect(await cutOff(page), 'while it drives').toEqual([]);
-        for (const sensor of await page.locator('.sensor').all()) await expect(sensor).toBeInViewport();
-        await page.click(on('stop'));
-        if (isPhone) await page.locator('nav.nav button').nth(3).click();
-        await expect(page.locator('.pane-console .tag')).not.toHaveClass(/tag--run/);
-        expect(await cutOff(page), 'after it was stopped').toEqual([]);
-      });
+/** Waits for two pictures, and for what glides or fades to have come to rest. */
+const atRest = (page: Page): Promise<void> =>
+  page.evaluate(async () => {
+    const picture = (): Promise<number> => new Promise((done) => requestAnimationFrame(done));
+    await picture();
+    await picture();
+    const ends = document.getAnimations().filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity);
+    await Promise.all(ends.map(({ finished }) => finished.catch(() => null)));
+    await picture();
+  });
+
+/**
+ * Goes through all sizes with the page as it is, and looks in each for what is cut off.
+ *
+ * @param tabs those that are looked at on a phone, which shows one at a time
+ */
+async function lookInEverySize(page: Page, when: string, tabs: readonly Pane[]): Promise<void> {
+  for (const [width, height] of SIZES)
+    await test.step(`${when}, ${String(width)} × ${String(height)}`, async () => {
+      await page.setViewportSize({ width, height });
+      await atRest(page);
+      const isPhone = await page.locator('nav.nav').isVisible();
+      for (const tab of isPhone ? tabs : [null]) {
+        if (tab !== null) await page.locator('nav.nav button').nth(PANES.indexOf(tab)).click();
+        await atRest(page);
+        expect.soft(await cutOff(page), `${when}, ${String(width)} × ${String(height)}, ${tab ?? 'all'}`).toEqual([]);
+        if (when === 'while it drives')
+          for (const sensor of await page.locator('.sensor').all()) await expect.soft(sensor).toBeInViewport();
+      }
+    });
+}
+
+test.describe('nothing is cut off in windows of nine sizes', () => {
+  for (const language of LANGUAGES)
+    test(language, async ({ page }) => {
+      await openAt(page, SIZES[0], { language, robot: 'maqueen-plus-v2' });
+      await lookInEverySize(page, 'as it opens', PANES);
+      await page.setViewportSize({ width: SIZES[0][0], height: SIZES[0][1] });
+      await page.click(on('run'));
+      await expect(page.locator('.sensor')).toHaveCount(5);
+      await lookInEverySize(page, 'while it drives', ['arena']);
+      await expect(page.locator(on('stop'))).toBeEnabled();
+      await page.click(on('stop'));
+      await expect(page.locator('.pane-console .tag')).not.toHaveClass(/tag--run/);
+      await lookInEverySize(page, 'after it was stopped', ['console']);
+    });
 });
 
 test('the cinema gives the arena two thirds of the window, and back', async ({ page }) => {

@@ -1,8 +1,9 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 
 import { linkOf } from '../src/project/link/link';
 import { defaultScene, type Scene } from '../src/scene/scene';
 import type { Language } from '../src/core/languages';
+import { expect, warmTest as test } from './app';
 import { violationsBy } from './axe';
 import { on } from './page';
 import { by } from './parts';

@@ -1,13 +1,15 @@
-import { execFileSync } from 'node:child_process';
+import { execFile, execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { promisify } from 'node:util';
 import { readProgram } from '../build/programs';
 import { seriesLinkOf } from '../src/check/series/series-link';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { CREEP, linkTo, openClass, paste, RIGHT, select } from './class-page';
 import { kindsInNode } from './in-node';
+import { onceARun } from './once-a-run';
 import { openedCourse } from './opened-course';
 import { isThere, openWork } from './page';
 import { by, gone, until } from './parts';
@@ -31,23 +33,21 @@ const pasteInto = (app: App, mail: string): Promise<void> =>
     field.dispatchEvent(new Event('input', { bubbles: true }));
   }, mail);
 
-/** The table and the report that the command line writes of the same e-mail. */
-function writtenByCommandLine(task = 'closed-line', text = MAIL): { readonly table: string; readonly report: string } {
-  const folder = mkdtempSync(join(tmpdir(), 'parcours-class-'));
-  try {
-    const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((name) => join(folder, name)) as [string, string, string]; // prettier-ignore
-    writeFileSync(mail, text);
-    try {
-      const files = ['--csv', csv, '--report', html];
-      execFileSync('node', ['bin/parcours.mjs', 'check', task, mail, ...files, '--lang', 'de']);
-    } catch {
-      // Exit code 3: not all have passed.
-    }
-    return { table: readFileSync(csv, 'utf8'), report: readFileSync(html, 'utf8') };
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
+/** A table and a report of a class. */
+interface Written {
+  readonly table: string;
+  readonly report: string;
 }
+
+/** What the command line writes of an e-mail. @param name of the class, for all engines */
+const writtenByCommandLine = (name: string, task: string, text: string): Promise<Written> =>
+  onceARun(`class-${name}`, async (folder) => {
+    const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((file) => join(folder, file)) as [string, string, string]; // prettier-ignore
+    writeFileSync(mail, text);
+    const given = ['bin/parcours.mjs', 'check', task, mail, '--csv', csv, '--report', html, '--lang', 'de'];
+    await promisify(execFile)('node', given).catch(() => undefined); // exit code 3: not all have passed
+    return { table: readFileSync(csv, 'utf8'), report: readFileSync(html, 'utf8') };
+  });
 
 /** A mission's start program and solution as pupils find them who have the page in different languages. */
 async function missionMail(): Promise<string> {
@@ -79,6 +79,7 @@ test('a class that sends links is checked: table and report are byte for byte th
   app,
 }) => {
   test.setTimeout(120_000);
+  const byCommandLine = writtenByCommandLine('of-links', 'closed-line', MAIL);
   await openClass(app, 'closed-line');
   await keepSaved(app);
   await pasteInto(app, MAIL);
@@ -91,7 +92,7 @@ test('a class that sends links is checked: table and report are byte for byte th
     expect(table).toContain(words);
   await app.click(by('class-csv'));
   // The browser leaves out the sign at the beginning by which spreadsheets know UTF-8.
-  const { table: wanted, report } = writtenByCommandLine();
+  const { table: wanted, report } = await byCommandLine;
   await expect.poll(() => saved(app)).toBe(wanted.replace(/^\ufeff/, ''));
   await app.click(by('class-report'));
   await until(app, by('class-report-page'));
@@ -140,7 +141,7 @@ test(
     await app.click(by('class-report'));
     await until(app, by('class-report-page'));
     const shown = await app.evaluate(() => document.querySelector('iframe')!.srcdoc);
-    expect(shown).toBe(writtenByCommandLine(mission, mail).report);
+    expect(shown).toBe((await writtenByCommandLine('of-a-mission', mission, mail)).report);
   },
 );
 
@@ -166,7 +167,7 @@ test(
     await until(app, by('class-table'));
     await expect.poll(() => app.text(by('class-table')), { timeout: 60_000 }).toContain('19.5');
     await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
-    const { table, report } = writtenByCommandLine(`${link}#2`, mail);
+    const { table, report } = await writtenByCommandLine('of-a-series', `${link}#2`, mail);
     await app.click(by('class-csv'));
     await expect.poll(() => saved(app)).toBe(table.replace(/^\ufeff/, ''));
     await app.click(by('class-report'));

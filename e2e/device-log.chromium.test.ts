@@ -1,6 +1,7 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 
 import { microbitPage } from '../src/device-log/testing/microbit-page';
+import { expect, test as coldTest, warmTest as test } from './app';
 import { violationsBy } from './axe';
 import { on } from './page';
 import { by } from './parts';
@@ -82,7 +83,7 @@ test('a table from the data log’s own button opens; a broken file gives a mess
   await logInSimulation(page);
 });
 
-test('nothing of it is fetched before it is opened', async ({ page }) => {
+coldTest('nothing of it is fetched before it is opened', async ({ page }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
   await page.goto('./?lang=en');

@@ -5,7 +5,7 @@ import LZString from 'lz-string';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { appAddress, consoleInFrame, hostPage, isInFrame, pressInFrame, type HostPage } from './hosts';
-import { buildSampleHost, serveHost } from './hosts/webtigerpython/sample-host';
+import { sampleHost, serveHost } from './hosts/webtigerpython/sample-host';
 import { consoleIn, isThere, on, programIn } from './page';
 
 /** The messages that the host page received. */
@@ -189,9 +189,9 @@ test('the address chooses the used robot', IN_ONE_ENGINE, async ({ app }) => {
 
 test('a page with devices has Parcours from its package: it runs, prints, stops and greys out what is not there', async ({
   app,
-}, info) => {
+}) => {
   test.setTimeout(240_000);
-  host = await serveHost(await buildSampleHost(`webtigerpython-${info.project.name}`));
+  host = await serveHost(await sampleHost());
   const isDisabled = (name: string): Promise<boolean> =>
     app.evaluate((id) => document.querySelector<HTMLButtonElement>(`[data-testid=${id}]`)?.disabled ?? false, name);
   const state = (): Promise<string> => app.text('[data-testid=state]');

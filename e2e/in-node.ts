@@ -16,9 +16,14 @@ export async function runInNode(task: Omit<ProbeTask, 'firmware'>): Promise<Prob
 /** The class with a hand-in of every kind. */
 export const kindsInNode = (): Promise<typeof ClassKinds> => loaded('./class-kinds.ts');
 
+/** Modules by their paths: to load one takes two seconds of a processor, and many tests want the same. */
+const modules = new Map<string, Promise<unknown>>();
+
 /** Playwright's own loader takes no JSON, which the VM's library and all words are. */
-async function loaded<Module>(path: string): Promise<Module> {
+function loaded<Module>(path: string): Promise<Module> {
   const file = fileURLToPath(new URL(path, import.meta.url));
-  const { module } = await runnerImport<Module>(file, { configFile: false, logLevel: 'warn', plugins: [words()] });
-  return module;
+  const options = { configFile: false, logLevel: 'warn', plugins: [words()] } as const;
+  const loading = modules.get(path) ?? runnerImport<Module>(file, options).then(({ module }) => module);
+  modules.set(path, loading);
+  return loading as Promise<Module>;
 }

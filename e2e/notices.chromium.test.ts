@@ -1,8 +1,8 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 
 import { linkOf } from '../src/project/link/link';
 import { taskProject } from '../src/project/testing/projects';
-import { playwrightApp } from './app';
+import { expect, playwrightApp, warmTest as test } from './app';
 import { openApp, pasteProgram } from './page';
 import { by } from './parts';
 

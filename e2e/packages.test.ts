@@ -7,13 +7,10 @@ import type { ParcoursSimulatorElement } from '../src/embed/element/define';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { appAddress } from './hosts';
-import { buildPlainHost, type BuiltHost } from './hosts/plain/sample-host';
+import { plainHost } from './hosts/plain/sample-host';
 import { serveHost } from './hosts/webtigerpython/sample-host';
 
 declare const simulator: ParcoursSimulatorElement;
-
-let built: Promise<BuiltHost> | null = null;
-const hostOf = (project: string): Promise<BuiltHost> => (built ??= buildPlainHost(`plain-${project}`));
 
 let host: Awaited<ReturnType<typeof serveHost>> | null = null;
 test.afterEach(() => {
@@ -22,8 +19,8 @@ test.afterEach(() => {
 });
 
 /** Opens the sample host, which is on another site than the app that it shows. */
-async function openHost(app: App, project: string, address = appAddress()): Promise<void> {
-  host = await serveHost((await hostOf(project)).site);
+async function openHost(app: App, address = appAddress()): Promise<void> {
+  host = await serveHost((await plainHost()).site);
   await app.goto(`${host.url}?parcours=${encodeURIComponent(address)}`);
   await expect.poll(() => app.text('#state'), { timeout: 60_000 }).toBe('Ready');
 }
@@ -32,9 +29,9 @@ const printed = (app: App): Promise<string> => app.text('#console');
 const setProgram = (app: App, source: string): Promise<void> =>
   app.evaluate((text) => simulator.setFiles([{ name: 'main.py', text }]), source);
 
-test('a worksheet with the element from its package: own buttons, console and verdict', async ({ app }, info) => {
+test('a worksheet with the element from its package: own buttons, console and verdict', async ({ app }) => {
   test.setTimeout(180_000);
-  await openHost(app, info.project.name);
+  await openHost(app);
   await setProgram(app, `print('off we go')\n${await readFile('courses/push/main.py', 'utf8')}`);
   await app.evaluate(() => void (simulator.speed = 'max'));
   await app.click('#run');
@@ -62,9 +59,9 @@ test('a worksheet with the element from its package: own buttons, console and ve
 test(
   'attributes reach the page that is there, work stays when the element moves, and goes with it',
   IN_ONE_ENGINE,
-  async ({ app }, info) => {
+  async ({ app }) => {
     test.setTimeout(180_000);
-    await openHost(app, info.project.name, `${appAddress()}simulator.html`); // keeps nothing by itself
+    await openHost(app, `${appAddress()}simulator.html`); // keeps nothing by itself
     const before = await app.evaluate(async () => {
       Object.assign(simulator, {
         theme: 'dark',
@@ -122,9 +119,9 @@ test(
   },
 );
 
-test('two elements on a page, one of them in a sandbox, each with a program of its own', async ({ app }, info) => {
+test('two elements on a page, one of them in a sandbox, each with a program of its own', async ({ app }) => {
   test.setTimeout(180_000);
-  await openHost(app, info.project.name);
+  await openHost(app);
   const texts = await app.evaluate(async (src) => {
     const second = document.createElement('parcours-simulator');
     Object.assign(second, { sandboxed: true, show: 'console', loading: 'eager', src });
@@ -150,9 +147,9 @@ test('two elements on a page, one of them in a sandbox, each with a program of i
 
 test('an element loads when it comes into view, with its project, and has the work again when its page is loaded anew', async ({
   app,
-}, info) => {
+}) => {
   test.setTimeout(180_000);
-  await openHost(app, info.project.name);
+  await openHost(app);
   const seen = await app.evaluate(async (src) => {
     const project = await simulator.getProject();
     const file = { ...project, files: [{ name: 'main.py', text: '# of the project' }] };
@@ -209,9 +206,9 @@ test('an element loads when it comes into view, with its project, and has the wo
 test(
   'an element says which of its attributes make no sense, at the start and later, and goes on without them',
   IN_ONE_ENGINE,
-  async ({ app }, info) => {
+  async ({ app }) => {
     test.setTimeout(180_000);
-    await openHost(app, info.project.name);
+    await openHost(app);
     const told = await app.evaluate(async (src) => {
       const element = document.createElement('parcours-simulator');
       const heard: string[] = [];
@@ -259,10 +256,10 @@ test(
 test(
   'the packages bring the app, its licences and types that hold without the repository',
   IN_ONE_ENGINE,
-  async ({ app }, info) => {
+  async ({ app }) => {
     test.skip(app.engine !== 'chromium', 'nothing of it is the browser’s');
     test.setTimeout(180_000);
-    const { folder, site } = await hostOf(info.project.name);
+    const { folder, site } = await plainHost();
     for (const file of ['index.html', 'simulator.html', 'parcours.single.html', 'sw.js', 'LICENSES.txt'])
       expect((await readFile(join(site, 'parcours', file))).equals(await readFile(join('dist/app', file)))).toBe(true);
     expect(await readFile(join(site, 'parcours/LICENSES.txt'), 'utf8')).toContain('Damien P. George');

@@ -1,4 +1,4 @@
-import { expect, test } from '@playwright/test';
+import { expect, warmTest as test } from './app';
 import { on } from './page';
 
 test('a thousand rows of the data log are a few dozen lines on the page, and all of them in the file', async ({

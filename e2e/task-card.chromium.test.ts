@@ -1,7 +1,8 @@
-import { expect, test, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 
 import { linkOf } from '../src/project/link/link';
 import { taskProject } from '../src/project/testing/projects';
+import { expect, warmTest as test } from './app';
 import { violationsBy } from './axe';
 import { on } from './page';
 import { by } from './parts';

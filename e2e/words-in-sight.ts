@@ -11,19 +11,28 @@ interface Said {
 /** A text with fewer letters says nothing of its language: `max`, `Pin`. */
 const LETTERS = 4;
 
-let allSaid: Promise<Readonly<Record<Language, Said>>> | undefined;
+/** Which languages have a text; each text is looked up once, since most are in sight at every look. */
+type Lookup = (text: string) => ReadonlySet<Language>;
 
-/** Every text of the app and its courses that has words of its own, by language. */
-async function readTexts(): Promise<Readonly<Record<Language, Said>>> {
+let lookup: Promise<Lookup> | undefined;
+
+/** Reads every text of the app and its courses that has words of its own, by language. */
+async function readTexts(): Promise<Lookup> {
   const entries = await allTexts();
   const saidIn = (language: Language): Said => {
     const texts = entries
       .map((entry) => squeezed(entry.texts[language] ?? ''))
       .filter((text) => (text.replace(PLACE, '').match(/\p{L}/gu) ?? []).length >= LETTERS);
     const withPlaces = texts.filter((text) => text.search(PLACE) >= 0);
-    return { whole: new Set(texts), patterns: withPlaces.map(patternOf) };
+    return { whole: new Set(texts), patterns: [...new Set(withPlaces)].map(patternOf) };
   };
-  return { de: saidIn('de'), fr: saidIn('fr'), it: saidIn('it'), en: saidIn('en') };
+  const said = LANGUAGES.map((language) => [language, saidIn(language)] as const);
+  const known = new Map<string, ReadonlySet<Language>>();
+  return (text) => {
+    const found = known.get(text) ?? new Set(said.filter(([, texts]) => isSaid(text, texts)).map(([it]) => it));
+    known.set(text, found);
+    return found;
+  };
 }
 
 const PLACE = /\{\w+\}/g;
@@ -58,9 +67,8 @@ export async function wordsInSight(app: App): Promise<readonly string[]> {
 
 /** Texts on the page that are one of the app's in another language and none in this one. */
 export async function wordsOfOthers(app: App, language: Language): Promise<readonly string[]> {
-  const said = await (allSaid ??= readTexts());
-  const others = LANGUAGES.filter((it) => it !== language);
+  const saying = await (lookup ??= readTexts());
   const names: readonly string[] = Object.values(languages).map(({ name }) => name); // each is called as it calls itself
   const seen = (await wordsInSight(app)).filter((text) => !names.includes(text));
-  return seen.filter((text) => others.some((it) => isSaid(text, said[it])) && !isSaid(text, said[language]));
+  return seen.filter((text) => saying(text).size > 0 && !saying(text).has(language));
 }

@@ -5,7 +5,7 @@ import { Failure, main, mustRun, note, step } from './progress.mjs';
 
 /** Debian's packages, and the file that tells whether they are there. */
 const PACKAGES = {
-  chromium: () => chromium(),
+  'chromium-headless-shell': () => onPath('chromium-headless-shell'),
   'firefox-esr': () => firefox(),
   'webkit2gtk-driver': () => webkitDriver() && miniBrowser(),
   xvfb: () => onPath('Xvfb'),
@@ -26,8 +26,9 @@ const onPath = (...names) => {
 
 const firstOf = (...paths) => paths.find((path) => existsSync(path)) ?? null;
 
+/** Debian's Chromium without a window, else a whole one: the same engine, but it draws no frame of a window around each page. */
 const chromium = () =>
-  onPath('chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable') ??
+  onPath('chromium-headless-shell', 'chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable') ??
   firstOf(
     '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
     'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',

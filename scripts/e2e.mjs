@@ -11,6 +11,9 @@ import { buildApp, setUp } from './setup.mjs';
 
 const REPORT = '.cache/test/e2e.json';
 
+/** Where tests keep what they make once for all engines (e2e/once-a-run.ts). */
+const ONCE_A_RUN = '.cache/once-a-run';
+
 /**
  * Runs the browser tests; the app must be built.
  *
@@ -34,6 +37,7 @@ export async function browserTests(args = []) {
       PLAYWRIGHT_JSON_OUTPUT_NAME: REPORT,
     };
     await rm(join(root, REPORT), { force: true });
+    await rm(join(root, ONCE_A_RUN), { recursive: true, force: true });
     const chosen = args.some((arg) => arg.startsWith('--project')) ? [] : projects;
     const { code } = await onDesktop(['node_modules/@playwright/test/cli.js', 'test', ...args, ...chosen], env);
     return await results(code);

@@ -1,13 +1,14 @@
-import { cp, mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { cp, readFile, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { once } from 'node:events';
 import { execFileSync } from 'node:child_process';
-import { extname, join, resolve } from 'node:path';
+import { extname, join } from 'node:path';
 
-import { build } from 'vite';
+import { build as buildByVite } from 'vite';
 
 import { packAll } from '../../../scripts/packages.mjs';
+import { onceARun } from '../../once-a-run';
 
 const TYPES: Readonly<Record<string, string>> = {
   '.html': 'text/html; charset=utf-8',
@@ -19,20 +20,18 @@ const TYPES: Readonly<Record<string, string>> = {
  * Builds the sample host as whoever copies it does: in a folder of its own, where our package is installed from its
  * tarball. Vue and Vite are the repository's: nothing is fetched.
  *
- * @param name of the folder: two tests at once need two
  * @returns the folder to serve
  */
-export async function buildSampleHost(name: string): Promise<string> {
-  const folder = resolve('.cache/hosts', name);
-  await rm(folder, { recursive: true, force: true });
-  await mkdir(folder, { recursive: true });
+export const sampleHost = (): Promise<string> => onceARun('webtigerpython', build);
+
+async function build(folder: string): Promise<string> {
   const tarballs = Object.values(await packAll(join(folder, 'tarballs'), { only: ['webtigerpython'] }));
   const host = join(folder, 'host');
   await cp('examples/hosts/webtigerpython-vue', host, { recursive: true });
   await writeFile(join(host, 'package.json'), '{ "private": true, "type": "module" }');
   const wishes = ['--offline', '--no-audit', '--no-fund', '--no-package-lock', '--no-save', '--ignore-scripts'];
   execFileSync('npm', ['install', ...wishes, ...tarballs], { cwd: host, stdio: 'pipe' });
-  await build({ root: host, configFile: join(host, 'vite.config.js'), logLevel: 'warn' });
+  await buildByVite({ root: host, configFile: join(host, 'vite.config.js'), logLevel: 'warn' });
   return join(host, 'dist');
 }
 
