@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
-import { latePart, tellLateParts } from './late-part';
+import { latePart, noticeMissingParts } from './late-part';
 import { createNotices } from './notices';
 
 describe('a late part that does not come', () => {
@@ -9,7 +9,7 @@ describe('a late part that does not come', () => {
   let stop = (): void => undefined;
   beforeEach(() => {
     vi.useFakeTimers();
-    stop = tellLateParts(notices);
+    stop = noticeMissingParts(notices);
   });
   afterEach(() => {
     stop();

@@ -19,7 +19,7 @@ const WAITED_MS = 30_000;
  *
  * @returns a function that ends it
  */
-export function tellLateParts(notices: Pick<NoticesModel, 'show'>): () => void {
+export function noticeMissingParts(notices: Pick<NoticesModel, 'show'>): () => void {
   let pressedMs = -Infinity;
   const press = (): void => {
     pressedMs = performance.now();

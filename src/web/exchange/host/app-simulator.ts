@@ -17,8 +17,8 @@ import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 import type { VisitParts } from '../../session/visit/parts';
 import type { LayoutParts } from '../../session/layout/parts';
-import { isOurs } from '../../session/work/use-courses';
-import { withoutGiven } from '../../session/work/model/task-locks';
+import { hasNothingOwn } from '../../session/work/use-courses';
+import { withoutHandedOut } from '../../session/work/model/task-locks';
 import { workName } from '../../session/work/work-name';
 import { isSameWork } from '../../session/work/storage/history';
 import { travelling } from '../../session/work/settings/travelling';
@@ -65,7 +65,8 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
   /** The name under which the pupil's own work is put aside, or `null` without such work. */
   function nameOfOwn(): string | null {
     const { project } = work.work.value;
-    if (!host.wish.keepsWork || isOurs(project) || (brought !== null && isSameWork(project, brought))) return null;
+    if (!host.wish.keepsWork || hasNothingOwn(project) || (brought !== null && isSameWork(project, brought)))
+      return null;
     stampSettings(app);
     return workName(app);
   }
@@ -97,7 +98,7 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
       return null;
     },
     setScene(scene: Scene) {
-      open({ ...withoutGiven(work.work.value.project), scene, course: null });
+      open({ ...withoutHandedOut(work.work.value.project), scene, course: null });
       return null;
     },
     edit(edit: SceneEdit) {

@@ -9,7 +9,7 @@ import { contentOf, listSources } from '#intake/sources';
 import { mountOn } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { ClassModel } from '../../teacher/class/model/class-model';
-import { bringLink } from '../../teacher/class/task-series';
+import { offerLink } from '../../teacher/class/task-series';
 import TaskChoice from '../../teacher/class/TaskChoice.vue';
 import { treeFile } from '../../kit/files/added-files';
 import { setLanguage, t } from '../../kit/i18n';
@@ -148,7 +148,7 @@ describe.each(Object.entries(addresses))('an address: %s', (kind, address) => {
       lanes: 1,
     });
     const [source] = listSources(address, readyScene);
-    const what = bringLink(model, address) ? 'series' : 'nothing';
+    const what = offerLink(model, address) ? 'series' : 'nothing';
     expect(source === undefined ? what : programOf(await contentOf(source))).toBe(inClass);
   });
 

@@ -3,7 +3,7 @@ import type { ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/do
 import { defaultProjectSettings, type Project } from '#project/project';
 
 import type { Workplace } from '../../session/work/model/parts';
-import { isOurs, useCourses } from '../../session/work/use-courses';
+import { hasNothingOwn, useCourses } from '../../session/work/use-courses';
 import { useDevice } from '../../session/work/hardware/use-device';
 import { useOpenings } from '../../session/work/use-openings';
 import { urlOf } from '../../session/visit/address';
@@ -99,5 +99,5 @@ function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | '
 /** Work that is already open exactly like this is not put aside again. */
 function openProject(app: Workplace, project: Project, name: string): void {
   const isOpen = isSameWork(presentProject(app), project);
-  useOpenings(app).open(project, name, isOpen || isOurs(app.work.work.value.project));
+  useOpenings(app).open(project, name, isOpen || hasNothingOwn(app.work.work.value.project));
 }

@@ -4,7 +4,7 @@ import { inMB, mostBytes, stemOf } from '#intake/formats';
 import type { PageParts } from '../../kit/parts';
 import type { Workplace } from '../../session/work/model/parts';
 import { KEPT_ANYWAY } from '../../session/work/storage/history';
-import { isOurs } from '../../session/work/use-courses';
+import { hasNothingOwn } from '../../session/work/use-courses';
 import { useOpenings } from '../../session/work/use-openings';
 import { isReadyArena } from '../../session/work/catalogue/examples';
 import { courseName } from '../../session/work/catalogue/first-course';
@@ -67,7 +67,7 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
     case 'project': {
       const { project } = document;
       const name = courseName(project.scene, project.course);
-      useOpenings(app).open(project, name, !isFromFile && isOurs(before), plainStem(file));
+      useOpenings(app).open(project, name, !isFromFile && hasNothingOwn(before), plainStem(file));
       return null;
     }
     case 'course': {

@@ -68,7 +68,7 @@ describe('a run that is taken along', () => {
     await page.run.reset();
     page.work.setText('main.py', 'print("another")\n');
     open(text);
-    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
+    await soon(() => expect(page.run.recording.value.canRepeat).toBe(true));
     expect(programNow()).toBe(PROGRAM);
     expect([page.run.nowUs.value, page.run.phase.value]).toEqual([0, 'paused']);
     const read = parseTape(text);
@@ -96,7 +96,7 @@ describe('a run that is taken along', () => {
     await page.run.reset();
     open(text);
     await soon(() => expect(said()).toContain('the same'));
-    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
+    await soon(() => expect(page.run.recording.value.canRepeat).toBe(true));
     const files = downloads();
     await saveRun(page);
     expect(await files[0]!.blob.text()).toBe(text);
@@ -162,7 +162,7 @@ describe('a run that is taken along', () => {
     localStorage.clear();
     await newPage();
     open(text);
-    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
+    await soon(() => expect(page.run.recording.value.canRepeat).toBe(true));
     page.run.look.leave();
     await nextTick();
     isPassed();
@@ -180,7 +180,7 @@ describe('a run that is taken along', () => {
     scope.stop();
     await newPage();
     expect(openAddress(page, link)).toBeNull();
-    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
+    await soon(() => expect(page.run.recording.value.canRepeat).toBe(true));
     expect(page.run.recording.value.asked.value?.timeUs).toBe(240_000);
     expect(said()).toMatch(/^Link: the run is the same as when it was saved. You see it from 00:00.24 on.$/);
     expect(openAddress(page, link.slice(0, -3))).toBe(

@@ -21,7 +21,7 @@ import type { Course } from '#catalogue/course';
 import { courseName } from '../../session/work/catalogue/first-course';
 import { readyCourses } from '../../session/work/catalogue/ready-courses';
 
-import { isOurs } from '../../session/work/use-courses';
+import { hasNothingOwn } from '../../session/work/use-courses';
 import { useOpenings } from '../../session/work/use-openings';
 import { reasonOf } from './problem-words';
 import shareWords from './words';
@@ -75,7 +75,7 @@ function openProject(app: Workplace, setup: RunSetup, stem?: string): string | n
   const { project: before, file: openFile } = app.work.work.value;
   const project = inTask(app, { ...read.project, course: courseOf(read.project.scene) });
   const name = courseName(project.scene, project.course);
-  useOpenings(app).open(project, name, openFile === undefined && isOurs(before), stem);
+  useOpenings(app).open(project, name, openFile === undefined && hasNothingOwn(before), stem);
   return null;
 }
 

@@ -18,7 +18,7 @@ export type ShownSection =
   | { readonly kind: 'commands'; readonly id: string; readonly title: string; readonly commands: readonly Command[] };
 
 /** The help as it is shown now. */
-export interface GuideModel {
+export interface ShownGuide {
   /** `null` while it loads. */
   readonly guide: Readonly<ShallowRef<Guide | null>>;
   /** True if it could not be loaded. */
@@ -34,7 +34,7 @@ export interface GuideModel {
 }
 
 /** The help on what is in use: it follows language, robot and board. */
-export function useGuide(app: WorkParts): GuideModel {
+export function useGuide(app: WorkParts): ShownGuide {
   const hardware = useHardware(app);
   const robot = computed(() => hardware.value?.robot?.id ?? null);
   const guide = shallowRef<Guide | null>(null);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { createShelf } from './shelf';
+import { createCache } from './shelf';
 
 describe('a shelf', () => {
   it('makes a thing once for each key, and all anew when there was too much', () => {
     const made: number[] = [];
-    const at = createShelf<object>(2);
+    const at = createCache<object>(2);
     const ask = (key: number): object =>
       at(['ring', key], () => {
         made.push(key);

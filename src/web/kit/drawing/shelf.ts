@@ -4,7 +4,7 @@
  * @param most maximum number of things
  * @returns a function that gives the thing of a key, and makes it with `make` if there is none
  */
-export function createShelf<Thing>(most: number): (key: readonly unknown[], make: () => Thing) => Thing {
+export function createCache<Thing>(most: number): (key: readonly unknown[], make: () => Thing) => Thing {
   const made = new Map<string, Thing>();
   return (key, make) => {
     const name = key.join();

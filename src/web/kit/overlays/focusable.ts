@@ -26,7 +26,7 @@ export const entriesIn = (inside: HTMLElement): readonly HTMLElement[] => [
 ];
 
 /** Gives the keyboard to the first or the last entry of what has just been opened. @returns whether there was any */
-export function enter(inside: HTMLElement, end: 'first' | 'last'): boolean {
+export function focusEntry(inside: HTMLElement, end: 'first' | 'last'): boolean {
   const entries = entriesIn(inside);
   const stops = entries.length > 0 ? entries : tabStops(inside);
   stops.at(end === 'first' ? 0 : -1)?.focus();

@@ -3,7 +3,7 @@ export interface Overlay {
   /** True if a click there is one beside it. */
   isBeside(target: Node): boolean;
   /** Asks it to close: Escape was pressed, or something beside it was clicked. */
-  leave(by: 'escape' | 'beside'): void;
+  requestClose(by: 'escape' | 'beside'): void;
   /** The Tab key was pressed. */
   tab(event: KeyboardEvent): void;
 }
@@ -22,7 +22,7 @@ const top = (): Overlay | undefined => shown.at(-1)?.overlay;
 const isBesideTop = ({ target }: Event): boolean => target instanceof Node && top()?.isBeside(target) === true;
 
 function onKeydown(event: KeyboardEvent): void {
-  if (event.key === 'Escape') top()?.leave('escape');
+  if (event.key === 'Escape') top()?.requestClose('escape');
   else if (event.key === 'Tab') top()?.tab(event);
 }
 
@@ -35,7 +35,7 @@ function onClick(event: Event): void {
   const overlay = top();
   // What was clicked comes first: it may still ask what is open.
   setTimeout(() => {
-    if (shown.some((other) => other.overlay === overlay)) overlay?.leave('beside');
+    if (shown.some((other) => other.overlay === overlay)) overlay?.requestClose('beside');
   });
 }
 

@@ -4,7 +4,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 export interface Arrival<T> {
   /** `null`: not loaded yet. Read in templates, it is followed. */
   readonly value: T | null;
-  come(value: T): void;
+  set(value: T): void;
 }
 
 /** Makes the place for a value that is loaded later. */
@@ -14,6 +14,6 @@ export function arrival<T>(): Arrival<T> {
     get value() {
       return value.value;
     },
-    come: (it) => void (value.value = it),
+    set: (it) => void (value.value = it),
   };
 }

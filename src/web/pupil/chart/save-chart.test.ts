@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { canJoin, drawable } from './chosen-curves';
 import { lookAt } from './plot/looks';
-import { csvOfCurves, rangeWithin, rowsOfCurves } from './save-chart';
+import { csvOfCurves, rangeWithin, sampledRows } from './save-chart';
 import type { Series } from './series/series';
 
 const series = (id: string, unit = ''): Series => ({ id, name: id, unit, isStepped: false });
@@ -21,7 +21,7 @@ describe('curves as a table', () => {
     expect(csvOfCurves([curve('a', '', [1, 1], [2, 2], [3, 3])], [1.5, 2.5], 't')).toBe('t (s),a\n2,2\n'));
 
   it('have, for the ear, values at even distances: the last one before each', () =>
-    expect(rowsOfCurves([curve('a', '', [1, 10], [2, 20])], [0, 2], 3)).toEqual([
+    expect(sampledRows([curve('a', '', [1, 10], [2, 20])], [0, 2], 3)).toEqual([
       [0, null],
       [1, 10],
       [2, 20],

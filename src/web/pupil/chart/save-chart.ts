@@ -29,7 +29,7 @@ const cell = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAl
 const plain = (value: number): string => String(Math.round(value * 1e6) / 1e6);
 
 /** Rows with a time in s and the value of each curve then, at even intervals of a stretch: for screen readers. */
-export function rowsOfCurves(
+export function sampledRows(
   curves: readonly Curve[],
   [from, to]: Span,
   rows: number,

@@ -39,7 +39,7 @@ async function fill(view: EditorView, slot: Compartment, options: HelpOptions): 
   const { language } = options;
   const before = view.state.doc;
   const help = loaded(language).value ?? (await (await import('./help/help')).loadHelp(language));
-  loaded(language).come(help);
+  loaded(language).set(help);
   // The editor may show another file by now, or another language; their slots are their own.
   const now = slot.get(view.state);
   if (!Array.isArray(now) || now.length > 0) return;

@@ -3,7 +3,7 @@ import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from './log/console-log';
 import { foldGreetings } from './log/fold-greeting';
 import { SharedLines } from './log/shared-lines';
-import type { OnTable } from '../../session/work/hardware/misplugged';
+import type { RobotInError } from '../../session/work/hardware/misplugged';
 import type { ErrorReport } from './advice/error-advice';
 import type { TextKey } from '../../kit/i18n/texts';
 
@@ -46,7 +46,7 @@ export class ConsoleModel {
    * @param device place of the device that is shown
    */
   constructor(
-    private readonly table: (device: number) => OnTable | null,
+    private readonly table: (device: number) => RobotInError | null,
     private readonly device: () => number = () => 0,
   ) {}
 

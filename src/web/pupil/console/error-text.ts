@@ -2,7 +2,7 @@ import type { SourceFile } from '#project/project';
 import type { Ended } from '#simulation/simulation';
 
 import { t } from '../../kit/i18n';
-import { tableNow } from '../../session/work/hardware/use-hardware';
+import { robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { explain } from './advice/explain';
 import { lastPlace, type ErrorPlace } from './log/console-log';
@@ -18,7 +18,7 @@ export function errorText({ exception }: Ended, parts: WorkParts) {
   if (exception === null) return null;
   const files = parts.work.files.value;
   const place = placeIn(exception.traceback, files);
-  const advice = explain({ failure: exception, source: sourceAt(place, files), table: tableNow(parts) });
+  const advice = explain({ failure: exception, source: sourceAt(place, files), table: robotInErrorNow(parts) });
   const message = t(advice.key, advice.values);
   return place === null
     ? { key: 'state.announceError' as const, values: { message } }

@@ -7,7 +7,7 @@ import type { PageParts } from '../../kit/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { RunModel } from '../../session/run/run-model';
-import { tableNow } from '../../session/work/hardware/use-hardware';
+import { robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { fetchAdvice } from './advice/explain';
 import { placeIn, sourceAt } from './error-text';
@@ -80,7 +80,7 @@ function showEnd(parts: Around, ended: Ended, device: number): void {
   jump.wrong.value = place === null ? null : { ...place, device };
   console.addError(
     place,
-    { failure: exception, source: sourceAt(place, files), table: tableNow(parts, device) },
+    { failure: exception, source: sourceAt(place, files), table: robotInErrorNow(parts, device) },
     device,
   );
   if (drives) console.addNote('console.motorsOn', device);

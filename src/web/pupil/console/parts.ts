@@ -2,7 +2,7 @@ import { ConsoleModel } from './console-model';
 import { createJump, type Jump } from './jump';
 import { lateParts } from '../../kit/part';
 import { usePage } from '../../kit/parts';
-import { tableNow } from '../../session/work/hardware/use-hardware';
+import { robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import { useWork, type WorkParts } from '../../session/work/model/parts';
 import type { WithLate } from '../../kit/state/late-models';
 
@@ -16,7 +16,7 @@ export const [consoleOf, useConsole] = lateParts(
   () => ({ ...usePage(), ...useWork() }),
   ({ work, settings }: WorkParts & WithLate): ConsoleParts => ({
     console: new ConsoleModel(
-      (device) => tableNow({ work, settings }, device),
+      (device) => robotInErrorNow({ work, settings }, device),
       () => work.place.value,
     ),
     jump: createJump(work),

@@ -12,7 +12,7 @@ export class DebugSlot implements Stillness {
   /** `null` until it is loaded. */
   readonly debug: ShallowRef<Debug | null> = shallowRef(null);
   readonly isStanding: ComputedRef<boolean>;
-  readonly isStill: ComputedRef<boolean>;
+  readonly isInspectable: ComputedRef<boolean>;
   readonly showsVariables = shallowRef(false);
   /** The marks in the editor; loaded with `debug`. */
   marks: typeof Marks | null = null;
@@ -23,8 +23,8 @@ export class DebugSlot implements Stillness {
     this.isStanding = computed(
       () => run.phase.value === 'paused' && run.past.value === null && run.ended.value === null,
     );
-    this.isStill = computed(() => this.isStanding.value || run.past.value !== null);
-    watch(this.isStill, (isStill) => isStill && this.need());
+    this.isInspectable = computed(() => this.isStanding.value || run.past.value !== null);
+    watch(this.isInspectable, (isStill) => isStill && this.need());
     if (hasKept()) this.need();
   }
 

@@ -17,7 +17,7 @@ export interface Stillness {
   /** True while the run is paused and the program has not ended, and no past moment is shown. */
   readonly isStanding: ComputedRef<boolean>;
   /** True while it is halted, or while a past moment is shown. */
-  readonly isStill: ComputedRef<boolean>;
+  readonly isInspectable: ComputedRef<boolean>;
   /** True if the variables are shown in the board's place. */
   readonly showsVariables: ShallowRef<boolean>;
 }
@@ -68,10 +68,10 @@ export class Debug {
     private readonly slot: Stillness,
   ) {
     const { run, work } = app;
-    const { isStanding, isStill, showsVariables } = slot;
+    const { isStanding, isInspectable, showsVariables } = slot;
     this.past = new Past(app, (device, variables) => this.find(device, variables));
     this.place = computed(() => {
-      const position = isStill.value ? (run.shown.value?.position ?? null) : null;
+      const position = isInspectable.value ? (run.shown.value?.position ?? null) : null;
       return position === null ? null : { file: position.file, line: position.line };
     });
     this.here = computed(() => {
@@ -89,7 +89,7 @@ export class Debug {
     watch(run.recording, () => this.last.clear());
     const moment = computed(() => (isStanding.value ? `${work.place.value} ${run.nowUs.value}` : null));
     watch(moment, (now) => now !== null && this.look(), { immediate: true });
-    watch(isStill, (still) => still || this.forget());
+    watch(isInspectable, (still) => still || this.forget());
     let shownIn: unknown = null;
     watch(run.debug.held, (held) => {
       if (held !== null) work.showDevice(held.device); // who waits for another device's line would see nothing of it
@@ -193,7 +193,7 @@ export class Debug {
     );
     if (isSame(points, this.toldPoints)) return; // the program changes with every key
     this.toldPoints = points;
-    run.debug.stopAt(points);
+    run.debug.setBreakPoints(points);
   }
 }
 

@@ -21,14 +21,14 @@ import { isHandedOut, type TaskLocks } from '../../session/work/model/task-locks
 import type { WorkParts } from '../../session/work/model/parts';
 import words from './words';
 import { mainText } from './main-text';
-import { holdSettings, OF_THE_ROBOT } from './hold-settings';
+import { holdLockedSettings, OF_THE_ROBOT } from './hold-locked-settings';
 import { lockedLines } from './locked-lines';
 import { followLocks } from './follow-locks';
-import { bringsText, fromOutside, isFromOutside } from './outside';
-import { plainHints } from './plain-hints';
+import { bringsText, withOutsideRemark, isFromOutside } from './outside';
+import { removeLockedOffers } from './remove-locked-offers';
 import { takeBack } from './since-opening';
 import { UsedHand } from './used-hand';
-import { wholePastes } from './whole-pastes';
+import { watchLargePastes } from './watch-large-pastes';
 import { isMadeWith } from './with-tools';
 
 /** The models that locks need. */
@@ -81,8 +81,8 @@ function beginWith(app: LockedPage, task: OpenTaskLocks): void {
     },
     { immediate: true, flush: 'sync' },
   );
-  holdSettings(app, task);
-  plainHints(app, task);
+  holdLockedSettings(app, task);
+  removeLockedOffers(app, task);
 }
 
 class OpenTaskLocks implements TaskLocks {
@@ -162,15 +162,15 @@ class OpenTaskLocks implements TaskLocks {
       if (wished.task !== undefined) this.tell(t(words.given));
       return wished.task === undefined ? wished : null;
     }
-    const after = !isTyped && bringsText(before, wished) ? fromOutside(wished) : wished;
+    const after = !isTyped && bringsText(before, wished) ? withOutsideRemark(wished) : wished;
     if (!isSame(hardwareOf(before), hardwareOf(after)) && this.refuses('robot')) return null;
     return this.withLines(before, after);
   }
 
   inEditor(file: string): Extension {
     const { work } = this.app;
-    const pasted = wholePastes(this.copied, () => {
-      const { handIn } = fromOutside(work.work.value.project);
+    const pasted = watchLargePastes(this.copied, () => {
+      const { handIn } = withOutsideRemark(work.work.value.project);
       if (handIn !== undefined) work.setHandIn(handIn);
     });
     const isStart = file === MAIN && work.place.value === 0;

@@ -1,6 +1,6 @@
 import { courseEditorOf } from '../../course/editor/state/parts';
 import type { JoinModels } from '../../session/models/session';
-import { keepTask } from './keep-task';
+import { applyLocks } from './apply-locks';
 
 /** The locks of a task hold while it is open. */
-export const join: JoinModels = (session) => keepTask({ ...session, ...courseEditorOf(session) });
+export const join: JoinModels = (session) => applyLocks({ ...session, ...courseEditorOf(session) });

@@ -15,7 +15,7 @@ export const isFromOutside = (project: Project): boolean => remarksIn(project).i
  * The project with the remark that some of its program was written elsewhere. The remark stays with the work, over a
  * reload and in its file.
  */
-export function fromOutside(project: Project): Project {
+export function withOutsideRemark(project: Project): Project {
   if (isFromOutside(project)) return project;
   const remarks = [...remarksIn(project), OUTSIDE];
   return { ...project, handIn: { version: HAND_IN_VERSION, ...project.handIn, remarks } };

@@ -68,7 +68,7 @@ async function recordedNow(run: RunModel): Promise<Recorded | null> {
   const [setup, inputs] = [recording?.setup ?? null, recording?.inputs.value ?? null];
   const endUs = run.present.value?.timeUs ?? 0;
   if (setup === null || inputs === null) return null;
-  const as = recording?.as ?? null;
+  const as = recording?.broughtTape ?? null;
   // Nothing was done to it since it was opened, and it stands where it ended: it is saved as it came.
   if (as !== null && inputs.length === (setup.inputs ?? []).length && endUs <= as.untilUs + CALL_US)
     return { setup, ...as.ends };

@@ -8,7 +8,7 @@ import type { Moment } from './moment';
 import words from './words';
 import type { News } from './news';
 import { isNear } from './watch-ahead';
-import { fromRobot, nearestSolid, touchedSolid, type Solid } from './solids';
+import { fromRobot, nearestSolid, deepestSolid, type Solid } from './solids';
 
 /** The course in which the robot drives. */
 export interface Surroundings {
@@ -83,7 +83,7 @@ const nameOf = (what: Solid): string => t(what === 'edge' ? words.edge : kindNam
 const SIDES = ['front', 'front-left', 'left', 'back-left', 'back', 'back-right', 'right', 'front-right'] as const;
 
 function touchText({ pose, moved }: Moment, { scene, body }: Surroundings): string {
-  const { what, atMm } = touchedSolid(body, pose, scene, moved);
+  const { what, atMm } = deepestSolid(body, pose, scene, moved);
   const { x, y } = fromRobot(pose, atMm);
   const eighth = ((Math.round(Math.atan2(y, x) / (Math.PI / 4)) % 8) + 8) % 8;
   return t(words.touch[SIDES[eighth] ?? 'front'], { thing: t(words.touched[what]) });

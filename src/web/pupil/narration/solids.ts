@@ -48,7 +48,7 @@ export function nearestSolid(at: Vec, scene: Scene, moved: Readonly<Record<strin
  *
  * @param body convex parts in the robot's frame, at its size
  */
-export function touchedSolid(
+export function deepestSolid(
   body: readonly Outline[],
   pose: Pose,
   scene: Scene,

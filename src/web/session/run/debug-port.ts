@@ -23,7 +23,7 @@ export class DebugPort {
   constructor(private readonly run: { readonly phase: ShallowRef<RunPhase>; send(message: ToRun): unknown }) {}
 
   /** Sets the breakpoints of this run and the next ones. */
-  stopAt(points: PointsOfDevices): void {
+  setBreakPoints(points: PointsOfDevices): void {
     this.points = points;
     this.tellPoints();
   }

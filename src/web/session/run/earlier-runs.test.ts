@@ -161,5 +161,5 @@ describe('the runs before this one', () => {
 });
 
 it('a recording that nobody has said anything about cannot go on', () => {
-  expect(new Recording(null).canGoOn).toBe(false);
+  expect(new Recording(null).canRepeat).toBe(false);
 });

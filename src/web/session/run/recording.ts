@@ -36,7 +36,7 @@ export class Recording {
   /** For each piece: the time from which moments are missing, because it is thin; `null`: none are missing. */
   thinSince: readonly (number | null)[] = [];
   /** Number of pieces, and their end, at the last report of all inputs to the run. */
-  told = { pieces: 0, untilUs: 0 };
+  reported = { pieces: 0, untilUs: 0 };
   /** The output of the programs, oldest first, as it arrived; when there is too much, the oldest half is dropped. */
   output: readonly Output[] = [];
   /** The work of adding missing moments; `null`: none is in progress. */
@@ -69,15 +69,15 @@ export class Recording {
   ) {
     this.ghost = this.leftRun = shallowRef(left);
     this.isBrought = brought !== null;
-    this.as = brought;
+    this.broughtTape = brought;
     for (const piece of brought?.pieces ?? []) this.add(piece, null);
   }
   readonly isBrought: boolean;
   /** The tape of a run recorded earlier, also when it has been repeated; `null`: this is a new run. */
-  readonly as: BroughtTape | null;
+  readonly broughtTape: BroughtTape | null;
 
   /** True if the run can be run again. */
-  get canGoOn(): boolean {
+  get canRepeat(): boolean {
     return this.setup !== null && this.inputs.value !== null;
   }
 
@@ -102,7 +102,7 @@ export class Recording {
     if (message.type !== 'inputs') return;
     // Until here its moments were there before.
     if (this.brought && message.nowUs >= this.brought.untilUs) this.brought = null;
-    this.told = { pieces: this.pieces.length, untilUs: message.nowUs };
+    this.reported = { pieces: this.pieces.length, untilUs: message.nowUs };
     this.inputs.value = message.inputs;
   }
 

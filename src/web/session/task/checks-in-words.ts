@@ -21,11 +21,11 @@ const words = taskWords.checks;
 /** The checks of a project's task, as pupils read them. */
 export function checksInWords(project: Project): readonly CheckInWords[] {
   const read = draftOf(project);
-  return inWords('task' in read ? read.task.checks : []);
+  return checkTexts('task' in read ? read.task.checks : []);
 }
 
 /** The same for the checks of a task that has been read. */
-export function inWords(all: readonly Check[]): readonly CheckInWords[] {
+export function checkTexts(all: readonly Check[]): readonly CheckInWords[] {
   return all.flatMap((check) => {
     if (check.type === 'goals') return [];
     const points = check.points === 1 ? t(words.point) : t(words.points, { points: check.points });

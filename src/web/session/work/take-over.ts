@@ -2,7 +2,7 @@
  * The works of tabs that were closed. A new tab opens what the last one has left; what lies under the names of the others
  * goes to its earlier works, so that none is out of reach.
  */
-import { filesOf, keepLast } from './programs/own-programs';
+import { filesByDevice, keepLast } from './programs/own-programs';
 import { withAll } from './storage/all-works';
 import { entriesIn } from './storage/database';
 import { allCopies, DISK_COPY } from './storage/disk-copy';
@@ -15,7 +15,7 @@ import { lateModel, type WithLate } from '../../kit/state/late-models';
 import type { WorkParts } from './model/parts';
 import type { WorkModel } from './model/work-model';
 import { nameWithFile } from './work-name';
-import { isOurs } from './use-courses';
+import { hasNothingOwn } from './use-courses';
 
 /** Prefix of the lock of an open tab: see `keep-work.ts`. */
 const LOCK = 'parcours.tab.';
@@ -40,7 +40,7 @@ function put(work: WorkModel, left: readonly Previous[]): void {
   if (previous !== before.previous) work.work.value = { ...before, previous };
   for (const { project, atMs } of left)
     if (project.course !== null && project.task === undefined)
-      keepLast(work, project.course, { atMs, files: filesOf(project) });
+      keepLast(work, project.course, { atMs, files: filesByDevice(project) });
 }
 
 async function leftWorks(nowMs: number): Promise<readonly Previous[]> {
@@ -63,7 +63,7 @@ async function worksIn(text: string, nowMs: number): Promise<readonly Previous[]
   const { project, file, previous } = work;
   const name = nameWithFile(courseName(project.scene, project.course), file);
   const open = { name, atMs: savedMsOf(text), project, ...(file !== undefined && { file }) };
-  return [open, ...previous].filter((entry) => !isOurs(entry.project));
+  return [open, ...previous].filter((entry) => !hasNothingOwn(entry.project));
 }
 
 /** The names of the tabs that are open; where they cannot be known, their works count as left, and are listed once more. */

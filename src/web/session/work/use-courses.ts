@@ -8,7 +8,7 @@ import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { newWork } from './settings/settings';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
-import { withoutGiven } from './model/task-locks';
+import { withoutHandedOut } from './model/task-locks';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { dateText } from '../../kit/i18n/number-text';
@@ -30,7 +30,11 @@ function useWholeCourses(app: Workplace) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
   /** Opens a project without the hardware of the previous work, which is chosen separately. */
-  function open({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void {
+  function open(
+    { settings: _, ...project }: Project,
+    name: string,
+    ours = hasNothingOwn(app.work.work.value.project),
+  ): void {
     openings.open(project, name, ours);
     app.settings.bring(newWork);
   }
@@ -70,7 +74,7 @@ function useWholeCourses(app: Workplace) {
 
   /** Opens a course as the pupil has left it, or with its program where they have written nothing in it yet. */
   function openAgain(course: Course): void {
-    if (!isOurs(app.work.work.value.project)) leaveProgram(app.work, Date.now()); // it may be the same course
+    if (!hasNothingOwn(app.work.work.value.project)) leaveProgram(app.work, Date.now()); // it may be the same course
     const { last } = programsOf(app.work, course.id);
     if (course.isRandom || last === undefined) openWhole(course);
     else openOwn(course, last);
@@ -138,7 +142,7 @@ export function useCourses(app: Workplace) {
 }
 
 /** The project with its first device only, and without a task that was handed out. */
-const alone = ({ devices: _, ...project }: Project): Project => withoutGiven(project);
+const alone = ({ devices: _, ...project }: Project): Project => withoutHandedOut(project);
 
 /** The robot that a course and its program are made for; `null`: none. */
 function robotOf({ scene, files }: Project) {
@@ -153,7 +157,7 @@ const withProgram = ({ work }: Pick<WorkParts, 'work'>, source: string): Project
 });
 
 /** True if nothing of the pupil's own is in a project: not in the files, not in the arena. */
-export const isOurs = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
+export const hasNothingOwn = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
 
 /** True if nothing of the pupil's own is in the files. */
 const isOurProgram = (project: Project): boolean =>

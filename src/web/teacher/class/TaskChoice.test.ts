@@ -11,7 +11,7 @@ import { serializeScene } from '#scene/serialize';
 import { mountOn } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { ClassModel } from './model/class-model';
-import { bringLink, bringSeries } from './task-series';
+import { offerLink, offerSeries } from './task-series';
 import TaskChoice from './TaskChoice.vue';
 
 /** A page, and a class of which nothing is handed in. */
@@ -93,7 +93,7 @@ describe('a series for a class', () => {
   it('has its first task checked, and offers the others', async () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
-    bringSeries(model, { kind: 'series', series: aSeries() });
+    offerSeries(model, { kind: 'series', series: aSeries() });
     await nextTick();
     expect(parts(shown)).toEqual({
       from: 'Serie: Woche 3: Linien',
@@ -109,7 +109,7 @@ describe('a series for a class', () => {
   it('is still there when the page comes back, with the task that was chosen', async () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
-    bringSeries(model, { kind: 'series', series: aSeries() });
+    offerSeries(model, { kind: 'series', series: aSeries() });
     await nextTick();
     await shown.get('[data-testid="class-series-task"]').setValue('3');
     expect(parts(mountOn(page, TaskChoice, { model })).task).toBe('3. Ohne Aufgabe');
@@ -120,16 +120,16 @@ describe('a series for a class', () => {
     const shown = mountOn(page, TaskChoice, { model });
     const { fragment } = seriesLinkOf(aSeries(), readyCourses)!;
     const before = model.task.value;
-    expect(bringLink(model, `Reihe: https://example.org/#${fragment.slice(0, -9)}`)).toBe(true);
+    expect(offerLink(model, `Reihe: https://example.org/#${fragment.slice(0, -9)}`)).toBe(true);
     await nextTick();
     expect(shown.get('[role="alert"]').text()).toContain('Der Link ist beschädigt');
     expect(model.task.value).toBe(before);
-    expect(bringLink(model, `Reihe: https://example.org/#${fragment}, viel Spass`)).toBe(true);
+    expect(offerLink(model, `Reihe: https://example.org/#${fragment}, viel Spass`)).toBe(true);
     await nextTick();
     expect(parts(shown).task).toBe('1. Geschlossene Linie');
     expect(shown.find('[role="alert"]').exists()).toBe(false);
-    expect(bringLink(model, 'https://example.org/#p=2.abc')).toBe(false);
-    bringLink(model, `#${fragment.slice(0, -9)}`);
+    expect(offerLink(model, 'https://example.org/#p=2.abc')).toBe(false);
+    offerLink(model, `#${fragment.slice(0, -9)}`);
     await nextTick();
     expect(parts(shown).task).toBe('1. Geschlossene Linie');
     expect(shown.find('[role="alert"]').exists()).toBe(true);
@@ -139,13 +139,13 @@ describe('a series for a class', () => {
     const { page, model } = classOn();
     const shown = mountOn(page, TaskChoice, { model });
     const gone = { id: 'x', title: 'Weg', from: { kind: 'file', file: 'weg.json' } } as const;
-    bringSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone, ...aSeries().tasks.slice(1)] } });
+    offerSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone, ...aSeries().tasks.slice(1)] } });
     await nextTick();
     expect(parts(shown)).toMatchObject({
       tasks: ['1. Weg (nicht lesbar) –', '2. Ans Ziel', '3. Ohne Aufgabe'],
       task: '2. Ans Ziel',
     });
-    bringSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone] } });
+    offerSeries(model, { kind: 'series', series: { ...aSeries(), tasks: [gone] } });
     await nextTick();
     expect(model.task.value).toBeNull();
     expect(shown.get('[role="alert"]').text()).toContain('keine Aufgabe, die sich lesen lässt');

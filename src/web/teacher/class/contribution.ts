@@ -3,14 +3,14 @@ import { mdiClipboardCheckOutline } from '@mdi/js';
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
-import { pagePart } from '../../session/layout/page-part';
+import { pageMenuPart } from '../../session/layout/page-menu-part';
 import words from './words';
 
 export const contribution: Contribution = {
   menu() {
     const { router } = useLayout();
     return [
-      pagePart({
+      pageMenuPart({
         id: 'class',
         order: 30,
         icon: mdiClipboardCheckOutline,

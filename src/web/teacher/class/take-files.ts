@@ -2,7 +2,7 @@ import type { AddedFile } from '../../kit/files/added-files';
 import { HandInReader } from '../../session/run/reading/hand-in-reader';
 import { readyCourses } from '../../session/work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
-import { bringSeries } from './task-series';
+import { offerSeries } from './task-series';
 
 const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id, scene }) => [id, scene])));
 
@@ -14,7 +14,7 @@ const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id,
  */
 export async function takeFiles(model: ClassModel, files: readonly AddedFile[]): Promise<number> {
   const { series, sources } = await reader.open(files);
-  if (series !== null) bringSeries(model, series);
+  if (series !== null) offerSeries(model, series);
   if (sources.length > 0) await model.add(sources);
   return sources.length;
 }

@@ -15,7 +15,7 @@ import type { ClassModel } from './model/class-model';
 /**
  * Offers a series for the class: its first available task is chosen. Of an unreadable one only the problem is shown.
  */
-export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable): void {
+export function offerSeries(model: ClassModel, read: SeriesDocument | Unreadable): void {
   const { brought } = model;
   if (read.kind === 'unreadable') brought.value = { ...brought.value, problem: unreadableReason(read) };
   else {
@@ -25,9 +25,9 @@ export function bringSeries(model: ClassModel, read: SeriesDocument | Unreadable
 }
 
 /** Offers the series of a link in a text. @returns whether there is one */
-export function bringLink(model: ClassModel, text: string): boolean {
+export function offerLink(model: ClassModel, text: string): boolean {
   const link = seriesLinkIn(text);
-  if (link !== null) bringSeries(model, documentOfSeriesLink(link, readyScene));
+  if (link !== null) offerSeries(model, documentOfSeriesLink(link, readyScene));
   return link !== null;
 }
 

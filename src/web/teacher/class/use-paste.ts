@@ -8,7 +8,7 @@ import { readyScene } from '../../session/work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 import words from './words';
 import { takeFiles } from './take-files';
-import { bringLink } from './task-series';
+import { offerLink } from './task-series';
 
 /**
  * Time for which the message on a paste is shown, in ms. Chosen: read twice; nothing old should stay on a projector.
@@ -44,7 +44,7 @@ export function usePaste(model: ClassModel): Readonly<Ref<string>> {
       if (count > 0) tell(t(words.pasted, { count }));
       return;
     }
-    const hasSeries = bringLink(model, text ?? '') || bringLink(model, page ?? '');
+    const hasSeries = offerLink(model, text ?? '') || offerLink(model, page ?? '');
     const inText = listSources(text ?? '', readyScene);
     const links = inText.length > 0 ? inText : listSources(page ?? '', readyScene, 'pasted.html');
     if (links.length > 0) tell(t(words.pasted, { count: links.length }));

@@ -5,14 +5,14 @@ import { t } from '../../kit/i18n';
 import { openProjector } from '../../session/layout/open-projector';
 import { useLayout } from '../../session/layout/parts';
 import showWords from '../../session/layout/words';
-import { pagePart } from '../../session/layout/page-part';
+import { pageMenuPart } from '../../session/layout/page-menu-part';
 import { useWork } from '../../session/work/model/parts';
 
 export const contribution: Contribution = {
   menu() {
     const app = { ...useWork(), ...useLayout() };
     return [
-      pagePart({
+      pageMenuPart({
         id: 'projector',
         order: 40,
         icon: mdiProjectorScreenOutline,

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 
-import { readKept, writeKept } from './kept-timer';
+import { readTimer, writeTimer } from './kept-timer';
 
 const timer = { setMs: 300_000, leftMs: 120_000, endsMs: 1_800_000_000_000 };
 const put = (text: string): void => sessionStorage.setItem('parcours.projector', text);
@@ -9,11 +9,11 @@ const put = (text: string): void => sessionStorage.setItem('parcours.projector',
 describe('what a tab keeps of the timer', () => {
   beforeEach(() => sessionStorage.clear());
 
-  it('is nothing on a first visit', () => expect(readKept()).toEqual({ timer: null, hasSound: false }));
+  it('is nothing on a first visit', () => expect(readTimer()).toEqual({ timer: null, hasSound: false }));
 
   it('comes back as it was', () => {
-    writeKept({ timer, hasSound: true });
-    expect(readKept()).toEqual({ timer, hasSound: true });
+    writeTimer({ timer, hasSound: true });
+    expect(readTimer()).toEqual({ timer, hasSound: true });
   });
 
   it.each([
@@ -26,6 +26,6 @@ describe('what a tab keeps of the timer', () => {
     '{"timer":{"setMs":60000,"leftMs":1,"endsMs":"soon"}}',
   ])('is nothing where it reads %s', (text) => {
     put(text);
-    expect(readKept()).toEqual({ timer: null, hasSound: false });
+    expect(readTimer()).toEqual({ timer: null, hasSound: false });
   });
 });

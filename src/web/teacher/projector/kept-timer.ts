@@ -10,7 +10,7 @@ const KEY = 'parcours.projector';
 /** The state if nothing can be read: as on a first visit. */
 const NOTHING: KeptProjector = { timer: null, hasSound: false };
 
-export function readKept(): KeptProjector {
+export function readTimer(): KeptProjector {
   try {
     const kept = JSON.parse(sessionStorage.getItem(KEY) ?? 'null') as Partial<KeptProjector> | null;
     return { timer: isTimer(kept?.timer) ? kept.timer : null, hasSound: kept?.hasSound === true };
@@ -19,7 +19,7 @@ export function readKept(): KeptProjector {
   }
 }
 
-export function writeKept(kept: KeptProjector): void {
+export function writeTimer(kept: KeptProjector): void {
   try {
     sessionStorage.setItem(KEY, JSON.stringify(kept));
   } catch {

@@ -4,7 +4,7 @@ import { lateModel } from '../../kit/state/late-models';
 import type { RunParts } from '../../session/run/parts';
 import type { SoundPlayer } from '../../session/run/sound/sound-player';
 import { CountDown } from './count-down';
-import { readKept, writeKept } from './kept-timer';
+import { readTimer, writeTimer } from './kept-timer';
 import { ring } from './ring';
 
 /** The timer of a page, and whether its end is heard. */
@@ -19,10 +19,10 @@ export interface ProjectorTimer {
 export const timerOf = lateModel(({ sound }: Pick<RunParts, 'sound'>) => createTimer(sound));
 
 function createTimer(sound: SoundPlayer): ProjectorTimer {
-  const kept = readKept();
+  const kept = readTimer();
   const hasSound = shallowRef(kept.hasSound);
   let { timer } = kept;
-  const keep = (): void => writeKept({ timer, hasSound: hasSound.value });
+  const keep = (): void => writeTimer({ timer, hasSound: hasSound.value });
   const countDown = new CountDown(
     {
       now: () => Date.now(),

@@ -5,7 +5,7 @@ import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
 import { placeOf } from '../../session/task/series/series-place';
 import wayWords from '../../session/task/series/words';
-import { pagePart } from '../../session/layout/page-part';
+import { pageMenuPart } from '../../session/layout/page-menu-part';
 import { useWork } from '../../session/work/model/parts';
 import words from './words';
 
@@ -31,7 +31,7 @@ export const contribution: Contribution = {
           ];
         },
       },
-      pagePart({
+      pageMenuPart({
         id: 'make-series',
         order: 20,
         icon: mdiFormatListNumbered,

@@ -9,7 +9,7 @@ import { t } from '../../kit/i18n';
 import type { WithLate } from '../../kit/state/late-models';
 import { shownAndKept, type FoundSeries } from '../../exchange/share/open-series';
 import shareWords from '../../exchange/share/words';
-import { keptSeries, seriesFrom } from '../../session/task/series/kept-series';
+import { reopenSeries, storedSeriesAt } from '../../session/task/series/kept-series';
 import { urlOf } from '../../session/visit/address';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 import words from './words';
@@ -23,7 +23,7 @@ import words from './words';
 export async function findSeries(app: WithLate, from: string): Promise<FoundSeries> {
   if (isSeriesLink(from)) return shownAndKept(app, documentOfSeriesLink(from, readyScene));
   if (from.startsWith('series=')) return fetchSeries(app, decoded(from.slice('series='.length)));
-  const series = await keptSeries(app, from.slice('series/'.length));
+  const series = await reopenSeries(app, from.slice('series/'.length));
   return series === null ? { problem: t(words.notKept) } : { series };
 }
 
@@ -38,7 +38,7 @@ async function fetchSeries(app: WithLate, given: string): Promise<FoundSeries> {
   if (url.origin !== location.origin) return { problem: t(words.foreign, { host: url.host || given }) };
   const loaded = await textAt(url);
   if ('problem' in loaded) {
-    const series = await seriesFrom(url.href);
+    const series = await storedSeriesAt(url.href);
     return series === null ? { problem: loaded.problem } : { series, isOld: true };
   }
   const document = seriesDocument(parseSeries(loaded.text, readyScene));

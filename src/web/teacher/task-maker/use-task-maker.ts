@@ -7,7 +7,7 @@ import { projectOfTask } from '#check/task/write-task';
 import { exactCos, exactSin } from '#core/exact-math';
 
 import { presentProject } from '../../exchange/share/save-work';
-import { isHandedOut, withoutGiven } from '../../session/work/model/task-locks';
+import { isHandedOut, withoutHandedOut } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import { workName } from '../../session/work/work-name';
 
@@ -39,7 +39,7 @@ export function useTaskMaker(app: WorkParts): TaskMaker {
     },
     isGiven,
     clear() {
-      if (isGiven.value) app.work.openProject(withoutGiven(presentProject(app)), workName(app));
+      if (isGiven.value) app.work.openProject(withoutHandedOut(presentProject(app)), workName(app));
       else app.work.setTask(null);
     },
   };

@@ -5,10 +5,10 @@ import type { Cells } from './even-light';
 import { fitBackground, type FloorSize } from './fit-background';
 import { pictureOf } from './picture-of';
 import type { Pixels } from './pixels';
-import { scaledQuad, shapeOf, type Extent, type Quad } from './quad';
+import { scaledQuad, straightExtentOf, type Extent, type Quad } from './quad';
 import { brightnessOfCells } from './raster';
 import { LONGEST_PX, type OpenedPicture } from './read-image';
-import { inLight, levelsOf, type SensorView } from './sensor-view';
+import { evenedIf, levelsOf, type SensorView } from './sensor-view';
 import { straightened } from './straighten';
 
 /** How an opened picture is to become the floor. */
@@ -23,11 +23,11 @@ export interface FloorWish {
 
 /** The floor from a picture: the levels that the line sensors read, and the picture that is displayed. */
 export function floorOf({ pixels, isPhoto }: OpenedPicture, wish: FloorWish, arena: Point): Background {
-  const shape = atMost(shapeOf(wish.quad), LONGEST_PX);
+  const shape = atMost(straightExtentOf(wish.quad), LONGEST_PX);
   const straight = straightened(pixels, wish.quad, shape);
   const place = fitBackground(shape.width, shape.height, arena, wish.size);
   const [columns, rows] = place.cells;
-  const cells = inLight({ columns, rows, brightness: brightnessOfCells(straight, columns, rows) }, wish.view.isEven);
+  const cells = evenedIf({ columns, rows, brightness: brightnessOfCells(straight, columns, rows) }, wish.view.isEven);
   return {
     ...place,
     levels: packLevels(levelsOf(cells, wish.view)),
@@ -41,7 +41,7 @@ export function floorOf({ pixels, isPhoto }: OpenedPicture, wish: FloorWish, are
  * @param small the picture at `scale` of its size
  */
 export function previewCells(small: Pixels, scale: number, quad: Quad, longest: number): Cells {
-  const { width, height } = atMost(shapeOf(quad), longest);
+  const { width, height } = atMost(straightExtentOf(quad), longest);
   const straight = straightened(small, scaledQuad(quad, scale), { width, height });
   return { columns: width, rows: height, brightness: brightnessOfCells(straight, width, height) };
 }

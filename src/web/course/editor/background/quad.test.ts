@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { quarterTurnedQuad, scaledQuad, shapeOf, turnedQuad, wholeOf, withCorner, withSide } from './quad';
+import { quarterTurnedQuad, scaledQuad, straightExtentOf, turnedQuad, wholeOf, withCorner, withSide } from './quad';
 
 const extent = { width: 400, height: 300 };
 const whole = wholeOf(extent);
@@ -39,7 +39,7 @@ describe('the part of a picture that becomes the floor', () => {
       expect(y).toBeGreaterThanOrEqual(0);
       expect(y).toBeLessThanOrEqual(300);
     }
-    const { width, height } = shapeOf(turned);
+    const { width, height } = straightExtentOf(turned);
     expect(width / height).toBeCloseTo(4 / 3, 1);
     expect(width).toBeLessThan(400);
   });
@@ -59,9 +59,9 @@ describe('the part of a picture that becomes the floor', () => {
   });
 
   it('has the shape of its mean sides, and the same in a smaller picture', () => {
-    expect(shapeOf(whole)).toEqual({ width: 400, height: 300 });
+    expect(straightExtentOf(whole)).toEqual({ width: 400, height: 300 });
     const sheet = withCorner(withCorner(whole, 0, [50, 0], extent), 1, [350, 0], extent);
-    expect(shapeOf(sheet).width).toBe(350);
-    expect(shapeOf(scaledQuad(whole, 0.5))).toEqual({ width: 200, height: 150 });
+    expect(straightExtentOf(sheet).width).toBe(350);
+    expect(straightExtentOf(scaledQuad(whole, 0.5))).toEqual({ width: 200, height: 150 });
   });
 });

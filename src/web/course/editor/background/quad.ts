@@ -95,7 +95,7 @@ export const scaledQuad = (quad: Quad, factor: number): Quad =>
   quad.map(([x, y]): Point => [x * factor, y * factor]) as unknown as Quad;
 
 /** Width and height of a part when it is straightened, in pixels: the means of its opposite sides. */
-export function shapeOf([one, two, three, four]: Quad): Extent {
+export function straightExtentOf([one, two, three, four]: Quad): Extent {
   const length = (from: Point, to: Point): number => {
     const [x, y] = [to[0] - from[0], to[1] - from[1]];
     return Math.sqrt(x * x + y * y);

@@ -6,7 +6,7 @@ import type { Cells } from './even-light';
 import { emptyPixels, type Pixels } from './pixels';
 import type { Quad } from './quad';
 import { brightnessOfCells, FULL_BRIGHTNESS } from './raster';
-import { goodThreshold, inLight, levelsOf, type SensorView } from './sensor-view';
+import { goodThreshold, evenedIf, levelsOf, type SensorView } from './sensor-view';
 import { straightened } from './straighten';
 
 const line: SensorView = { steps: 'line', thresholdPercent: 50, isEven: false };
@@ -47,7 +47,7 @@ describe('light that is made even', () => {
 
   it('makes paper bright and lines dark on both sides of a lamp, where no threshold did', () => {
     const levels = (isEven: boolean): number => {
-      const judged = inLight(lit(), isEven);
+      const judged = evenedIf(lit(), isEven);
       const seen = levelsOf(judged, { ...line, thresholdPercent: goodThreshold(judged) });
       return seen.reduce((wrong, level, cell) => wrong + ((level === 0) === (cell % 10 === 5) ? 0 : 1), 0);
     };
@@ -57,7 +57,7 @@ describe('light that is made even', () => {
 
   it('leaves what is wide and dark dark', () => {
     const given = cells(100, ...Array.from({ length: 100 * 60 }, (_, cell) => (cell % 100 < 20 ? 8 : 90)));
-    const judged = inLight(given, true);
+    const judged = evenedIf(given, true);
     expect(levelsOf(judged, line)[3000]).toBe(0);
     expect(levelsOf(judged, line)[3050]).toBe(15);
   });
@@ -111,7 +111,7 @@ describe('a line on a photograph', () => {
   it('is found where it lies on the sheet, through perspective, a shadow and noise: 99 cells of 100', () => {
     const straight = straightened(photograph(), sheet, { width: 600, height: 450 });
     const brightness = brightnessOfCells(straight, 600, 450);
-    const judged = inLight({ columns: 600, rows: 450, brightness }, true);
+    const judged = evenedIf({ columns: 600, rows: 450, brightness }, true);
     const levels = levelsOf(judged, { ...line, thresholdPercent: goodThreshold(judged) });
     let [wrong, far] = [0, 0];
     levels.forEach((level, cell) => {

@@ -14,7 +14,7 @@ export interface SensorView {
 }
 
 /** The cells as they are judged: with shadows taken out (`isEven`), or as they are. */
-export const inLight = (cells: Cells, isEven: boolean): Cells => (isEven ? evened(cells) : cells);
+export const evenedIf = (cells: Cells, isEven: boolean): Cells => (isEven ? evened(cells) : cells);
 
 /**
  * The levels that the line sensors will see.

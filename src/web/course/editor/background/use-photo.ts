@@ -8,7 +8,7 @@ import { canvasOf, scaled } from './picture-of';
 import { quarterTurned, type Pixels } from './pixels';
 import { quarterTurnedQuad, turnedQuad, wholeOf, withCorner, withSide, type Quad } from './quad';
 import type { OpenedPicture } from './read-image';
-import { goodThreshold, inLight, levelsOf } from './sensor-view';
+import { goodThreshold, evenedIf, levelsOf } from './sensor-view';
 
 /** Longest side of the picture from which the preview is made, and of the preview; in pixels and cells. */
 const [SMALL_PX, PREVIEW_CELLS] = [640, 320];
@@ -30,7 +30,7 @@ export function usePhoto({ pixels, isPhoto }: OpenedPicture) {
 
   const small = computed(() => shrunk(picture.value));
   const cells = computed(() =>
-    inLight(previewCells(small.value.pixels, small.value.scale, quad.value, PREVIEW_CELLS), isEven.value),
+    evenedIf(previewCells(small.value.pixels, small.value.scale, quad.value, PREVIEW_CELLS), isEven.value),
   );
   /** Found in the picture until it is set by hand. */
   const thresholdPercent = computed(() => ownThreshold.value ?? goodThreshold(cells.value));

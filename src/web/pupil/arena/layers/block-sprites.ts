@@ -3,7 +3,7 @@ import { liesStill } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/draw-bodies';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo } from './draw-moving';
-import { moverSprite } from './mover-sprite';
+import { spriteSquare } from './sprite-square';
 import { boxAround, roomyWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
@@ -77,7 +77,7 @@ const isSameFrame = (one: SpriteFrame, other: SpriteFrame): boolean =>
 function blockWindow({ pose, sizeMm }: PlacedBlock, frame: SpriteFrame, before: Shown | undefined): PxBox {
   const { view, ratio } = frame;
   const size = [sizeMm.x, sizeMm.y] as const;
-  const half = moverSprite({ at: [0, 0], size }, view.pxPerMm).sidePx / 2;
+  const half = spriteSquare({ at: [0, 0], size }, view.pxPerMm).sidePx / 2;
   const content = boxAround(toPx(view, { x: pose.xMm, y: pose.yMm }), half);
   return roomyWindow(content, ratio, before?.frame.ratio === ratio ? before.window : undefined);
 }

@@ -4,7 +4,7 @@
  */
 import type { Pose, Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
-import { createShelf } from '../../../kit/drawing/shelf';
+import { createCache } from '../../../kit/drawing/shelf';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
 import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../../session/work/settings/light-wish';
@@ -167,7 +167,7 @@ function drawChain(
 
 /** Cache of drawn boards of chains: zooming and driving request the same ones again and again. */
 function createBoardShelf() {
-  const made = createShelf<LightBoard>(12);
+  const made = createCache<LightBoard>(12);
   return {
     /** A board with at least this many canvas pixels per distance between lights. */
     at(form: LightForm, count: number, unit: number): LightBoard {

@@ -40,7 +40,7 @@ export function useBlocksLayer(sources: BlockSources): BlocksLayer {
   const { picture } = sources;
   const cache = createStillCache<PlacedBlock>(liesStill);
   const rest = useViewRest(() => draw());
-  const parted = createRestless();
+  const parted = createRestSplitter();
   const sprites = createBlockSprites(() => sources.pushed.value);
   let lying: readonly PlacedBlock[] = [];
   let pushed: readonly PlacedBlock[] = [];
@@ -86,7 +86,7 @@ export function useBlocksLayer(sources: BlockSources): BlocksLayer {
 const LIES_AFTER = 30;
 
 /** Separates blocks that have moved recently from those at rest; to be called once per picture. */
-export function createRestless() {
+export function createRestSplitter() {
   let before = new Map<string, PlacedBlock>();
   const stirred = new Map<string, number>();
   let count = 0;

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { createShelf } from '../../../kit/drawing/shelf';
+import { createCache } from '../../../kit/drawing/shelf';
 import type { OverlayPicture } from '../layers/overlays';
 import { canvasFont } from '../model/palette';
 import { emptyCanvas } from '../robot/robot-sprite';
@@ -56,7 +56,7 @@ function ringBoxes(ring: DeviceRing): readonly PxBox[] {
 }
 
 /** An overlay with a ring below the robot and its name over everything. */
-export function withRing(ring: DeviceRing, overlay: OverlayPicture | null): OverlayPicture {
+export function withRingAndName(ring: DeviceRing, overlay: OverlayPicture | null): OverlayPicture {
   return {
     boxes: [...ringBoxes(ring), ...(overlay?.boxes ?? [])],
     under(context) {
@@ -85,8 +85,8 @@ function drawDeviceName(context: CanvasRenderingContext2D, ring: DeviceRing): vo
 /** Eight devices on screens of a few resolutions, under names that change now and then. */
 const MOST = 60;
 /** Painted once: curves and letters on a canvas of the page cost more than all the rest of a picture. */
-const rings = createShelf<HTMLCanvasElement>(MOST);
-const pills = createShelf<Pill>(MOST);
+const rings = createCache<HTMLCanvasElement>(MOST);
+const pills = createCache<Pill>(MOST);
 
 function ringOf(ring: DeviceRing, ratio: number): HTMLCanvasElement {
   const { color, radiusPx, isShown } = ring;

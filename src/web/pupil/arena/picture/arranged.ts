@@ -5,7 +5,7 @@ import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import { memoOf } from '#core/memo';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
-import { placedBlock } from './draw-bodies';
+import { placedAtStart } from './draw-bodies';
 
 /** The content of the arena at one moment. */
 export interface Arranged {
@@ -45,7 +45,7 @@ export function arranged(
 
 /** The blocks that can be pushed, where they start. A course is looked through once, not for every picture of a run. */
 const blocksOf = memoOf((objects: Scene['objects']): readonly PlacedBlock[] =>
-  objects.filter((object): object is Block => object.type === 'block').map(placedBlock),
+  objects.filter((object): object is Block => object.type === 'block').map(placedAtStart),
 );
 
 /** True if all blocks lie where they lay. */

@@ -12,7 +12,7 @@ import type { View } from '../view/view-transform';
 import { drawShapes, lookOf } from './draw-shapes';
 
 /** A block, spikes or a mover of the course as it lies at the start. */
-export const placedBlock = (block: Block | Spikes | Mover): PlacedBlock => ({
+export const placedAtStart = (block: Block | Spikes | Mover): PlacedBlock => ({
   id: block.id,
   pose: { xMm: block.at[0], yMm: block.at[1], headingRad: rotationRad(block.angle) },
   ...formOf(block),

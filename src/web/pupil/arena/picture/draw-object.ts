@@ -5,7 +5,7 @@ import { moverOutline, moverShapes } from '#picture/kinds/mover';
 import type { Mover, SceneObject } from '#scene/scene';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
-import { drawBody, drawStanding, placedBlock } from './draw-bodies';
+import { drawBody, drawStanding, placedAtStart } from './draw-bodies';
 import { drawShapes, lookOf } from './draw-shapes';
 import { drawStroke } from './draw-stroke';
 
@@ -28,7 +28,7 @@ export function drawMover(
   pose: Pose | null,
   palette: Palette,
 ): void {
-  const now = pose ?? placedBlock(mover).pose;
+  const now = pose ?? placedAtStart(mover).pose;
   const shapes = moverShapes(mover, degOf(now.headingRad), lookOf(view, palette));
   drawBody(context, view, now, moverOutline(mover), shapes);
 }

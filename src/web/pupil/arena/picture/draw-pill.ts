@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { createShelf } from '../../../kit/drawing/shelf';
+import { createCache } from '../../../kit/drawing/shelf';
 import { once } from '#core/memo';
 import { canvasFont, type Palette } from '../model/palette';
 import type { CanvasSize } from '../view/view-transform';
@@ -39,7 +39,7 @@ interface Pill {
  */
 const MOST = 120;
 
-const made = createShelf<Pill>(MOST);
+const made = createCache<Pill>(MOST);
 
 /**
  * A pill, painted once: words on a canvas of the page make the browser lay out styles in the middle of a frame, and

@@ -13,7 +13,7 @@ import { drawScene } from './draw-scene';
 import { drawWaiting, type Waiting } from './draw-waiting';
 import { liveScene } from './live-scene';
 import { createSceneKinds } from './scene-kinds';
-import { drawMovableBlock, placedBlock } from './draw-bodies';
+import { drawMovableBlock, placedAtStart } from './draw-bodies';
 import { drawMover, drawObject } from './draw-object';
 import { drawShapes, lookOf } from './draw-shapes';
 
@@ -84,7 +84,7 @@ describe('things of a course, as they are drawn', () => {
   it('a block in the hand is lifted: larger, and farther from its shadow', () => {
     const of = (held: boolean) => {
       const canvas = new RecordingCanvas();
-      drawMovableBlock(canvas.context, view, placedBlock(samples.block), held, palette);
+      drawMovableBlock(canvas.context, view, placedAtStart(samples.block), held, palette);
       const [left, , right] = boxOf(canvas.in(palette.movable)) as [number, number, number];
       const shadow = boxOf(canvas.in('rgba(0, 0, 0, 0.2)'));
       return { width: right - left, shade: shadow[3]! };

@@ -20,7 +20,7 @@ export function attachmentPainter(state: RobotState, painting: RobotPainting): P
   if (painter.value === null)
     fetchPainter().then(
       (loaded) => {
-        painter.come(loaded);
+        painter.set(loaded);
         painting.redraw();
       },
       () => undefined, // offline: tried again with the next picture

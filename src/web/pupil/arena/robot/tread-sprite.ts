@@ -1,4 +1,4 @@
-import { createShelf } from '../../../kit/drawing/shelf';
+import { createCache } from '../../../kit/drawing/shelf';
 import type { Box } from './robot-drawing';
 import { emptyCanvas, resolutionStep } from './robot-sprite';
 
@@ -17,7 +17,7 @@ const MOST = 120;
  * are drawn for every frame.
  */
 export class TreadShelf {
-  private readonly made = createShelf<HTMLCanvasElement>(MOST);
+  private readonly made = createCache<HTMLCanvasElement>(MOST);
 
   /**
    * Draws the upper half of a tyre, seen from above, in mm of the drawing.

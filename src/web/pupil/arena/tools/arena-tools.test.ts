@@ -13,7 +13,7 @@ import { RecordingCanvas, recordCanvases } from '../testing/recording-canvas';
 import type { ArenaView } from '../view/use-arena-view';
 import { createArenaTools } from './arena-tools';
 import { readingPlace } from './draw-guides';
-import type { Ghost } from './ghost';
+import type { HeldParts } from './ghost';
 
 const palette = lightPalette;
 
@@ -23,7 +23,7 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
   const said: string[] = [];
   const moved: Vec[] = [];
   const boxes: (readonly number[])[] = [];
-  let ghost: Ghost | null = null;
+  let ghost: HeldParts | null = null;
   const picture: ArenaView = {
     view: shallowRef({ pxPerMm: 1, leftPx: 0, bottomPx: 900 }),
     canvas: shallowRef({ widthPx: 1200, heightPx: 900 }),

@@ -20,7 +20,7 @@ import { arenaSight } from './arena-sight';
 import { arenaOpenings, type ArenaOpenings } from './arena-openings';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
 import { floorPx } from '../picture/draw-floor';
-import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
+import { ghostObjects, ghostOf, noGhost, type HeldParts } from './ghost';
 import { createInkLayer } from './ink-layer';
 import { movingWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
@@ -33,7 +33,7 @@ import { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { createCarriedThings } from './carried-things';
 import { hintPlace, readingPlace } from './draw-guides';
-import type { Told } from './gesture';
+import type { ShownFigures } from './gesture';
 import { measureText, readingText, readingWords, typedFieldText } from './reading-text';
 import { toPx } from '../view/view-transform';
 import arenaWords from '../words';
@@ -51,7 +51,7 @@ export interface ToolSources {
   readonly inkCanvas: () => HTMLCanvasElement | null;
   /** Requests a repaint of the editor's layer. */
   readonly redraw: () => void;
-  readonly showGhost: (ghost: Ghost) => void;
+  readonly showGhost: (ghost: HeldParts) => void;
   /** Announces something to screen readers. */
   readonly say: (words: string) => void;
 }
@@ -236,7 +236,7 @@ function toldBy({
   told,
   marks,
   finger,
-}: SurfacePicture): (Pick<Told, 'at' | 'isFinger'> & { text: string; isField: boolean }) | null {
+}: SurfacePicture): (Pick<ShownFigures, 'at' | 'isFinger'> & { text: string; isField: boolean }) | null {
   const measured = marks.find((mark) => mark.type === 'measure');
   const isFinger = finger !== null;
   if (measured) return { text: measureText(measured.from, measured.to), isField: false, at: measured.to, isFinger };

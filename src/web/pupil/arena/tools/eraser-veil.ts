@@ -5,7 +5,7 @@ import type { Ink } from './gesture';
 const MANY_POINTS = 4000;
 
 /** The path of an eraser over many lines, in the colour of paper: cutting them for each picture takes too long. */
-export function veilOf({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
+export function eraserInk({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
   if (id !== 'eraser') return null;
   let points = 0;
   for (const object of scene.objects) if (object.type === 'stroke') points += object.points.length;

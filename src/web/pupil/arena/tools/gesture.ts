@@ -62,7 +62,7 @@ export interface Gesture {
 }
 
 /** Figures beside a place. */
-export interface Told {
+export interface ShownFigures {
   /** `null`: there are no figures yet, only typed ones. */
   readonly reading: Reading | null;
   /** Numbers that are being typed; empty: none. */
@@ -97,7 +97,7 @@ export const figuresNow = (gesture: Gesture): Figures =>
     : figuresOf(gesture.edit, gesture.context, { tool: gesture.tool, drag: dragOf(gesture) });
 
 /** The figures shown beside the pointer. */
-export function toldBy({ figures: { reading }, path, kind, typed }: Gesture): Told | null {
+export function toldBy({ figures: { reading }, path, kind, typed }: Gesture): ShownFigures | null {
   const at = path[path.length - 1];
   return at && (reading || typed !== '') ? { reading, typed, at, isFinger: kind === 'touch' } : null;
 }
@@ -107,14 +107,14 @@ export const fingerOf = ({ kind, pointer, path }: Gesture): Vec | null =>
   kind === 'touch' && typeof pointer === 'number' ? (path[path.length - 1] ?? null) : null;
 
 /** Meaning of the held keys; `isFree`: the switch that turns snapping off. */
-export const heldBy = ({ free, keeps, alt }: HeldKeys, isFree: boolean) => ({
+export const modifiersOf = ({ free, keeps, alt }: HeldKeys, isFree: boolean) => ({
   free: free || isFree,
   keeps: keeps === true,
   alt: alt === true,
 });
 
 /** The initial values of a gesture, whatever its tool. */
-export const begun = (
+export const initialGesture = (
   press: Pick<SurfacePress, 'kind' | 'free' | 'adds' | 'keeps' | 'alt'>,
   at: Vec,
   isFree: boolean,
@@ -122,7 +122,7 @@ export const begun = (
   kind: press.kind,
   path: [at],
   corners: 0,
-  ...heldBy(press, isFree),
+  ...modifiersOf(press, isFree),
   adds: press.adds,
   edit: null,
   after: null,

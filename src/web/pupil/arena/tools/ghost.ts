@@ -1,17 +1,17 @@
 import type { RobotStart, Scene } from '#scene/scene';
 
 /** The parts of the course that are shown elsewhere while a tool holds them. */
-export interface Ghost {
+export interface HeldParts {
   readonly hidden: ReadonlySet<string>;
   /** Proposed start of the robot. */
   readonly start: RobotStart | null;
 }
 
 /** The ghost while no tool holds anything. */
-export const noGhost: Ghost = { hidden: new Set(), start: null };
+export const noGhost: HeldParts = { hidden: new Set(), start: null };
 
 /** True if both ghosts are the same. */
-export function isSameGhost(one: Ghost, other: Ghost): boolean {
+export function isSameGhost(one: HeldParts, other: HeldParts): boolean {
   if (one.start !== other.start || one.hidden.size !== other.hidden.size) return false;
   for (const id of one.hidden) if (!other.hidden.has(id)) return false;
   return true;
@@ -35,7 +35,7 @@ export function ghostObjects(before: Scene, after: Scene | null): GhostObjects {
 }
 
 /** The ghost of a course that would become another. */
-export const ghostOf = (hidden: ReadonlySet<string>, course: Scene, after: Scene | null): Ghost => {
+export const ghostOf = (hidden: ReadonlySet<string>, course: Scene, after: Scene | null): HeldParts => {
   const start = after === null || after.robot === course.robot ? null : after.robot;
   return hidden.size === 0 && start === null ? noGhost : { hidden, start };
 };

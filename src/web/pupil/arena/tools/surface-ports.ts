@@ -5,7 +5,7 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { PicturePorts } from '../view/pinch';
 import type { ArenaSize, View } from '../view/view-transform';
-import type { Ink, Told } from './gesture';
+import type { Ink, ShownFigures } from './gesture';
 
 /** Everything the surface reads and changes. */
 export interface SurfacePorts extends PicturePorts {
@@ -36,7 +36,7 @@ export interface SurfacePicture {
   /** The crosshair of the keyboard, world mm, and whether it draws. */
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
   /** The figures beside the pointer: their place, world mm, and whether a finger covers it. */
-  readonly told: Told | null;
+  readonly told: ShownFigures | null;
   /** Place where a finger draws and covers the picture; world mm. */
   readonly finger: Vec | null;
   /** Place of the pointer with nothing pressed, world mm. */

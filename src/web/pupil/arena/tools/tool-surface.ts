@@ -8,8 +8,8 @@ import { NOTHING, type SurfacePicture, type SurfacePorts } from './surface-ports
 import {
   dragOf,
   figuresNow,
-  heldBy,
-  begun,
+  modifiersOf,
+  initialGesture,
   pictureOf,
   toldBy,
   typeKey,
@@ -17,9 +17,9 @@ import {
   type HeldKeys,
   type PointerKind,
   type SurfacePress,
-  type Told,
+  type ShownFigures,
 } from './gesture';
-import { veilOf } from './eraser-veil';
+import { eraserInk } from './eraser-veil';
 import { TapMemory } from './tap-memory';
 import { movePicture } from '../view/pinch';
 import { toMm } from '../view/view-transform';
@@ -85,7 +85,7 @@ export class ToolSurface {
   }
 
   /** The figures of the gesture, or `null`. */
-  get told(): Told | null {
+  get told(): ShownFigures | null {
     return this.gesture && toldBy(this.gesture);
   }
 
@@ -281,9 +281,9 @@ export class ToolSurface {
       return;
     }
     this.gesture = {
-      ...{ pointer, tool, context, ...begun(press, at, this.ports.isFree()) },
+      ...{ pointer, tool, context, ...initialGesture(press, at, this.ports.isFree()) },
       reachMm: pointer === null ? Math.min(reachMm, KEY_REACH_MM) : reachMm,
-      ink: tool.ink?.(context) ?? veilOf(tool, context),
+      ink: tool.ink?.(context) ?? eraserInk(tool, context),
       isSecond: this.taps.isSecond(at, nowMs, reachMm),
     };
   }
@@ -292,7 +292,7 @@ export class ToolSurface {
     const view = this.ports.view();
     for (const place of places) goTo(gesture, toMm(view, place));
     // Whether it adds to the selection was decided at the press.
-    Object.assign(gesture, heldBy(keys, this.ports.isFree()), { isStale: true });
+    Object.assign(gesture, modifiersOf(keys, this.ports.isFree()), { isStale: true });
   }
 
   /** Finishes a gesture after a release or Enter, or continues it from a corner there. */

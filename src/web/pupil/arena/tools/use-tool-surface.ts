@@ -3,7 +3,7 @@ import type { Vec } from '#core/geometry';
 import type { CourseEditorModel } from '../../../course/editor/state/course-editor-model';
 import type { ArenaTools, ToolSources } from './arena-tools';
 import { createEarlyPointers, type EarlyPointers, type GestureEvent } from './early-pointers';
-import { isSameGhost, noGhost, type Ghost } from './ghost';
+import { isSameGhost, noGhost, type HeldParts } from './ghost';
 import { useLayer } from '../view/use-layer';
 import type { ArenaHand } from '../hand/use-arena-hand';
 
@@ -14,7 +14,7 @@ export interface ToolSurfaceSources extends Omit<ToolSources, 'editor' | 'inkCan
   readonly ink: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly hand: ArenaHand;
   /** Receives the parts of the course that are shown elsewhere. */
-  readonly ghost: ShallowRef<Ghost>;
+  readonly ghost: ShallowRef<HeldParts>;
 }
 
 /** The tools over the arena, as soon as their code is loaded. */

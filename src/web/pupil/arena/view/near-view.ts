@@ -4,7 +4,7 @@ import type { SceneObject } from '#scene/scene';
 import { solidParts } from '#scene/kinds/index';
 import { distanceToOutline } from '#scene/outline';
 
-import { inSight, marginsPx, zoomLimits, type ArenaSize, type CanvasSize, type View } from './view-transform';
+import { keptInSight, marginsPx, zoomLimits, type ArenaSize, type CanvasSize, type View } from './view-transform';
 
 /** Seen around the robot at least, in mm. Chosen: the whole robot, and where it will be in the next second. */
 const LEAST_MM = 160;
@@ -56,5 +56,5 @@ export function nearView(at: Vec, nearest: number, arena: ArenaSize, canvas: Can
   const limits = zoomLimits(arena, canvas);
   const pxPerMm = Math.min(limits.max, Math.max(limits.min * 2, Math.min(widthPx, heightPx) / (2 * aroundMm)));
   const leftPx = margin.left + widthPx / 2 - at.x * pxPerMm;
-  return inSight({ pxPerMm, leftPx, bottomPx: margin.top + heightPx / 2 + at.y * pxPerMm }, arena, canvas);
+  return keptInSight({ pxPerMm, leftPx, bottomPx: margin.top + heightPx / 2 + at.y * pxPerMm }, arena, canvas);
 }

@@ -67,12 +67,12 @@ export function zoomView(view: View, factor: number, around: Vec, arena: ArenaSi
   const pxPerMm = Math.min(limits.max, Math.max(limits.min, view.pxPerMm * factor));
   const fixed = toMm(view, around);
   const moved = { pxPerMm, leftPx: around.x - fixed.x * pxPerMm, bottomPx: around.y + fixed.y * pxPerMm };
-  return inSight(moved, arena, canvas);
+  return keptInSight(moved, arena, canvas);
 }
 
 /** Moves the picture by this many px, never beyond the arena's edge. */
 export function panView(view: View, byPx: Vec, arena: ArenaSize, canvas: CanvasSize): View {
-  return inSight(
+  return keptInSight(
     { pxPerMm: view.pxPerMm, leftPx: view.leftPx + byPx.x, bottomPx: view.bottomPx + byPx.y },
     arena,
     canvas,
@@ -89,7 +89,7 @@ export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, aft
     leftPx: after.widthPx / 2 - centre.x * pxPerMm,
     bottomPx: after.heightPx / 2 + centre.y * pxPerMm,
   };
-  return inSight(moved, arena, after);
+  return keptInSight(moved, arena, after);
 }
 
 /**
@@ -117,7 +117,7 @@ export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasS
     return boxView(withArena([around], arena), arena, canvas);
   }
   const leftPx = canvas.widthPx / 2 - at.x * pxPerMm;
-  return inSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
+  return keptInSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
 }
 
 /** The margin shown around a place outside of the arena, in mm. Chosen: things there are about that large. */
@@ -145,7 +145,7 @@ export function boxView(box: Bounds, arena: ArenaSize, canvas: CanvasSize): View
     leftPx: margin.left + widthPx / 2 - ((box.minX + box.maxX) / 2) * pxPerMm,
     bottomPx: margin.top + heightPx / 2 + ((box.minY + box.maxY) / 2) * pxPerMm,
   };
-  return isWithin(box, arena) ? inSight(view, arena, canvas) : view;
+  return isWithin(box, arena) ? keptInSight(view, arena, canvas) : view;
 }
 
 const isWithin = ({ minX, minY, maxX, maxY }: Bounds, [width, height]: ArenaSize): boolean =>
@@ -178,7 +178,7 @@ export function followView(
 }
 
 /** Centres anything smaller than the canvas and prevents scrolling beyond the edges of anything larger. */
-export function inSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
+export function keptInSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const width = arena[0] * view.pxPerMm;
   const height = arena[1] * view.pxPerMm;

@@ -8,7 +8,7 @@ import { insertion } from './insert';
 const KIND = 'application/x-parcours-command';
 
 /** Puts a command into the data of a drag. */
-export function takeAlong(data: DataTransfer, brought: Brought): void {
+export function putCommand(data: DataTransfer, brought: Brought): void {
   data.setData(KIND, JSON.stringify(brought));
   data.effectAllowed = 'copy';
 }

@@ -6,7 +6,7 @@ import de from '../../../kit/words/de.json';
 import en from '../../../kit/words/en.json';
 import type { TextKey } from '../../../kit/i18n/texts';
 import { lastPlace } from '../log/console-log';
-import type { OnTable } from '../../../session/work/hardware/misplugged';
+import type { RobotInError } from '../../../session/work/hardware/misplugged';
 import { adviceFor, type Advice } from './error-advice';
 
 /** Runs a program with a mistake on our VM and gives what the page says about it. */
@@ -265,7 +265,7 @@ describe('advice for a robot that does not answer', () => {
   const anyRobot = { type: 'RuntimeError', message: 'Please connect to a robot and switch it on.' };
   const noDevice = { type: 'OSError', message: '[Errno 19] ENODEV' };
   const fault = { key: 'error.otherRobot', values: { meant: 'Maqueen Lite', robot: 'Calli:bot' } } as const;
-  const at = (failure: typeof silent, table: OnTable) => sentence(adviceFor(failure, null, table));
+  const at = (failure: typeof silent, table: RobotInError) => sentence(adviceFor(failure, null, table));
 
   it('names the robot that is chosen and the one that the program is for', () => {
     for (const failure of [silent, anyRobot, noDevice])

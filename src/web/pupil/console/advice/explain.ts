@@ -15,7 +15,7 @@ export function fetchAdvice(): Promise<void> {
 }
 const fetchOnce = fetchedOnce(async () => {
   const [late] = await Promise.all([import('./error-advice'), loadErrorTexts()]);
-  advice.come(late.adviceFor);
+  advice.set(late.adviceFor);
 });
 
 /**

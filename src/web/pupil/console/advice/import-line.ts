@@ -11,7 +11,7 @@ export interface Lacking {
 /** Robots' modules: those of the chosen robot, and all of them. */
 export interface RobotModules {
   readonly own: readonly string[];
-  readonly foreign: ReadonlySet<string>;
+  readonly all: ReadonlySet<string>;
 }
 
 /** Modules that programs take everything from. */
@@ -21,7 +21,7 @@ const WHOLE = ['calliopemini', 'microbit'];
  * The import that gives a name on the chosen board and robot: of the module itself, of the board's, of the robot's, or
  * of the only module that has it. `null` where several could be meant, or none.
  */
-export function importLine(name: string, reference: Reference, { own, foreign }: RobotModules): Lacking | null {
+export function importLine(name: string, reference: Reference, { own, all: foreign }: RobotModules): Lacking | null {
   const modules = reference.importable();
   const has = (module: string): boolean => modules.get(module)?.().names().has(name) ?? false;
   if (modules.has(name) && (!foreign.has(name) || own.includes(name))) return { module: name, code: `import ${name}` };

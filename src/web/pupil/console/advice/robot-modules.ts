@@ -9,5 +9,5 @@ export function robotModules({ hardware }: Written): RobotModules {
   const robot = hardware?.robot?.id ?? null;
   const own = robotReferences.find((it) => it.robot === robot)?.modules.map(({ name }) => name) ?? [];
   const foreign = new Set([...robotReferences, freeReference].flatMap(({ modules }) => modules.map((it) => it.name)));
-  return { own, foreign };
+  return { own, all: foreign };
 }

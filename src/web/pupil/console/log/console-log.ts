@@ -1,5 +1,5 @@
 import type { TextKey } from '../../../kit/i18n/texts';
-import type { OnTable } from '../../../session/work/hardware/misplugged';
+import type { RobotInError } from '../../../session/work/hardware/misplugged';
 import type { ErrorReport, Failure } from '../advice/error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
@@ -69,7 +69,7 @@ export class ConsoleLog {
   private readonly reader = new TerminalReader();
 
   /** @param table what is plugged in, for errors of a robot that does not answer */
-  constructor(private readonly table: () => OnTable | null = () => null) {}
+  constructor(private readonly table: () => RobotInError | null = () => null) {}
 
   /** Everything kept, oldest first; a new array after every change. */
   get entries(): readonly ConsoleEntry[] {

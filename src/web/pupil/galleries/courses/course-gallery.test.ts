@@ -17,7 +17,7 @@ import {
   readSeed,
   type RandomWish,
 } from '../../../session/work/catalogue/random-wish';
-import { robotName } from './use-course-opening';
+import { robotNameOfCourse } from './use-course-opening';
 import courseGalleryWords from '../words/courses';
 
 const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
@@ -40,7 +40,8 @@ describe('the words of the gallery of courses', () => {
 
 describe('every course in the gallery', () => {
   it('names its robot', () => {
-    for (const course of courses) expect(robotName(course), course.id).toMatch(/^(Maqueen (Lite|Plus V2)|Calli:bot)$/);
+    for (const course of courses)
+      expect(robotNameOfCourse(course), course.id).toMatch(/^(Maqueen (Lite|Plus V2)|Calli:bot)$/);
   });
 });
 

@@ -10,7 +10,7 @@ import { useCourses } from '../../../session/work/use-courses';
 import { withSolution, type Course } from '#catalogue/course';
 
 /** Name of the robot that a course and its solution are made for; empty if there is none. */
-export function robotName({ scene, solution }: Course): string {
+export function robotNameOfCourse({ scene, solution }: Course): string {
   const imports = new Set(importedModules(solution.en));
   const hardware = chooseHardware({ scene, imports, robot: AUTO, board: AUTO });
   return 'problem' in hardware ? '' : (hardware.robot?.name ?? '');

@@ -3,7 +3,7 @@ import { NO_ROBOT } from '#simulation/hardware';
 import { hardwareNow } from '../../work/hardware/use-hardware';
 import type { WorkParts, Workplace } from '../../work/model/parts';
 import type { LayoutParts } from '../parts';
-import { isOurs, useCourses } from '../../work/use-courses';
+import { hasNothingOwn, useCourses } from '../../work/use-courses';
 import { useDevice } from '../../work/hardware/use-device';
 import { boardPrograms } from '../../work/catalogue/board-programs';
 import { firstCourse } from '../../work/catalogue/first-course';
@@ -21,7 +21,7 @@ export function changeStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage:
   app.layout.tab.value = stage === 'board' ? 'code' : 'arena';
 }
 
-const isUntouched = ({ work }: Pick<WorkParts, 'work'>): boolean => isOurs(work.work.value.project);
+const isUntouched = ({ work }: Pick<WorkParts, 'work'>): boolean => hasNothingOwn(work.work.value.project);
 
 /** Opens a program that needs no robot, unless something of the pupil's own is open or there is no robot anyway. */
 function leaveArena(app: Workplace): void {

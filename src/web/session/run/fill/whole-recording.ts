@@ -24,6 +24,6 @@ export async function wholeRecording(run: RunModel, wants: 'all moments' | 'the 
     await come;
   }
   if (wants === 'all moments') await fillInSilently(recording, run);
-  const isWhole = recording.canGoOn && run.recording.value === recording;
+  const isWhole = recording.canRepeat && run.recording.value === recording;
   return isWhole ? recording : null;
 }

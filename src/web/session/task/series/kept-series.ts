@@ -26,7 +26,7 @@ export async function keepSeries(app: WithLate, series: Series, address?: string
 }
 
 /** A series that was stored; `null`: this browser has none of that id. */
-export async function keptSeries(app: WithLate, id: string): Promise<Series | null> {
+export async function reopenSeries(app: WithLate, id: string): Promise<Series | null> {
   const known = openedSeries(app).get(id);
   if (known !== undefined) return known;
   const entry = await entryOf(SERIES + id);
@@ -37,7 +37,7 @@ export async function keptSeries(app: WithLate, id: string): Promise<Series | nu
 }
 
 /** A stored series that was fetched from this address; `null`: there is none. */
-export async function seriesFrom(address: string): Promise<Series | null> {
+export async function storedSeriesAt(address: string): Promise<Series | null> {
   const entries = await entriesAt(() => IDBKeyRange.bound(SERIES, `${SERIES}~`));
   return seriesIn(entries.find((entry) => valueIn(entry)?.['address'] === address));
 }

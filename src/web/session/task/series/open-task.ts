@@ -9,7 +9,7 @@ import { courseName } from '../../work/catalogue/first-course';
 import { readyCourse } from '../../work/catalogue/ready-courses';
 import type { Workplace } from '../../work/model/parts';
 import type { Previous } from '../../work/storage/history';
-import { isOurs, useCourses } from '../../work/use-courses';
+import { hasNothingOwn, useCourses } from '../../work/use-courses';
 import { useOpenings } from '../../work/use-openings';
 import { taskText } from '../../work/catalogue/task-text';
 import { carriedPlace } from './series-place';
@@ -43,7 +43,7 @@ export function openTask(app: SeriesApp, series: Series, task: SeriesTask, anew 
     if (before !== 'open') openings.restore(before);
     return;
   }
-  const isKept = !isOurs(work.work.value.project) && !isAsOpened(work.work.value.project, series);
+  const isKept = !hasNothingOwn(work.work.value.project) && !isAsOpened(work.work.value.project, series);
   const { from } = task;
   if (from.kind === 'project') openings.open(from.project, taskName(task), !isKept);
   const course = from.kind === 'course' ? readyCourse(from.course) : null;

@@ -11,7 +11,7 @@ import { loadTexts } from '../../../kit/i18n';
 import { LateModels } from '../../../kit/state/late-models';
 import { stubDatabase } from '../../work/storage/testing/memory-database';
 import { createDoneMarks } from './done-marks';
-import { keepDraft, keepSeries, keptDraft, keptSeries, seriesFrom } from './kept-series';
+import { keepDraft, keepSeries, keptDraft, reopenSeries, storedSeriesAt } from './kept-series';
 import { openTask, taskAfter, taskName, workOn } from './open-task';
 import { placeOf } from './series-place';
 import { isAsGiven, taskOfWork } from './series-task';
@@ -110,23 +110,23 @@ describe('a series that was opened', () => {
     const { entries } = stubDatabase();
     await keepSeries(app, series, 'https://schule.example/a/series.json');
     expect([...entries.keys()]).toEqual(['series.of.woche-3']);
-    expect(await keptSeries(app, 'woche-3')).toEqual(series);
-    expect(await keptSeries(app, 'other')).toBeNull();
+    expect(await reopenSeries(app, 'woche-3')).toEqual(series);
+    expect(await reopenSeries(app, 'other')).toBeNull();
   });
 
   it('is still found by its address after it was opened by its id on another visit', async () => {
     stubDatabase();
     await keepSeries({ late: new LateModels() }, series, 'https://schule.example/a/series.json');
-    expect(await keptSeries({ late: new LateModels() }, 'woche-3')).toEqual(series);
-    expect(await seriesFrom('https://schule.example/a/series.json')).toEqual(series);
+    expect(await reopenSeries({ late: new LateModels() }, 'woche-3')).toEqual(series);
+    expect(await storedSeriesAt('https://schule.example/a/series.json')).toEqual(series);
   });
 
   it('works while the page is open where the browser keeps nothing', async () => {
     const app = { late: new LateModels() };
     stubDatabase(false);
     await keepSeries(app, series);
-    expect(await keptSeries(app, 'woche-3')).toEqual(series);
-    expect(await seriesFrom('https://schule.example/')).toBeNull();
+    expect(await reopenSeries(app, 'woche-3')).toEqual(series);
+    expect(await storedSeriesAt('https://schule.example/')).toBeNull();
   });
 
   it('is kept with its solutions if it is still being made', async () => {

@@ -3,7 +3,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import type { Series, SeriesTask } from '#check/series/series';
 
 import type { WithLate } from '../../../kit/state/late-models';
-import { keptSeries } from './kept-series';
+import { reopenSeries } from './kept-series';
 import type { SeriesApp } from './open-task';
 import { taskAfter } from './open-task';
 import { placeOf } from './series-place';
@@ -26,7 +26,7 @@ export function useSeriesWay(app: Pick<SeriesApp, 'work'> & WithLate): SeriesWay
   watch(
     () => placeOf(project.value)?.series ?? null,
     async (id) => {
-      const found = id === null ? null : await keptSeries(app, id);
+      const found = id === null ? null : await reopenSeries(app, id);
       if (id === (placeOf(project.value)?.series ?? null)) kept.value = found;
     },
     { immediate: true },

@@ -6,7 +6,7 @@ import type { Scene } from '#scene/scene';
 
 /** All courses that come with the page: those of the gallery and the missions. */
 export const readyCourses: readonly Course[] = [...courses, ...missions];
-knownCourses.come(readyCourses);
+knownCourses.set(readyCourses);
 
 /** The ready course of that name. */
 export const readyCourse = (id: string): Course | null => readyCourses.find((course) => course.id === id) ?? null;

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
 import { hardwareOf } from './hardware';
 import { defaultSettings, type Settings } from '../settings/settings';
-import { mispluggedNotice, tableOf } from './misplugged';
+import { mispluggedNotice, robotInError } from './misplugged';
 
 const project = (text: string) => ({ scene: defaultScene(), files: [{ name: 'main.py', text }], course: null });
 const settings = (parts: Partial<Settings> = {}): Settings => ({ ...defaultSettings('de'), ...parts });
@@ -56,15 +56,15 @@ describe('the notice about what does not fit', () => {
 
 describe('what an error knows of the robot', () => {
   it('is why it cannot answer, or that none is chosen though the program needs one', () => {
-    expect(tableOf(drive, settings({ robot: 'callibot' }))).toEqual({
+    expect(robotInError(drive, settings({ robot: 'callibot' }))).toEqual({
       robot: 'Calli:bot',
       fault: { key: 'error.otherRobot', values: { meant: 'Maqueen Lite', robot: 'Calli:bot' } },
     });
-    expect(tableOf(drive, settings({ robot: 'none' }))).toEqual({
+    expect(robotInError(drive, settings({ robot: 'none' }))).toEqual({
       robot: null,
       fault: { key: 'error.noRobot', values: {} },
     });
-    expect(tableOf(project('i2c.scan()'), settings({ robot: 'callibot' }))).toEqual({
+    expect(robotInError(project('i2c.scan()'), settings({ robot: 'callibot' }))).toEqual({
       robot: 'Calli:bot',
       fault: null,
     });

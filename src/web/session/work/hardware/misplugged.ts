@@ -10,7 +10,7 @@ import type { Settings } from '../settings/settings';
 import type { Notice } from '../../../kit/notices';
 
 /** The robot, as far as it can cause an error. */
-export interface OnTable {
+export interface RobotInError {
   /** Name of the robot; `null`: none. */
   readonly robot: string | null;
   /** The reason why it cannot answer; `null`: it can, or the reason is unknown. */
@@ -40,7 +40,7 @@ export function mispluggedNotice(
 }
 
 /** The robot's part in the explanation of an error that comes from a robot that does not answer. */
-export function tableOf(project: Project, now: Settings): OnTable {
+export function robotInError(project: Project, now: Settings): RobotInError {
   const fault = faultOf(project, now);
   const robot = hardwareOf(project, now)?.robot ?? null;
   if (fault !== null)

@@ -5,7 +5,7 @@ import type { Hardware } from '#simulation/hardware';
 import type { WorkParts } from '../model/parts';
 import { deviceAt } from './device-at';
 import { hardwareOf } from './hardware';
-import { tableOf, type OnTable } from './misplugged';
+import { robotInError, type RobotInError } from './misplugged';
 
 /**
  * The robot, the board and its firmware that the device that is shown would have in a run of the present work; `null`
@@ -24,7 +24,7 @@ export const hasRobot = (parts: WorkParts): boolean =>
   parts.work.devices.value.some((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
 
 /** The present robot's part in the explanation of an error. */
-export function tableNow(parts: WorkParts, place = parts.work.place.value): OnTable {
+export function robotInErrorNow(parts: WorkParts, place = parts.work.place.value): RobotInError {
   const { project, settings } = deviceAt(parts, place);
-  return tableOf(project, settings);
+  return robotInError(project, settings);
 }

@@ -78,7 +78,7 @@ export class WorkLocks implements Omit<TaskLocks, 'locks'> {
 export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
 
 /** The project without a task that was handed out, which belongs to its own course and program. */
-export function withoutGiven(project: Project): Project {
+export function withoutHandedOut(project: Project): Project {
   const { task: _, ...others } = project;
   return isHandedOut(project) ? others : project;
 }

@@ -17,7 +17,7 @@ import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
-import { withoutGiven, WorkLocks } from './task-locks';
+import { withoutHandedOut, WorkLocks } from './task-locks';
 import { putAside, type Previous, type Work } from '../storage/history';
 
 /** A step of the course that was just done, taken back, or done again. */
@@ -224,7 +224,7 @@ export class WorkModel {
 
   /** Opens another course; the files stay. The work so far is put aside if `nameOfOld` is given. */
   setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
-    this.put({ ...withoutGiven(this.work.value.project), scene, course }, this.work.value.open, nameOfOld);
+    this.put({ ...withoutHandedOut(this.work.value.project), scene, course }, this.work.value.open, nameOfOld);
   }
 
   /** Opens another project, perhaps from a file. The work so far is put aside if `nameOfOld` is given. */

@@ -48,7 +48,7 @@ export function programsOf({ programs }: Kept, course: string): OwnPrograms {
 export function leaveProgram(work: Kept & Pick<WorkModel, 'work'>, atMs: number): void {
   const { project } = work.work.value;
   if (project.course === null || project.task !== undefined || isAsOpened(project)) return;
-  keepLast(work, project.course, { atMs, files: filesOf(project) });
+  keepLast(work, project.course, { atMs, files: filesByDevice(project) });
 }
 
 /** Stores a program as the last one of a course, unless a later one is stored. */
@@ -89,7 +89,7 @@ export function withProgram(project: Project, { files: [first, ...others] }: Own
 }
 
 /** The files of each device of a project, in their order. */
-export const filesOf = ({ files, devices }: Project): OwnProgram['files'] => [
+export const filesByDevice = ({ files, devices }: Project): OwnProgram['files'] => [
   files,
   ...(devices?.others.map((device) => device.files) ?? []),
 ];

@@ -3,7 +3,7 @@ import { isSame } from '#core/same';
 import type { Language } from '../../../kit/i18n/texts';
 import { numberText } from '../../../kit/i18n/number-text';
 import type { WorkModel } from '../model/work-model';
-import { filesOf, programsOf, type OwnProgram } from './own-programs';
+import { filesByDevice, programsOf, type OwnProgram } from './own-programs';
 
 /** One of the pupil's own programs of a course. */
 export type OwnChoice = readonly [kind: 'best' | 'last', own: OwnProgram];
@@ -14,7 +14,7 @@ export function otherPrograms(work: Pick<WorkModel, 'programs' | 'work'>): reado
   if (project.course === null) return [];
   const { best, last } = programsOf(work, project.course);
   const all = [best && (['best', best] as const), last && (['last', last] as const)].filter((one) => one !== undefined);
-  const seen = [filesOf(project)];
+  const seen = [filesByDevice(project)];
   return all.filter(([, { files }]) => {
     const isNew = !seen.some((other) => isSame(files, other));
     seen.push(files);

@@ -1,13 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import type { Mover } from '#scene/scene';
-import { moverSprite, spritePlace, wayWindow } from './mover-sprite';
+import { spriteSquare, spritePlace, wayWindow } from './sprite-square';
 import { toPx } from '../view/view-transform';
 
 const mover: Mover = { type: 'mover', id: 'm', at: [200, 300], to: [500, 300], size: [60, 80], angle: 0, speed: 100, spiked: false }; // prettier-ignore
 
 describe('the canvas of a moving obstacle', () => {
   it('has room for it however it is turned, and for its shadow: 116 px for 60 × 80 mm at 1 px per mm', () => {
-    const sprite = moverSprite(mover, 1);
+    const sprite = spriteSquare(mover, 1);
     expect(sprite.sidePx).toBe(116);
     expect(toPx(sprite.view, { x: 200, y: 300 })).toEqual({ x: 58, y: 58 });
   });

@@ -13,7 +13,7 @@ export const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'rea
  * Holds the settings that a task locks at the task's values, whatever an address, another tab or somebody in a hurry
  * has chosen.
  */
-export function holdSettings({ settings, work }: WorkParts, task: Pick<TaskLocks, 'locks'>): void {
+export function holdLockedSettings({ settings, work }: WorkParts, task: Pick<TaskLocks, 'locks'>): void {
   holdSpeed({ settings }, task);
   watch(
     [() => task.locks, () => work.work.value.project.settings, settings.current] as const,

@@ -11,7 +11,10 @@ const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
  * Removes from messages the offers of what is locked: another start in a locked course, another robot, a tool that is
  * missing.
  */
-export function plainHints({ notices }: Pick<PageParts, 'notices'>, task: Pick<TaskLocks, 'locks' | 'hasTool'>): void {
+export function removeLockedOffers(
+  { notices }: Pick<PageParts, 'notices'>,
+  task: Pick<TaskLocks, 'locks' | 'hasTool'>,
+): void {
   watch(
     notices.current,
     (notice) => {

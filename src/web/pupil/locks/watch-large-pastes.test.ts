@@ -2,14 +2,14 @@
 import { describe, expect, it, vi } from 'vitest';
 import { EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
-import { wholePastes } from './whole-pastes';
+import { watchLargePastes } from './watch-large-pastes';
 
 const THREE = 'forward()\ndelay(500)\nstop()\n';
 
 function editor(doc = '') {
   const told = vi.fn();
   const copied = { text: '' };
-  const view = new EditorView({ state: EditorState.create({ doc, extensions: wholePastes(copied, told) }) });
+  const view = new EditorView({ state: EditorState.create({ doc, extensions: watchLargePastes(copied, told) }) });
   const add = (insert: string, userEvent = 'input.paste'): void =>
     view.dispatch({ changes: { from: view.state.doc.length, insert }, userEvent });
   return { told, copied, add };

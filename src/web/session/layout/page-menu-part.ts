@@ -2,7 +2,7 @@ import type { MenuPart } from '../../kit/features/feature';
 import { useVisit } from '../visit/parts';
 
 /** The main menu's entry for a page of its own; left out where a host chooses what is shown. Called in the menu's set-up. */
-export function pagePart(page: {
+export function pageMenuPart(page: {
   readonly id: string;
   readonly order: number;
   readonly icon: string;

@@ -9,7 +9,7 @@ const LEAST_LINES = 3;
  *
  * @param copied the text that was last copied or cut in an editor of this page
  */
-export function wholePastes(copied: { text: string }, onPasted: () => void): Extension {
+export function watchLargePastes(copied: { text: string }, onPasted: () => void): Extension {
   const remember = (_: Event, { state }: EditorView): boolean => {
     copied.text = state.selection.ranges.map(({ from, to }) => state.sliceDoc(from, to)).join('\n');
     return false;

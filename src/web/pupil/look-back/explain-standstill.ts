@@ -3,6 +3,6 @@ import { t } from '../../kit/i18n';
 import words from './words';
 
 /** Shows a message to somebody who wants to build while looking back: why nothing changes, and the way out. */
-export function tellPast(notices: PageParts['notices']): void {
+export function explainStandstill(notices: PageParts['notices']): void {
   notices.show({ kind: 'info', key: 'notice.text', values: { text: t(words.standsStill) } });
 }

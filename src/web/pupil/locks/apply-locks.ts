@@ -4,7 +4,7 @@ import type { LockedPage } from './lock-task';
 import { isHandedOut } from '../../session/work/model/task-locks';
 
 /** Applies the locks of the open task. The code for it is loaded with the first task. */
-export function keepTask(app: LockedPage): void {
+export function applyLocks(app: LockedPage): void {
   const project = () => app.work.work.value.project;
   watch(
     () => project().task && isHandedOut(project()),

@@ -6,7 +6,7 @@ import type { Workplace } from '../../session/work/model/parts';
 import words from './words';
 
 /** The pupil's own robot, if one of the type in use was measured, and its name. */
-export function useMine(app: Workplace) {
+export function useMyRobotInUse(app: Workplace) {
   const hardware = useHardware(app);
   const mine = computed(() => {
     const kept = app.settings.current.value.myRobot;

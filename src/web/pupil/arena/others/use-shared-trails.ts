@@ -29,7 +29,7 @@ export interface OtherTrailSources {
  *
  * @returns a function that gives the tail of a device's trail
  */
-export function useOtherTrails(sources: OtherTrailSources): (place: number) => Tail | null {
+export function useSharedTrails(sources: OtherTrailSources): (place: number) => Tail | null {
   const layer = createTrailLayer();
   const paletteOf = coloredPalettes();
   const paint = (trails: readonly ShownTrail[], canvas: HTMLCanvasElement): void => {

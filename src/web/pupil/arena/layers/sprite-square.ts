@@ -1,12 +1,12 @@
 import type { Pose, Vec } from '#core/geometry';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Mover } from '#scene/scene';
-import { placedBlock } from '../picture/draw-bodies';
+import { placedAtStart } from '../picture/draw-bodies';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 
 /** The square canvas for the picture of an obstacle or a block in any rotation. */
-export interface MoverSprite {
+export interface SpriteSquare {
   /** Side of the square canvas, in CSS px. */
   readonly sidePx: number;
   /** The view in which the obstacle at its start lies in the middle of the canvas. */
@@ -17,7 +17,7 @@ export interface MoverSprite {
 const RIM_PX = 8;
 
 /** The canvas for an obstacle or a block, at this many px per mm. */
-export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: number): MoverSprite {
+export function spriteSquare({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: number): SpriteSquare {
   const half = Math.ceil((Math.hypot(size[0], size[1]) / 2) * pxPerMm + RIM_PX);
   return {
     sidePx: 2 * half,
@@ -32,7 +32,7 @@ export interface SpritePlace extends Vec {
 
 /** Place of the picture of an obstacle at a pose; without one, at its start. */
 export function spritePlace(view: View, mover: Mover, pose: Pose | null): SpritePlace {
-  const start = placedBlock(mover).pose;
+  const start = placedAtStart(mover).pose;
   const { xMm, yMm, headingRad } = pose ?? start;
   return { ...toPx(view, { x: xMm, y: yMm }), turnedRad: headingRad - start.headingRad };
 }
@@ -44,7 +44,7 @@ export function spritePlace(view: View, mover: Mover, pose: Pose | null): Sprite
  * @param ratio canvas pixels per CSS px
  */
 export function wayWindow(mover: Mover, view: View, sight: PxBox, ratio: number): PxBox {
-  const half = moverSprite(mover, view.pxPerMm).sidePx / 2;
+  const half = spriteSquare(mover, view.pxPerMm).sidePx / 2;
   const ends = stopsOf(mover).map(({ at: [x, y] }) => boxAround(toPx(view, { x, y }), half));
   const { left, top, width, height } = unionOf(ends);
   const whole = (px: number): number => Math.floor(px * ratio) / ratio;
