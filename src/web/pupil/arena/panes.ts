@@ -1,4 +1,6 @@
+import type { Component } from 'vue';
+
 import type { FeaturePane } from '../../session/layout/feature-pane';
 import ArenaPane from './ArenaPane.vue';
 
-export const panes: readonly FeaturePane[] = [{ place: 'arena', view: ArenaPane }];
+export const panes: readonly FeaturePane[] = [{ place: 'arena', view: ArenaPane as Component }];

@@ -1,4 +1,6 @@
+import type { Component } from 'vue';
+
 import type { FeaturePane } from '../../session/layout/feature-pane';
 import CodePane from './CodePane.vue';
 
-export const panes: readonly FeaturePane[] = [{ place: 'code', view: CodePane, staysMade: true }];
+export const panes: readonly FeaturePane[] = [{ place: 'code', view: CodePane as Component, staysMade: true }];

@@ -1,3 +1,5 @@
+import type { Component } from 'vue';
+
 import type { FeatureWindow } from '../../kit/features/feature-window';
 import { useLayout } from '../layout/parts';
 import TaskSlot from './TaskSlot.vue';
@@ -9,6 +11,6 @@ export const windows: readonly FeatureWindow[] = [
       const { layout } = useLayout();
       return () => layout.parts.value.includes('arena');
     },
-    view: TaskSlot,
+    view: TaskSlot as Component,
   },
 ];
