@@ -2,6 +2,7 @@ import { copyFile, mkdir } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
+import { firmwareAwaited, firmwareMade } from './build/firmware-awaited.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
 import { words } from './build/words.ts';
@@ -12,6 +13,7 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 const vmBeside = (folder: string): Plugin => ({
   name: 'vm-beside',
   async writeBundle() {
+    await firmwareMade();
     await mkdir(folder, { recursive: true });
     await copyFile(here('.cache/vm/vm.wasm'), `${folder}/vm.wasm`);
   },
@@ -26,7 +28,7 @@ export default defineConfig(({ mode }) => {
   const outDir = here(bench ? 'dist/bench' : 'dist/cli');
   return {
     publicDir: false,
-    plugins: [programs(), scenes(), words(), vmBeside(outDir)],
+    plugins: [firmwareAwaited(), programs(), scenes(), words(), vmBeside(outDir)],
     ssr: { noExternal: true, target: 'node' },
     build: {
       ssr: true,

@@ -9,6 +9,7 @@ import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } 
 
 import { breakPoints } from './build/break-points.ts';
 import { bundled, collectModules, ICON, licences } from './build/bundled.ts';
+import { firmwareAwaited, firmwareMade } from './build/firmware-awaited.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
@@ -17,6 +18,7 @@ import { words, wordsByLanguage, type WordGroups } from './build/words.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { licencesOf } from './scripts/licences.mjs';
 import { OLDEST } from './scripts/oldest.mjs';
+import { buildServiceWorker } from './scripts/service-worker.mjs';
 import { singleFile } from './scripts/single-file.mjs';
 
 /**
@@ -120,6 +122,17 @@ function installable(): Plugin {
   };
 }
 
+/** Writes the service worker, which lists all files of the app, once they are there. */
+function offline(): Plugin {
+  return {
+    name: 'offline',
+    apply: 'build',
+    async writeBundle({ dir }) {
+      if (dir !== undefined) await buildServiceWorker(dir);
+    },
+  };
+}
+
 /** The configuration that both builds of the web app share: the folder of files, and the single file (`--mode single`). */
 const common = {
   root: 'src/web',
@@ -157,7 +170,7 @@ function drawingsLighter(): Plugin {
 
 /** The plugins of both builds, made anew for each. */
 const commonPlugins = (): PluginOption[] => [
-  ...[programs(), scenes(), vue(), iconsApart(), drawingsLighter()],
+  ...[firmwareAwaited(), programs(), scenes(), vue(), iconsApart(), drawingsLighter()],
   runsInTheOldest(),
 ];
 
@@ -192,6 +205,7 @@ function partsInside(): Plugin {
       if (id !== '\0single:firmware') return null;
       const firmware = here('.cache/vm/vm.wasm');
       bundled.add(firmware);
+      await firmwareMade();
       const packed = gzipSync(await readFile(firmware), { level: 9 });
       return `export default ${JSON.stringify(packed.toString('base64'))};`;
     },
@@ -313,13 +327,13 @@ const folder: UserConfig = {
   ...common,
   worker: {
     format: 'es',
-    plugins: () => [programs(), words(), runsInTheOldest(), collectModules()],
+    plugins: () => [firmwareAwaited(), programs(), words(), runsInTheOldest(), collectModules()],
     rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
   build: {
     outDir: '../../dist/app',
-    emptyOutDir: true,
+    emptyOutDir: false, // scripts/setup.mjs does, before both builds begin
     target: OLDEST,
     // The content policy forbids data: scripts, and the VM must be a file of its own to be compiled while it streams in.
     assetsInlineLimit: 0,
@@ -373,6 +387,14 @@ export default defineConfig(({ mode, command }) =>
     ? single
     : {
         ...folder,
-        plugins: [wordsFor(command), ...commonPlugins(), frameCheck(), installable(), collectModules(), licences()],
+        plugins: [
+          wordsFor(command),
+          ...commonPlugins(),
+          frameCheck(),
+          installable(),
+          collectModules(),
+          licences(),
+          offline(),
+        ],
       },
 );

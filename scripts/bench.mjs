@@ -8,7 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { engines } from './browsers.mjs';
 import { elapsed, main, mustRun, note, root, step } from './progress.mjs';
 import { serve } from './serve.mjs';
-import { buildApp, setUp } from './setup.mjs';
+import { setUpApp } from './setup.mjs';
 
 const load = () =>
   loadavg()
@@ -55,8 +55,7 @@ async function printPage(bench, { long, words }) {
 }
 
 await main(import.meta.url, async (args) => {
-  await setUp();
-  await buildApp();
+  await setUpApp();
   const bench = await buildBench();
   const started = Date.now();
   const processors = cpus();

@@ -7,7 +7,7 @@ import { buildWhenChanged } from './fingerprint.mjs';
 import { installOldBrowsers, oldBrowsersEnv } from './old-browsers.mjs';
 import { Failure, main, mustRun, note, root, run, step } from './progress.mjs';
 import { serve } from './serve.mjs';
-import { buildApp, setUp } from './setup.mjs';
+import { setUpApp } from './setup.mjs';
 
 const REPORT = '.cache/test/e2e.json';
 
@@ -137,10 +137,9 @@ function* testsOf(suite) {
 }
 
 await main(import.meta.url, async (args) => {
-  await setUp();
+  await setUpApp();
   await installBrowsers();
   await installOldBrowsers();
-  await buildApp();
   const rows = await browserTests(args);
   if (rows.some(({ failed }) => failed > 0)) throw new Failure('The browser tests failed.');
 });

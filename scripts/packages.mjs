@@ -6,7 +6,7 @@ import { bundleTypes } from './bundle-types.mjs';
 import { exists } from './fingerprint.mjs';
 import { OLDEST } from './oldest.mjs';
 import { Failure, main, mustRun, root, step } from './progress.mjs';
-import { buildApp, setUp } from './setup.mjs';
+import { setUpApp } from './setup.mjs';
 
 /** Each folder of `packages/` and the module that it is made of. `hasApp`: the built app lies beside it. */
 export const packages = [
@@ -80,8 +80,7 @@ const readJson = async (path) => JSON.parse(await readFile(path, 'utf8'));
 const versionOfApp = async () => (await readJson(join(root, 'package.json'))).version;
 
 await main(import.meta.url, async () => {
-  await setUp();
-  await buildApp();
+  await setUpApp();
   const made = await step('Packages', () => packAll());
   for (const path of Object.values(made)) process.stdout.write(`${path}\n`);
 });

@@ -18,34 +18,49 @@ export function note(text) {
   process.stdout.write(`  ${text}\n`);
 }
 
+/** The steps that run now, side by side, and when each began. */
+const running = new Map();
+
 /**
- * Runs one step, printing its title before and its time after; on a terminal a running clock meanwhile.
- * What the work rejects with is passed on.
+ * Runs one step, printing its title before and its time after; on a terminal a running clock meanwhile, one for all steps
+ * that run side by side. What the work rejects with is passed on.
  */
 export async function step(title, work) {
   const started = Date.now();
-  process.stdout.write(`▸ ${title}\n`);
+  running.set(title, started);
+  process.stdout.write(`${leftOfClock()}▸ ${title}\n`);
   const ticker = process.stdout.isTTY
-    ? setInterval(() => process.stdout.write(`\r  … ${elapsed(Date.now() - started)} `), 1000)
+    ? setInterval(() => process.stdout.write(clock(title)), 1000)
     : setInterval(() => note(`… ${title}, ${elapsed(Date.now() - started)} so far`), 30_000);
   try {
     return await work();
   } finally {
     clearInterval(ticker);
-    if (process.stdout.isTTY) process.stdout.write('\r');
+    running.delete(title);
+    process.stdout.write(leftOfClock());
     note(`${title}: ${elapsed(Date.now() - started)}`);
   }
 }
+
+/** The running clock, which the step that has run longest shows for all. */
+const clock = (title) =>
+  running.keys().next().value === title
+    ? `\r  … ${[...running].map(([name, since]) => `${name} ${elapsed(Date.now() - since)}`).join(', ')} `
+    : '';
+
+/** On a terminal the next line is written over the running clock. */
+const leftOfClock = () => (process.stdout.isTTY ? '\r\x1b[K' : '');
 
 /**
  * Runs a program in the repository's root.
  *
  * @param {string} command a program, or `node` for the Node that runs this script
  * @param {readonly string[]} args
- * @param {{ env?: Record<string, string | undefined>, quiet?: boolean }} [options] quiet: collect the output instead of showing it
+ * @param {{ env?: Record<string, string | undefined>, quiet?: boolean, input?: Promise<string> }} [options]
+ *   quiet: collect the output instead of showing it; input: what the program reads, once it is known; nothing if that fails
  * @returns {Promise<{ code: number, output: string }>} the exit code (1 when it could not start) and the collected output
  */
-export function run(command, args, { env = {}, quiet = false } = {}) {
+export function run(command, args, { env = {}, quiet = false, input } = {}) {
   const { program, leading, shell } = programFor(command);
   return new Promise((resolve) => {
     let output = '';
@@ -53,8 +68,13 @@ export function run(command, args, { env = {}, quiet = false } = {}) {
       cwd: root,
       env: { ...process.env, ...(process.stdout.isTTY ? {} : { NO_COLOR: '1' }), ...env },
       shell,
-      stdio: ['ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
+      stdio: [input ? 'pipe' : 'ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
     });
+    child.stdin?.on('error', () => {}); // it has ended without reading
+    input?.then(
+      (text) => child.stdin?.end(text),
+      () => child.stdin?.end(),
+    );
     child.stdout?.on('data', (chunk) => (output += chunk));
     child.stderr?.on('data', (chunk) => (output += chunk));
     child.on('error', (error) => resolve({ code: 1, output: `${output}${error.message}\n` }));

@@ -6,7 +6,7 @@ import { engines } from './browsers.mjs';
 import { browserTests } from './e2e.mjs';
 import { Failure, main, note, root } from './progress.mjs';
 import { serve } from './serve.mjs';
-import { buildApp, setUp } from './setup.mjs';
+import { setUpApp } from './setup.mjs';
 
 const KEPT = 'docs/images';
 const MADE = 'dist/pictures';
@@ -67,8 +67,7 @@ async function takeFirstHours() {
 }
 
 await main(import.meta.url, async () => {
-  await setUp();
-  await buildApp();
+  await setUpApp();
   const [{ env, missing }] = engines();
   if (missing) throw new Failure(`The pictures need Chromium: ${missing}.`);
   await mkdir(`${root}${MADE}`, { recursive: true });

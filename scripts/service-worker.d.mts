@@ -1,2 +1,2 @@
-export function buildServiceWorker(folder?: string): Promise<{ readonly count: number; readonly bytes: number }>;
+export function buildServiceWorker(folder: string): Promise<void>;
 export function bareServiceWorker(): Promise<import('vite').Rolldown.OutputChunk>;

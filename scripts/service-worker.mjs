@@ -4,7 +4,7 @@ import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { build } from 'vite';
 import { OLDEST } from './oldest.mjs';
-import { main, note, root } from './progress.mjs';
+import { root } from './progress.mjs';
 
 const SOURCE = 'src/web/exchange/offline/sw.ts';
 /** Placeholder for the list of files in the built script. */
@@ -17,10 +17,9 @@ const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{8}\.\w+$/;
 /**
  * Writes `sw.js` into a folder that holds the built app.
  *
- * @param {string} [folder]
- * @returns {Promise<{ count: number, bytes: number }>} what it keeps
+ * @param {string} folder
  */
-export async function buildServiceWorker(folder = 'dist/app') {
+export async function buildServiceWorker(folder) {
   const app = resolve(root, folder);
   const all = await readdir(app, { recursive: true, withFileTypes: true });
   const paths = all.filter((it) => it.isFile()).map((it) => join(it.parentPath, it.name));
@@ -30,12 +29,10 @@ export async function buildServiceWorker(folder = 'dist/app') {
   const entries = await Promise.all(urls.sort().map((url) => listed(app, url)));
   const { code } = await bareServiceWorker();
   if (code.split(PLACE).length !== 2) throw new Error(`${PLACE} must stand in the service worker once.`);
-  const manifest = entries.map(({ url, revision, integrity }) => ({ url, revision, integrity }));
   await writeFile(
     join(app, 'sw.js'),
-    code.replace(PLACE, () => JSON.stringify(manifest)),
+    code.replace(PLACE, () => JSON.stringify(entries)),
   );
-  return { count: entries.length, bytes: entries.reduce((sum, { bytes }) => sum + bytes, 0) };
 }
 
 /** A host may be in the middle of changing its files: one that is not the listed one is refused by its hash. */
@@ -43,11 +40,15 @@ async function listed(folder, url) {
   const content = await readFile(join(folder, url));
   const hash = createHash('sha256').update(content).digest('base64');
   const revision = NAMED_BY_CONTENT.test(url) ? null : hash;
-  return { url, revision, integrity: `sha256-${hash}`, bytes: content.length };
+  return { url, revision, integrity: `sha256-${hash}` };
 }
 
+let bare;
+
 /** The service worker as one classic script, without its list of files: not every browser takes modules for it. */
-export async function bareServiceWorker() {
+export const bareServiceWorker = () => (bare ??= bundleServiceWorker());
+
+async function bundleServiceWorker() {
   const made = await build({
     configFile: false,
     root,
@@ -64,8 +65,3 @@ export async function bareServiceWorker() {
   if (!('output' in first)) throw new Error('The service worker was not built.');
   return first.output[0];
 }
-
-await main(import.meta.url, async ([folder]) => {
-  const { count, bytes } = await buildServiceWorker(folder);
-  note(`sw.js keeps ${count} files, ${Math.round(bytes / 1000)} kB.`);
-});

@@ -1,5 +1,5 @@
 // npm run setup: installs what is missing, makes the VM and the command line. Everything is cached; a second run is quick.
-import { readFile } from 'node:fs/promises';
+import { readFile, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { buildWhenChanged } from './fingerprint.mjs';
 import { Failure, main, mustRun, note, root, step } from './progress.mjs';
@@ -11,6 +11,20 @@ const vite = 'node_modules/vite/bin/vite.js';
 
 /** Brings a fresh clone to where `npx parcours`, the app's build and the tests can run. */
 export async function setUp() {
+  await prepare();
+  const vm = makeVm();
+  await Promise.all([vm, buildCli(vm)]);
+}
+
+/** Sets up and builds the app, which begins while the VM is still being made. */
+export async function setUpApp() {
+  await prepare();
+  const vm = makeVm();
+  await Promise.all([vm, buildCli(vm), buildApp(vm)]);
+}
+
+/** Packages, and what all builds read. */
+async function prepare() {
   refuseOldNode();
   if (await dependenciesMissing()) {
     await step('Installing packages (npm ci)', () =>
@@ -20,38 +34,49 @@ export async function setUp() {
     note('Packages: installed as the lock file says.');
   }
   await writeWordTypes(join(root, 'src'));
-  await step('MicroPython VM', async () => {
-    await mustRun('node', ['scripts/build-vm.mjs']);
-    await mustRun('node', ['scripts/build-library.mjs']);
-  });
-  await buildCli();
+  await mustRun('node', ['scripts/build-library.mjs']);
 }
 
+/** The firmware, which takes one processor the longest of all. */
+const makeVm = () => step('MicroPython VM', () => mustRun('node', ['scripts/build-vm.mjs']));
+
+/** Everything that `.cache/vm` is made of, so that it is known before that is made (`setup.test.mjs` holds it to that). */
+export const VM_SOURCES = ['src/vm', 'package-lock.json', 'scripts/build-vm.mjs', 'scripts/build-library.mjs'];
+
+/** Starts Vite; the build waits by itself where it needs the VM (`build/firmware-awaited.ts`). */
+const bundle = (vm, ...args) =>
+  mustRun('node', [vite, 'build', ...args, '--logLevel', 'warn'], {
+    env: { PARCOURS_VM: 'coming' },
+    input: vm.then(() => 'made'),
+  });
+
 /** The bundle behind `npx parcours`. */
-async function buildCli() {
+async function buildCli(vm) {
   const inputs = {
-    sources: ['src', 'courses', 'vite.cli.config.ts', 'package.json', 'package-lock.json', '.cache/vm'],
+    sources: ['src', 'courses', 'build', 'vite.cli.config.ts', 'package.json', ...VM_SOURCES],
     product: 'dist/cli/main.mjs',
     counts: (path) => !isTest(path) && !path.startsWith('src/web/'),
   };
   const built = await buildWhenChanged('cli', inputs, () =>
-    step('Command line', () =>
-      mustRun('node', [vite, 'build', '--config', 'vite.cli.config.ts', '--logLevel', 'warn']),
-    ),
+    step('Command line', () => bundle(vm, '--config', 'vite.cli.config.ts')),
   );
   if (!built) note('Command line: up to date.');
 }
 
 /** Everything that the app is made of: its sources, and what `vite.config.ts` reads (`setup.test.mjs` holds it to that). */
 export const APP_SOURCES = [
-  ...['src', 'courses', 'build', '.cache/vm'],
-  ...['vite.config.ts', 'package.json', 'package-lock.json', 'LICENSE'],
+  ...['src', 'courses', 'build', ...VM_SOURCES],
+  ...['vite.config.ts', 'package.json', 'LICENSE'],
   ...['frame-check', 'licences', 'oldest', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
   ...['fingerprint', 'progress'].map((name) => `scripts/${name}.mjs`),
 ];
 
-/** The page and its single-file form, in dist/app. */
-export async function buildApp() {
+/**
+ * The page and its single-file form, in dist/app.
+ *
+ * @param {Promise<void>} [vm] ends when the VM is made
+ */
+export async function buildApp(vm = Promise.resolve()) {
   const inputs = {
     sources: APP_SOURCES,
     product: 'dist/app/sw.js',
@@ -59,12 +84,8 @@ export async function buildApp() {
   };
   const built = await buildWhenChanged('app', inputs, () =>
     step('App', async () => {
-      const quietly = ['--logLevel', 'warn'];
-      await mustRun('node', [vite, 'build', ...quietly]);
-      await Promise.all([
-        mustRun('node', [vite, 'build', '--mode', 'single', ...quietly]),
-        mustRun('node', ['scripts/service-worker.mjs']),
-      ]);
+      await rm(join(root, 'dist/app'), { recursive: true, force: true });
+      await Promise.all([bundle(vm), bundle(vm, '--mode', 'single')]);
     }),
   );
   if (!built) note('App: up to date.');

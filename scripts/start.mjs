@@ -1,10 +1,9 @@
 // npm start: sets up what is missing, builds the app and serves it.
 import { main } from './progress.mjs';
 import { atWords, serve } from './serve.mjs';
-import { buildApp, setUp } from './setup.mjs';
+import { setUpApp } from './setup.mjs';
 
 await main(import.meta.url, async () => {
-  await setUp();
-  await buildApp();
+  await setUpApp();
   process.stdout.write(`\nParcours runs at ${atWords(await serve())}\n(Ctrl-C ends it)\n`);
 });
