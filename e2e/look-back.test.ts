@@ -6,7 +6,7 @@ import { by, gone, until } from './parts';
 import { clearAll, listOf, openEditor, withMouse } from './pupil';
 
 const PROGRAM = `from mbrobot import *
-setSpeed(50)
+setSpeed(30)
 forward()
 for n in range(1000):
     print("number", n)
