@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
+import { runnerImport, type InlineConfig } from 'vite';
 import { words } from '../build/words';
 import type * as ClassKinds from './class-kinds';
 import type { ProbeResult, ProbeTask } from './probe/messages';
@@ -22,7 +22,7 @@ const modules = new Map<string, Promise<unknown>>();
 /** Playwright's own loader takes no JSON, which the VM's library and all words are. */
 function loaded<Module>(path: string): Promise<Module> {
   const file = fileURLToPath(new URL(path, import.meta.url));
-  const options = { configFile: false, logLevel: 'warn', plugins: [words()] } as const;
+  const options: InlineConfig = { configFile: false, logLevel: 'warn', plugins: [words()] };
   const loading = modules.get(path) ?? runnerImport<Module>(file, options).then(({ module }) => module);
   modules.set(path, loading);
   return loading as Promise<Module>;

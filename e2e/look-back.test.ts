@@ -53,10 +53,11 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   await expect.poll(() => at(app)).toBe(980);
   await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start.xMm + 10);
   await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(far.xMm);
+  const there = await robotIn(app);
   await app.click(by('go-on'));
   await gone(app, by('time-rail'));
-  // It has forgotten what came later, drives on from there, and prints it again.
-  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(far.xMm);
+  // It has forgotten what came later and drives on from there; on a slow machine it had come to the wall before.
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(there.xMm + 20);
 });
 
 test('what was left drives along as a ghost as soon as something goes another way', IN_ONE_ENGINE, async ({ app }) => {
