@@ -39,7 +39,7 @@ interface Written {
   readonly report: string;
 }
 
-/** What the command line writes of an e-mail. @param name of the class, for all engines */
+/** The files that the command line writes for an e-mail. @param name of the class, for all engines */
 const writtenByCommandLine = (name: string, task: string, text: string): Promise<Written> =>
   onceARun(`class-${name}`, async (folder) => {
     const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((file) => join(folder, file)) as [string, string, string]; // prettier-ignore

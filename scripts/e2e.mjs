@@ -11,7 +11,7 @@ import { setUpApp } from './setup.mjs';
 
 const REPORT = '.cache/test/e2e.json';
 
-/** Where tests keep what they make once for all engines (e2e/once-a-run.ts). */
+/** Folder for what tests make once for all engines (e2e/once-a-run.ts). */
 const ONCE_A_RUN = '.cache/once-a-run';
 
 /**

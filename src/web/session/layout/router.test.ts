@@ -57,11 +57,12 @@ describe('the pages over the app', () => {
   it('are closed on a usual visit', () => expect(router().page.value).toBeNull());
 
   it('know the id of the open page only: a page that is being left sees none of the next', () => {
-    const { open, idOn } = router();
-    open('robots', 'callibot');
-    expect([idOn('robots'), idOn('courses')]).toEqual(['callibot', null]);
-    open('courses', 'slalom');
-    expect([idOn('robots'), idOn('courses')]).toEqual([null, 'slalom']);
+    const it = router();
+    const ids = () => [it.idOn('robots'), it.idOn('courses')];
+    it.open('robots', 'callibot');
+    expect(ids()).toEqual(['callibot', null]);
+    it.open('courses', 'slalom');
+    expect(ids()).toEqual([null, 'slalom']);
   });
 
   it('are open at the page that the address asks for', () => {

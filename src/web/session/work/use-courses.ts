@@ -29,12 +29,9 @@ function useWholeCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
+  const isNothingOwn = (): boolean => hasNothingOwn(app.work.work.value.project);
   /** Opens a project without the hardware of the previous work, which is chosen separately. */
-  function open(
-    { settings: _, ...project }: Project,
-    name: string,
-    ours = hasNothingOwn(app.work.work.value.project),
-  ): void {
+  function open({ settings: _, ...project }: Project, name: string, ours = isNothingOwn()): void {
     openings.open(project, name, ours);
     app.settings.bring(newWork);
   }
@@ -61,10 +58,7 @@ function useWholeCourses(app: Workplace) {
       return;
     }
     openProject(course, project);
-    const values = {
-      name: courseName(course.scene, course.id),
-      when: dateText(own.atMs, language()),
-    };
+    const values = { name: courseName(course.scene, course.id), when: dateText(own.atMs, language()) };
     const action = {
       ...({ key: 'notice.text', values: { text: t(programWords.start) } } as const),
       run: () => openWhole(course),
@@ -74,7 +68,7 @@ function useWholeCourses(app: Workplace) {
 
   /** Opens a course as the pupil has left it, or with its program where they have written nothing in it yet. */
   function openAgain(course: Course): void {
-    if (!hasNothingOwn(app.work.work.value.project)) leaveProgram(app.work, Date.now()); // it may be the same course
+    if (!isNothingOwn()) leaveProgram(app.work, Date.now()); // it may be the same course
     const { last } = programsOf(app.work, course.id);
     if (course.isRandom || last === undefined) openWhole(course);
     else openOwn(course, last);

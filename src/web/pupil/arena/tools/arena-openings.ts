@@ -48,10 +48,7 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     editor.menu.value = { xPx, yPx, atMm, on, host: host(), fit: () => picture.fit() };
   }
 
-  /**
-   * Selects the topmost thing at a place, locked or not, unless one there is selected already. Returns what the menu is
-   * for.
-   */
+  /** Selects the topmost thing at a place, locked or not, unless one there is selected. Returns what the menu is for. */
   function take(atMm: Vec, reachMm: number): 'things' | 'floor' {
     const selection = editor.selection.value;
     const things = thingsAt(sources.course(), atMm, reachMm, sources.footprint(), () => true);
