@@ -15,7 +15,7 @@ export default defineConfig({
   outputDir: 'test-results',
   timeout: 90_000, // Firefox alone takes up to 5 s to start on a busy machine
   expect: { timeout: 20_000 },
-  workers: 4, // two for each of two cores: half of a test is waiting for what goes on in real time
+  workers: 3, // of two cores: nearly half of a test is waiting for what goes on in real time
   retries: 0,
   forbidOnly: process.env['CI'] === 'true',
   reporter: [['list'], ['json']],
