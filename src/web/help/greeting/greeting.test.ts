@@ -62,6 +62,18 @@ describe('the greeting of a first visit', () => {
     history.replaceState(null, '', '/');
   });
 
+  it('does not come over the output of a run whose program was then taken back', async () => {
+    const page = await visit();
+    const { text } = page.work.open.value;
+    page.work.setText('main.py', 'meins = 1\n');
+    await startRun(page);
+    await page.run.reset();
+    page.work.setText('main.py', text);
+    await nextTick();
+    expect(page.settings.current.value.welcomed).toBe(false);
+    expect(isThere('welcome')).toBe(false);
+  });
+
   it('goes for good with “Gleich loslegen”', async () => {
     const page = await visit();
     await tap('welcome-start');

@@ -1,4 +1,4 @@
-import { computed, watch, type ComputedRef } from 'vue';
+import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
 import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
@@ -19,13 +19,15 @@ export function useGreeting({ run, settings, work, router, layout, tour }: Parts
     return isAlone && !settings.current.value.welcomed && project.course === firstCourse?.id && isAsFound(project);
   });
   // Anyone who has found Run no longer needs a greeting.
+  const hasRun = shallowRef(run.isActive.value);
   watch(run.isActive, (active) => {
+    hasRun.value ||= active;
     if (active && isFirstVisit.value) settings.change({ welcomed: true });
   });
   return computed(
     () =>
       isFirstVisit.value &&
-      !run.isActive.value &&
+      !hasRun.value &&
       !tour.isOpen.value &&
       (layout.kind.value !== 'phone' || layout.tab.value === 'code'),
   );
