@@ -242,9 +242,9 @@ describe('a pin that others use', () => {
   it('G6: get_pull tells up until a resistor is chosen, although the input pulls down', () => {
     const { board } = createBench();
     const pin = board.pin('pin0');
-    expect([pin.readDigital(), pin.toldPull]).toEqual([0, 'up']);
+    expect([pin.readDigital(), pin.reportedPull]).toEqual([0, 'up']);
     pin.setPull('none');
-    expect(pin.toldPull).toBe('none');
+    expect(pin.reportedPull).toBe('none');
   });
 
   it('G7: a tone leaves a pin alone that the display holds, and display.off() twice ends the music on its pin', () => {

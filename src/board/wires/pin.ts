@@ -61,7 +61,7 @@ export class Pin {
    * The result of `get_pull()`: the resistor that was chosen last. Before the first choice it is `up` (0), although the
    * input then pulls down. The device does the same (microbithal.cpp, pin_pull_state).
    */
-  get toldPull(): Pull {
+  get reportedPull(): Pull {
     return this.chosenPull ?? 'up';
   }
 

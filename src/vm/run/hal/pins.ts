@@ -75,7 +75,7 @@ function digital(machine: Machine, board: Board): SyscallTable {
       machine.spend(callUs);
       const pin = at(n);
       if (!pin || (pin.mode !== 'read_digital' && pin.mode !== 'button')) return HELD;
-      return PULLS.indexOf(pin.toldPull);
+      return PULLS.indexOf(pin.reportedPull);
     },
     pin_set_pull: (n, value) => {
       machine.spend(callUs);

@@ -6,7 +6,7 @@ import words from '../words';
 import { filled } from './filled';
 import { localeOf } from './locale';
 import { LANGUAGES, type Language, type TextKey, type TextValues } from './texts';
-import { loadWords, wantWords } from './word-files';
+import { loadWords, chooseLanguage } from './word-files';
 
 export { LANGUAGES, type Language, type TextKey, type TextValues } from './texts';
 
@@ -54,7 +54,7 @@ export async function loadErrorTexts(): Promise<void> {
  * another one was chosen meanwhile, that one is shown. Rejects without a connection.
  */
 export async function setLanguage(language: Language): Promise<void> {
-  if (!(await wantWords(language))) return;
+  if (!(await chooseLanguage(language))) return;
   showLanguage(language);
   document.documentElement.lang = localeOf(language);
 }

@@ -21,35 +21,35 @@ function stage() {
 
 describe('the words of the page', () => {
   it('come in one language, and another when it is chosen', async () => {
-    const { wordsOfPart, wantWords, fetched } = stage();
+    const { wordsOfPart, chooseLanguage, fetched } = stage();
     const bar = wordsOfPart('first', 0, { run: 0, more: { stop: 0 } });
     const arena = wordsOfPart('first', 1, { wall: 0 });
-    await wantWords('fr');
+    await chooseLanguage('fr');
     expect([bar, arena]).toEqual([
       { run: { fr: 'Run fr' }, more: { stop: { fr: 'Stop fr' } } },
       { wall: { fr: 'Wall fr' } },
     ]);
-    await wantWords('it');
+    await chooseLanguage('it');
     expect(arena).toEqual({ wall: { fr: 'Wall fr', it: 'Wall it' } });
-    await wantWords('fr');
+    await chooseLanguage('fr');
     expect(fetched).toEqual(['first fr', 'first it']);
   });
 
   it('are there when a late part is, in the language that is wanted then', async () => {
-    const { wordsOfPart, wantWords, withWords, fetched } = stage();
+    const { wordsOfPart, chooseLanguage, withWords, fetched } = stage();
     wordsOfPart('first', 0, { run: 0 });
-    await wantWords('it');
+    await chooseLanguage('it');
     const load = (): Promise<{ words: unknown }> => Promise.resolve({ words: wordsOfPart('late', 0, { share: 0 }) });
     expect(await withWords(load())).toEqual({ words: { share: { it: 'Share it' } } });
     expect(fetched).toEqual(['first it', 'late it']);
-    await wantWords('de');
+    await chooseLanguage('de');
     expect((await withWords(load())).words).toEqual({ share: { de: 'Share de', it: 'Share it' } });
     expect(fetched).toEqual(['first it', 'late it', 'first de', 'late de']);
   });
 
   it('keep the part away if they do not come, and are fetched again by the next try', async () => {
-    const { wordsOfPart, wantWords, withWords, broken } = stage();
-    await wantWords('en');
+    const { wordsOfPart, chooseLanguage, withWords, broken } = stage();
+    await chooseLanguage('en');
     broken.add('late en');
     const load = (): Promise<{ words: unknown }> => Promise.resolve({ words: wordsOfPart('late', 0, { share: 0 }) });
     await expect(withWords(load())).rejects.toThrow('No connection.');
@@ -58,31 +58,31 @@ describe('the words of the page', () => {
   });
 
   it('are there in the shown language, too, if the part comes while another one is on its way', async () => {
-    const { wordsOfPart, wantWords, withWords } = stage();
+    const { wordsOfPart, chooseLanguage, withWords } = stage();
     wordsOfPart('first', 0, { run: 0 });
-    await wantWords('de');
-    const choice = wantWords('it');
+    await chooseLanguage('de');
+    const choice = chooseLanguage('it');
     const words = await withWords(Promise.resolve(wordsOfPart('late', 0, { share: 0 })));
     expect(words).toEqual({ share: { de: 'Share de', it: 'Share it' } });
     expect(await choice).toBe(true);
   });
 
   it('stay in the language that is shown where the one that was chosen does not come', async () => {
-    const { wordsOfPart, wantWords, withWords, broken } = stage();
+    const { wordsOfPart, chooseLanguage, withWords, broken } = stage();
     wordsOfPart('first', 0, { run: 0 });
-    await wantWords('de');
+    await chooseLanguage('de');
     for (const group of ['first', 'late']) broken.add(`${group} it`);
-    await expect(wantWords('it')).rejects.toThrow('No connection.');
+    await expect(chooseLanguage('it')).rejects.toThrow('No connection.');
     const load = (): Promise<unknown> => withWords(Promise.resolve(wordsOfPart('late', 0, { share: 0 })));
     expect(await load()).toEqual({ share: { de: 'Share de' } });
     broken.clear();
-    expect(await wantWords('it')).toBe(true);
+    expect(await chooseLanguage('it')).toBe(true);
     expect(await load()).toEqual({ share: { de: 'Share de', it: 'Share it' } });
   });
 
   it('are not to be shown any more where another language was chosen meanwhile', async () => {
-    const { wantWords } = stage();
-    expect(await Promise.all([wantWords('it'), wantWords('fr')])).toEqual([false, true]);
+    const { chooseLanguage } = stage();
+    expect(await Promise.all([chooseLanguage('it'), chooseLanguage('fr')])).toEqual([false, true]);
   });
 
   it('are in the parts where there are no files: nothing is waited for', async () => {

@@ -58,7 +58,7 @@ export function openWordFiles(files: WordFiles) {
    *
    * @returns whether it is to be shown now; `false`: another one was chosen meanwhile
    */
-  async function wantWords(language: Language): Promise<boolean> {
+  async function chooseLanguage(language: Language): Promise<boolean> {
     wanted = language;
     try {
       await loadWords(language);
@@ -80,7 +80,7 @@ export function openWordFiles(files: WordFiles) {
     return part;
   }
 
-  return { wordsOfPart, loadWords, wantWords, withWords };
+  return { wordsOfPart, loadWords, chooseLanguage, withWords };
 }
 
 /** The texts in the files, by group and language; each file is fetched once. @param onCome its texts are there */
@@ -111,4 +111,4 @@ function treeOf(shape: Shape, texts: Text[]): Tree {
   return text as Texts;
 }
 
-export const { wordsOfPart, loadWords, wantWords, withWords } = openWordFiles(files);
+export const { wordsOfPart, loadWords, chooseLanguage, withWords } = openWordFiles(files);

@@ -4,7 +4,7 @@ import type { JoinModels } from '../../session/models/session';
 export const join: JoinModels = ({ work, run, notices }) => {
   work.staysAsItIs = () => {
     if (run.past.value === null) return false;
-    void import('./explain-standstill').then(({ explainStandstill: tellPast }) => tellPast(notices));
+    void import('./explain-standstill').then(({ explainStandstill }) => explainStandstill(notices));
     return true;
   };
 };

@@ -21,13 +21,13 @@ const WHOLE = ['calliopemini', 'microbit'];
  * The import that gives a name on the chosen board and robot: of the module itself, of the board's, of the robot's, or
  * of the only module that has it. `null` where several could be meant, or none.
  */
-export function importLine(name: string, reference: Reference, { own, all: foreign }: RobotModules): Lacking | null {
+export function importLine(name: string, reference: Reference, { own, all }: RobotModules): Lacking | null {
   const modules = reference.importable();
   const has = (module: string): boolean => modules.get(module)?.().names().has(name) ?? false;
-  if (modules.has(name) && (!foreign.has(name) || own.includes(name))) return { module: name, code: `import ${name}` };
+  if (modules.has(name) && (!all.has(name) || own.includes(name))) return { module: name, code: `import ${name}` };
   const whole = [...WHOLE.filter((it) => modules.has(it)), ...own].find(has);
   if (whole !== undefined) return { module: whole, code: `from ${whole} import *` };
-  const others = Array.from(modules.keys()).filter((it) => !foreign.has(it) && !it.startsWith('u') && has(it));
+  const others = Array.from(modules.keys()).filter((it) => !all.has(it) && !it.startsWith('u') && has(it));
   const [only] = others;
   return only !== undefined && others.length === 1 ? { module: only, code: `from ${only} import ${name}` } : null;
 }

@@ -8,6 +8,6 @@ import type { RobotModules } from './import-line';
 export function robotModules({ hardware }: Written): RobotModules {
   const robot = hardware?.robot?.id ?? null;
   const own = robotReferences.find((it) => it.robot === robot)?.modules.map(({ name }) => name) ?? [];
-  const foreign = new Set([...robotReferences, freeReference].flatMap(({ modules }) => modules.map((it) => it.name)));
-  return { own, all: foreign };
+  const all = new Set([...robotReferences, freeReference].flatMap(({ modules }) => modules.map((it) => it.name)));
+  return { own, all };
 }
