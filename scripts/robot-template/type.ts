@@ -17,6 +17,7 @@ const OUTLINE: readonly Vec[] = [
 
 const body: ChassisType = {
   outlineMm: [OUTLINE],
+  heightMm: 85, // chosen: to the top of the upright micro:bit
   massG: 150, // chosen: weigh yours
   centreOfMassMm: { x: 10, y: 0 }, // chosen: between axle and castor
   wheels: [

@@ -29,6 +29,7 @@ import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
 import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
+import type { DepthCell, DepthView } from '#world/probes/depth-grid';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
 import type { LineReadings } from './traits';
 
@@ -120,6 +121,8 @@ export interface RobotContext {
   readonly ground: (spot: Vec, radiusMm: number) => number;
   /** The reading of a distance sensor at `from` (robot frame) that looks along `headingRad` (0 = forward). */
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
+  /** The picture of a multizone ranger whose lens is at `from` (robot frame) and looks ahead. */
+  readonly depths: (from: Vec, view: DepthView) => readonly DepthCell[];
   /** Present voltage of the battery, in mV. */
   readonly supplyMv: () => number;
   /** A value for each option of the type. */
@@ -142,6 +145,14 @@ export type RobotOutput =
 /** Called when the program sets an output, even to the value that it has: `value` is then the same as before. */
 export type OnSet = (output: RobotOutput, value: string | number) => void;
 
+/** The state of a robot without any part, for all that a robot's own state leaves as it is. */
+export const bareState: RobotState = {
+  leds: { left: 0, right: 0 },
+  ...{ rgb: [], lamps: [], lineSensors: [], servos: {}, attachments: [] },
+  duty: { left: 0, right: 0 },
+  ...{ ultrasonic: null, lidar: null, bumper: null },
+};
+
 /** One attached robot. */
 export interface Robot {
   /** Its wires on the board, by name, with the outputs that a program sets by what it writes there, if any. */
@@ -156,10 +167,12 @@ export interface Robot {
 
 /** The visible state of a robot, as plain data. */
 export interface RobotState {
-  /** The two red lights, 1 = on. */
+  /** The two red lights, 1 = on; on a robot with colour lamps off. */
   readonly leds: { readonly left: 0 | 1; readonly right: 0 | 1 };
   /** Colour lights: front left, back left, back right, front right; on a robot with two: left, right. */
   readonly rgb: readonly Rgb[];
+  /** Colour lamps in front, left and right, that its controller drives; none on a robot with red lights or `rgb` alone. */
+  readonly lamps: readonly Rgb[];
   readonly lineSensors: readonly LineSensorState[];
   /** Angle in degrees by port as the program set it, for each servo that was ever set. */
   readonly servos: Readonly<Record<string, number>>;
@@ -169,6 +182,8 @@ export interface RobotState {
   readonly duty: { readonly left: number; readonly right: number };
   /** The beam of the distance sensor now, or `null` for a robot without one. */
   readonly ultrasonic: UltrasonicState | null;
+  /** The picture of the lidar now, or `null` for a robot without one. */
+  readonly lidar: LidarState | null;
   /** For each half of the bumper: true if it is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
@@ -192,4 +207,21 @@ export interface UltrasonicState {
   /** To the nearest thing in the beam, as the sensor gives it: never below 20 mm; `null` if nothing is in range. */
   readonly distanceMm: number | null;
   readonly hitMm: Vec | null;
+}
+
+/** The picture of a lidar: cells in rows from the top and columns from the left. */
+export interface LidarState {
+  /** The lens, world frame. */
+  readonly fromMm: Vec;
+  readonly headingRad: number;
+  /** Full angle of view, across and upright alike. */
+  readonly openingRad: number;
+  /** Cells per row, and rows. */
+  readonly size: 4 | 8;
+  /** Depth along the axis in whole mm, row by row; `null`: nothing in range. */
+  readonly depthMm: readonly (number | null)[];
+  /** For each cell: true if it sees the floor. */
+  readonly floor: readonly boolean[];
+  /** For each cell: true if the program has read it within the last half second. */
+  readonly asked: readonly boolean[];
 }

@@ -11,8 +11,10 @@ const HEAD_MM = 11;
 /**
  * The beam of an HC-SR04 and similar sensors: 20° as in TigerJython's own simulators (Tiger-Jython/Aplu-Libraries,
  * MbRobotSim and CallibotSim), as far as the sensor measures. Chosen for the Calli:bot, whose sensor is not documented.
+ * Its height is chosen: the cans of all these robots sit a little above the wheels. It is not scaled with the robot, as a
+ * large one would look over every block.
  */
-export const SR04_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM };
+export const SR04_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM, heightMm: 40 };
 
 /** A distance sensor's place on its robot, looking ahead. */
 export interface SonarMount {

@@ -1,6 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { rotationRad } from '#core/angle';
+import { heightOf } from '#scene/kinds/heights';
 import type { AnyObject } from '#scene/kinds/kind';
 import { reflectanceOf } from '#scene/reflectance';
 import { zoneOverlaps } from '#scene/kinds/zone';
@@ -72,8 +73,9 @@ export const isMovable = ({ type }: SceneObject): boolean => runKinds[type].chan
 /** True if a robot that touches an object has failed: spikes, and movers with spikes. */
 export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].isSpiked?.(object) ?? false;
 
-function wallBody({ id, from, to, thickness }: Wall, world: World): Body {
-  world.addWall({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness });
+function wallBody(wall: Wall, world: World): Body {
+  const { id, from, to, thickness } = wall;
+  world.addWall({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness, heightMm: heightOf(wall) });
   return {};
 }
 
@@ -132,6 +134,7 @@ const angleOf = ({ angle }: BoxObject): number => rotationRad(angle);
 const shapeOf = (box: BoxObject): BodyForm & { readonly atMm: Vec; readonly angleRad: number } => ({
   atMm: vec(box.at),
   sizeMm: vec(box.size),
+  heightMm: heightOf(box),
   angleRad: angleOf(box),
   ...(box.round === true ? { isRound: true } : {}),
   ...('corners' in box ? { partsMm: ownParts(box) } : {}),

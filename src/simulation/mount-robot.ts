@@ -59,6 +59,10 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const heard = heardCone(cone, hardware.options);
       return reality.echo(world.distanceCone(chassis.toWorld(from), direction, heard, chassis));
     },
+    depths: (from, view) => {
+      const { headingRad } = chassis.pose();
+      return reality.depths(world.depthGrid(chassis.toWorld(from), headingRad, view, chassis));
+    },
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
     options: hardware.options,
     scale,

@@ -2,6 +2,7 @@ import { textBytesOf } from '#board/radio-text';
 import { degOf, wrappedDeg } from '#core/angle';
 import type { Pose } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
+import { lampNumber } from '#robots/lamp-colors';
 import type { PlacedPose } from './input';
 import type { RadioPacket } from './outlets';
 import type { Ended } from './simulation';
@@ -20,6 +21,8 @@ export interface RobotReport extends PlacedPose {
   readonly collisions: number;
   readonly leds: { readonly left: number; readonly right: number };
   readonly rgb: readonly Rgb[];
+  /** Colour lamps, left and right: the number of each one's colour (`#robots/lamp-colors`), or the colour itself. */
+  readonly lamps: readonly (number | Rgb)[];
   /** Degrees by port. */
   readonly servos: Readonly<Record<string, number>>;
 }
@@ -42,6 +45,7 @@ export function robotReport({ type, pose, state, turnedRad, pathMm, collisions }
     collisions,
     leds: { left: state.leds.left, right: state.leds.right },
     rgb: state.rgb,
+    lamps: state.lamps.map((color) => lampNumber(color) ?? color),
     servos: state.servos,
   };
 }

@@ -18,6 +18,7 @@ export function scaledBody(body: ChassisType, scale: number): ChassisType {
   return {
     ...body,
     outlineMm: body.outlineMm.map((part) => part.map(scaled)),
+    heightMm: body.heightMm * scale,
     centreOfMassMm: scaled(body.centreOfMassMm),
     ...(body.inertiaGMm2 === undefined ? {} : { inertiaGMm2: body.inertiaGMm2 * scale * scale }),
     wheels: [wheel(left), wheel(right)],

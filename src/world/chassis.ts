@@ -15,6 +15,8 @@ export interface Wheel {
 export interface ChassisType {
   /** Convex solid parts, each with 3 to 12 corners, counter-clockwise. */
   readonly outlineMm: readonly (readonly Vec[])[];
+  /** Its top above the floor, for the sensors of others; parts added to it count as that high. */
+  readonly heightMm: number;
   readonly massG: number;
   readonly centreOfMassMm: Vec;
   /** Moment of inertia about the centre of mass in g·mm²; left out: that of the evenly filled outline. */

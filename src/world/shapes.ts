@@ -13,15 +13,21 @@ interface Named {
   readonly id?: string;
 }
 
+/** A solid that stands on the floor. */
+interface Tall {
+  /** Its top above the floor, for sensors; bodies collide at any height. Left out: endlessly high. */
+  readonly heightMm?: number;
+}
+
 /** A straight wall: a box along the line from one point to the other, as long as that line. */
-export interface WallShape extends Named {
+export interface WallShape extends Named, Tall {
   readonly fromMm: Vec;
   readonly toMm: Vec;
   readonly thicknessMm: number;
 }
 
 /** The shape of a block or a mover from above: a rectangle, an ellipse, or convex parts. */
-export interface BodyForm {
+export interface BodyForm extends Tall {
   /** Length along its own x and y. */
   readonly sizeMm: Vec;
   /** True for the ellipse within `sizeMm`, a circle where both sides are equal. */

@@ -6,6 +6,7 @@ import { createPhysics } from './physics/physics';
 import type { RobotBody } from './physics/robot-body';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
+import { depthGrid, type DepthCell, type DepthView } from './probes/depth-grid';
 import { circleRadiusMm, formParts } from './physics/form';
 import { wallCorners } from './shapes';
 import type {
@@ -51,10 +52,20 @@ export interface World {
    * @param except the robot that carries the sensor
    */
   distanceCone(from: Vec, headingRad: number, cone: Cone, except?: Chassis): ConeHit;
+  /**
+   * The picture of a multizone ranger: how far the nearest thing in each cell is, row by row from the upper left.
+   *
+   * @param from place of its lens
+   * @param except the robot that carries it
+   */
+  depthGrid(from: Vec, headingRad: number, view: DepthView, except?: Chassis): readonly DepthCell[];
 }
 
 /** Thickness in mm of the wall around the arena for a beam. Any value above 0 will do. */
 const EDGE_MM = 1;
+
+/** Height of the wall around the arena: chosen, as high as a wall of a course. */
+const EDGE_HEIGHT_MM = 250;
 
 /**
  * Makes an arena with a solid wall around it. The order in which things are added is part of a run: the same order
@@ -63,17 +74,17 @@ const EDGE_MM = 1;
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const ground = createGround();
-  const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall)));
+  const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall), EDGE_HEIGHT_MM));
   const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacles: readonly Obstacle[] }>();
-  const robots: { readonly body: RobotBody; readonly parts: readonly Obstacle[] }[] = [];
+  const robots: { readonly body: RobotBody; readonly heightMm: number; readonly parts: readonly Obstacle[] }[] = [];
 
   function* obstacles(except: Chassis | undefined): Iterable<Obstacle> {
     yield* things;
     for (const block of blocks.values()) yield* block.obstacles;
-    for (const { body, parts } of robots) {
+    for (const { body, parts, heightMm } of robots) {
       if (body === except) continue;
       yield* parts;
-      yield* addedTo(body);
+      yield* addedTo(body, heightMm);
     }
   }
 
@@ -81,7 +92,7 @@ export function createWorld(size: WorldSize): World {
     addWall(wall) {
       const corners = wallCorners(wall);
       physics.addFixture(corners, wall.id);
-      things.push(stillObstacle(corners));
+      things.push(stillObstacle(corners, wall.heightMm));
     },
     addBlock(block) {
       const body = physics.addBlock(block);
@@ -103,7 +114,8 @@ export function createWorld(size: WorldSize): World {
     setFloor: (grid) => ground.setFloor(grid),
     addChassis(type, pose, nowUs) {
       const body = physics.addRobot(type, pose, nowUs);
-      robots.push({ body, parts: type.outlineMm.map((part) => movingObstacle(part, () => body.pose())) });
+      const { heightMm } = type;
+      robots.push({ body, heightMm, parts: type.outlineMm.map((part) => movingObstacle(part, () => body.pose(), heightMm)) }); // prettier-ignore
       return body;
     },
     step: () => physics.step(),
@@ -111,6 +123,7 @@ export function createWorld(size: WorldSize): World {
       if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return 0;
       return ground.reflectanceAt(x, y, radiusMm);
     },
+    depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
   };
 }
@@ -118,13 +131,14 @@ export function createWorld(size: WorldSize): World {
 /** The convex parts of a block or a mover, for a beam. */
 function obstaclesOf(form: BodyForm, pose: () => Pose): readonly Obstacle[] {
   const radiusMm = circleRadiusMm(form);
-  if (radiusMm !== null) return [{ cornersMm: [], radiusMm, pose }];
-  return formParts(form).map((part) => movingObstacle(part, pose));
+  const { heightMm = Infinity } = form;
+  if (radiusMm !== null) return [{ cornersMm: [], radiusMm, heightMm, pose }];
+  return formParts(form).map((part) => movingObstacle(part, pose, heightMm));
 }
 
 /** The parts added to a robot's body, for a beam. */
-function addedTo(robot: RobotBody): Obstacle[] {
-  return robot.addedOutlinesMm().map((outline) => movingObstacle(outline, () => robot.pose()));
+function addedTo(robot: RobotBody, heightMm: number): Obstacle[] {
+  return robot.addedOutlinesMm().map((outline) => movingObstacle(outline, () => robot.pose(), heightMm));
 }
 
 /** The inner faces of the wall around the arena, as thin walls just outside it. */

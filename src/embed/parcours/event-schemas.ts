@@ -38,9 +38,11 @@ const robot = pipe(
       collisions: numberOf('Touches of walls and blocks.'),
       leds: v.strictObject({ left: v.number(), right: v.number() }),
       rgb: colours('Colour lights: red, green, blue, 0 … 255.'),
+      lamps: pipe(v.array(v.union([v.number(), colour])), description('Colour lamps, left and right: the number of the colour (0 off, 1 red, 2 green, 3 yellow, 4 blue, 5 pink, 6 cyan, 7 white), or the colour itself.')), // prettier-ignore
       servos: record(v.number(), 'Degrees by port.'),
       motors: v.strictObject({ left: v.number(), right: v.number() }),
       distanceMm: pipe(v.nullable(v.number()), description('Distance to what the distance sensor faces.')),
+      lidarMm: pipe(v.nullable(v.array(v.nullable(v.number()))), description('Depths of the lidar’s cells row by row from the upper left; `null`: nothing in range, or no lidar.')), // prettier-ignore
       lineSensors: v.array(
         v.strictObject({ name: v.string(), bright: v.boolean(), reading: v.exactOptional(v.number()) }),
       ),

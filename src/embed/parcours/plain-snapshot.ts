@@ -31,12 +31,13 @@ function plainDevice(device: DeviceSnapshot): Omit<PlainDevice, 'name'> {
 
 /** The robot's data, as the command line reports them, and its sensor readings. */
 export function plainRobot(robot: RobotSnapshot): PlainRobot {
-  const { duty, ultrasonic, lineSensors } = robot.state;
+  const { duty, ultrasonic, lidar, lineSensors } = robot.state;
   const distanceMm = ultrasonic?.distanceMm ?? null;
   return {
     ...robotReport(robot),
     motors: { left: duty.left, right: duty.right },
     distanceMm: distanceMm === null ? null : rounded(distanceMm),
+    lidarMm: lidar?.depthMm ?? null,
     lineSensors: lineSensors.map(({ name, bright, reading }) =>
       reading === undefined ? { name, bright } : { name, bright, reading },
     ),

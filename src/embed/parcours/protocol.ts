@@ -145,6 +145,8 @@ export interface PlainRobot extends RobotReport {
   readonly motors: { readonly left: number; readonly right: number };
   /** Reading of the distance sensor, or `null`: nothing in range, or no such sensor. */
   readonly distanceMm: number | null;
+  /** Depths of the lidar's 64 or 16 cells row by row from the upper left, in mm (`null`: nothing in range), or `null`: no lidar. */
+  readonly lidarMm: readonly (number | null)[] | null;
   readonly lineSensors: readonly { readonly name: string; readonly bright: boolean; readonly reading?: number }[];
 }
 

@@ -16,7 +16,7 @@ import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import { createRegisterMachine } from '#devices/i2c-registers';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { createBumper } from './bumper';
 import {
@@ -92,6 +92,7 @@ function attach(context: RobotContext): Robot {
   const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), motors.stop];
 
   const state = (): RobotState => ({
+    ...bareState,
     leds: { ...leds },
     rgb: [...rgb],
     lineSensors: line.states(),

@@ -55,6 +55,7 @@ export const BUMPER_RIGHT: readonly Vec[] = BUMPER_LEFT.map(({ x, y }) => ({ x, 
 
 const body: ChassisType = {
   outlineMm: [FRONT, REAR_WITH_WHEELS],
+  heightMm: 90, // chosen, with the Calliope mini on its holder
   massG: 250, // chosen, not weighed: about 100 g kit, 27 g Calliope mini 3, 120 g for the batteries with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
   wheels: [

@@ -17,7 +17,7 @@ import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import mbalarm from './library/mbalarm.py?raw';
@@ -82,6 +82,7 @@ function attach(context: RobotContext): Robot {
   ];
 
   const state = (): RobotState => ({
+    ...bareState,
     leds: { left: leds.left.isLit() || v5.isLit(0) ? 1 : 0, right: leds.right.isLit() || v5.isLit(1) ? 1 : 0 },
     rgb: underglow.colors(),
     lineSensors: [
@@ -92,7 +93,6 @@ function attach(context: RobotContext): Robot {
     attachments: servos.attachments(),
     duty: motors.duty(),
     ultrasonic: sonar.state(),
-    bumper: null,
   });
   const step = (): void => {
     lineLeft.sample();

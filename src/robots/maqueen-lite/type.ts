@@ -39,6 +39,7 @@ const REAR_WITH_WHEELS: readonly Vec[] = [
 
 const body: ChassisType = {
   outlineMm: [FRONT, REAR_WITH_WHEELS],
+  heightMm: 85, // chosen, to the top of the upright micro:bit
   massG: 130, // chosen, not weighed: about 75 g kit, 9 g micro:bit, 46 g for three AAA cells with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
   wheels: [

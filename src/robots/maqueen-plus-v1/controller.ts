@@ -32,6 +32,7 @@ import {
   type Touched,
 } from '#devices/i2c-registers';
 import type { Rgb } from '#core/rgb';
+import { lampColor } from '../lamp-colors';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenplus.ts
 
@@ -55,19 +56,6 @@ export type LineName = (typeof LINE_NAMES)[number];
 
 /** A wheel: 0 left, 1 right. */
 export type Side = 0 | 1;
-
-const OFF: Rgb = [0, 0, 0];
-/** By colour number: DFRobot maqueenplus.ts, `Color`. */
-const COLORS: readonly Rgb[] = [
-  OFF,
-  [255, 0, 0],
-  [0, 255, 0],
-  [255, 255, 0],
-  [0, 0, 255],
-  [255, 0, 255],
-  [0, 255, 255],
-  [255, 255, 255],
-];
 
 /** The calls with which the controller drives its parts and reads its sensors. */
 export interface ControllerParts {
@@ -97,7 +85,7 @@ export function createController(parts: ControllerParts): I2cTarget {
     pulseRegisters(parts),
     memoryRegisters(SPEED_CONTROL, 1, ([isOn = 0]) => parts.speedControl(isOn !== 0)),
     memoryRegisters(LIGHTS, 2, ([left = 0, right = 0], touched) =>
-      parts.lights(COLORS[left] ?? OFF, COLORS[right] ?? OFF, touched),
+      parts.lights(lampColor(left), lampColor(right), touched),
     ),
     servoRegisters(parts),
     liveRegisters(LINE_BITS, 1, lineBits),

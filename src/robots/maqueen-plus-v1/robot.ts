@@ -12,7 +12,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountServos, tellColors } from '../mounting';
-import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
 import { createDrive } from './drive';
@@ -81,14 +81,13 @@ function attach(context: RobotContext): Robot {
     drive.stop,
   ];
   const state = (): RobotState => ({
-    leds: { left: 0, right: 0 }, // it has colour lights instead
+    ...bareState,
     rgb: lights,
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
     duty: drive.duty(),
     ultrasonic: sonar.state(),
-    bumper: null,
   });
   const step = (): void => {
     drive.step();

@@ -37,6 +37,7 @@ const REAR_WITH_WHEELS: readonly Vec[] = [
 
 const body: ChassisType = {
   outlineMm: [FRONT, REAR_WITH_WHEELS],
+  heightMm: 85, // chosen, to the top of the upright micro:bit
   massG: 230, // chosen, not weighed: metal frame and motors, 9 g micro:bit, battery
   centreOfMassMm: { x: 12, y: 0 }, // between axle and castor, near the axle: chosen
   wheels: [

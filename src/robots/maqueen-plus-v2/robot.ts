@@ -17,7 +17,7 @@ import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
-import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type MotorBytes, type LineName } from './controller';
 import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
@@ -97,6 +97,7 @@ function attach(context: RobotContext): Robot {
     motors.stop,
   ];
   const state = (): RobotState => ({
+    ...bareState,
     leds: { ...leds },
     rgb: underglow.colors(),
     lineSensors: line.states(),
@@ -104,7 +105,6 @@ function attach(context: RobotContext): Robot {
     attachments: servos.attachments(),
     duty: motors.duty(),
     ultrasonic: sonar.state(),
-    bumper: null,
   });
   const step = (): void => {
     line.sample();

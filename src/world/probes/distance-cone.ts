@@ -6,6 +6,8 @@ export interface Cone {
   /** Full opening angle, 0 … under π. */
   readonly openingRad: number;
   readonly rangeMm: number;
+  /** Height of the sensor above the floor: what ends below it is not heard. Left out: everything is. */
+  readonly heightMm?: number;
   /** Surfaces turned away from the middle of the beam by more than this reflect nothing; left out: all reflect. */
   readonly incidenceLimitRad?: number;
 }
@@ -24,6 +26,8 @@ export interface Obstacle {
   readonly cornersMm: readonly Vec[];
   /** Distance of the farthest corner from the origin, mm. */
   readonly radiusMm: number;
+  /** Its top above the floor; `Infinity`: endlessly high. */
+  readonly heightMm: number;
   pose(): Pose;
 }
 
@@ -54,20 +58,21 @@ interface Met {
 const NOTHING: ConeHit = { distanceMm: Infinity, hitMm: null };
 
 /** Makes an obstacle that stays where its corners are. */
-export function stillObstacle(cornersMm: readonly Vec[]): Obstacle {
+export function stillObstacle(cornersMm: readonly Vec[], heightMm = Infinity): Obstacle {
   const first = cornersMm[0] ?? { x: 0, y: 0 };
   const pose: Pose = { xMm: first.x, yMm: first.y, headingRad: 0 };
   return movingObstacle(
     cornersMm.map((corner) => ({ x: corner.x - first.x, y: corner.y - first.y })),
     () => pose,
+    heightMm,
   );
 }
 
 /** Makes an obstacle from its outline and a function that gives its pose. */
-export function movingObstacle(cornersMm: readonly Vec[], pose: () => Pose): Obstacle {
+export function movingObstacle(cornersMm: readonly Vec[], pose: () => Pose, heightMm = Infinity): Obstacle {
   let radiusMm = 0;
   for (const { x, y } of cornersMm) radiusMm = Math.max(radiusMm, Math.sqrt(x * x + y * y));
-  return { cornersMm, radiusMm, pose };
+  return { cornersMm, radiusMm, heightMm, pose };
 }
 
 /**
@@ -81,7 +86,9 @@ export function nearestInCone(from: Vec, headingRad: number, cone: Cone, obstacl
   const cos = exactCos(headingRad);
   const sin = exactSin(headingRad);
   const met: Met = { edges: [], circles: [] };
+  const { heightMm = 0 } = cone;
   for (const obstacle of obstacles) {
+    if (obstacle.heightMm < heightMm) continue;
     if (gather(obstacle, from, cos, sin, cone.rangeMm, met)) return { distanceMm: 0, hitMm: from };
   }
   const hit =

@@ -25,6 +25,7 @@ export const testChassis = (drive: Partial<DriveLaw> = {}): ChassisType => ({
       { x: -22, y: 40 },
     ],
   ],
+  heightMm: 85,
   massG: 150,
   centreOfMassMm: { x: 12, y: 0 },
   castorMm: { x: 45, y: 0 },

@@ -1,6 +1,6 @@
 import { radOf } from '#core/angle';
 import type { OptionValues } from '#core/option';
-import type { RobotState } from '#robots/robot';
+import { bareState, type RobotState } from '#robots/robot';
 import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import { memoOf } from '#core/memo';
@@ -76,14 +76,6 @@ export function liesStill(before: PlacedBlock, now: PlacedBlock): boolean {
   );
 }
 
-/** A robot with everything off. */
-const AT_REST = {
-  leds: { left: 0, right: 0 },
-  ...{ rgb: [], lineSensors: [], servos: {} },
-  duty: { left: 0, right: 0 },
-  ...{ attachments: [], bumper: null, ultrasonic: null },
-} as const;
-
 /** The robot of a course where it starts, with everything off. */
 export function robotAtStart(scene: Scene, carried: Carried = {}): ArenaRobot {
   const { at, heading } = scene.robot;
@@ -92,7 +84,7 @@ export function robotAtStart(scene: Scene, carried: Carried = {}): ArenaRobot {
     wheelTurnRad: [0, 0],
     pathMm: 0,
     turnedRad: 0,
-    state: { ...AT_REST, ...carried },
+    state: { ...bareState, ...carried },
   };
 }
 

@@ -1,6 +1,7 @@
 import type { RobotSnapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
+import { bareState } from '#robots/robot';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 
 import { pictureOf } from '../../../app/testing/run';
@@ -45,14 +46,7 @@ export function robotOf(changes: Changes): RobotSnapshot {
     ...{ type: 'maqueen-lite', scale: 1, wheelTurnRad: [0, 0] as const },
     ...{ pose: { xMm, yMm, headingRad }, collisions: touches, pathMm, turnedRad: (turnedDeg * Math.PI) / 180 },
     state: {
-      ...{
-        leds: { left: 0, right: 0 },
-        rgb: [],
-        servos: {},
-        attachments: [],
-        duty: { left: 0, right: 0 },
-        bumper: null,
-      },
+      ...bareState,
       lineSensors: line.map((dark, at) => ({
         name: NAMES[line.length]?.[at] ?? String(at),
         atMm: { x: 40, y: -at },
