@@ -3,6 +3,7 @@ import { callibotBuild } from './callibot/robot';
 import { maqueenLiteBuild } from './maqueen-lite/robot';
 import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
 import { maqueenPlusV2Build } from './maqueen-plus-v2/robot';
+import { motionkit2Build } from './motionkit-2/robot';
 import type { RobotBuild } from './robot';
 
 /** The parts of every robot that a run needs. Apart from `index.ts`, as only a run loads them. */
@@ -11,4 +12,5 @@ export const robotBuilds: readonly RobotBuild[] = [
   maqueenLiteBuild,
   maqueenPlusV1Build,
   maqueenPlusV2Build,
+  motionkit2Build,
 ];

@@ -3,10 +3,11 @@ import { callibot } from './callibot/type';
 import { maqueenLite } from './maqueen-lite/type';
 import { maqueenPlusV1 } from './maqueen-plus-v1/type';
 import { maqueenPlusV2 } from './maqueen-plus-v2/type';
+import { motionkit2 } from './motionkit-2/type';
 import type { RobotType } from './robot';
 
 /** Every robot there is, in the order in which they are offered. */
-export const robotTypes: readonly RobotType[] = [callibot, maqueenLite, maqueenPlusV1, maqueenPlusV2].sort(
+export const robotTypes: readonly RobotType[] = [callibot, maqueenLite, maqueenPlusV1, maqueenPlusV2, motionkit2].sort(
   (one, other) => one.place - other.place,
 );
 

@@ -4,6 +4,7 @@ import { callibotReference } from './callibot/reference';
 import { maqueenLiteReference } from './maqueen-lite/reference';
 import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
 import { maqueenPlusV2Reference } from './maqueen-plus-v2/reference';
+import { motionkit2Reference } from './motionkit-2/reference';
 
 /** The libraries of robots, for the editor. Apart from `index.ts`, as only the editor loads them, and later. */
 export const robotReferences: readonly RobotReference[] = [
@@ -11,4 +12,5 @@ export const robotReferences: readonly RobotReference[] = [
   maqueenLiteReference,
   maqueenPlusV1Reference,
   maqueenPlusV2Reference,
+  motionkit2Reference,
 ];

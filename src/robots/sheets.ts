@@ -3,6 +3,7 @@ import { callibotSheet } from './callibot/sheet';
 import { maqueenLiteSheet } from './maqueen-lite/sheet';
 import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
 import { maqueenPlusV2Sheet } from './maqueen-plus-v2/sheet';
+import { motionkit2Sheet } from './motionkit-2/sheet';
 import type { RobotSheet } from './robot';
 
 /** The texts of the gallery on every robot. Apart from `index.ts`, as only the gallery loads them, and later. */
@@ -11,4 +12,5 @@ export const robotSheets: readonly RobotSheet[] = [
   maqueenLiteSheet,
   maqueenPlusV1Sheet,
   maqueenPlusV2Sheet,
+  motionkit2Sheet,
 ];
