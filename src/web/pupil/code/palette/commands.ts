@@ -1,6 +1,8 @@
 /**
- * The commands for beginners' programs, by robot. Chosen by hand: few, and each good for a line that does something.
+ * The commands for beginners' programs. Chosen by hand: few, and each good for a line that does something. A robot has those
+ * whose names its library brings.
  */
+import { robotReferences } from '#robots/references';
 
 /** A command that the palette writes. */
 export interface PaletteCommand {
@@ -104,6 +106,13 @@ const table = {
 /** The name of a command, by which its texts are found. */
 export type CommandId = keyof typeof table;
 
+/** Other ways to write a command, for robots whose library lacks the names of the usual one. */
+const otherwise: Partial<Record<CommandId, Omit<PaletteCommand, 'id'>>> = {
+  leftDark: own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'),
+  rightDark: own(`if irRightValue() == 0:${BODY}`, 'irRightValue'),
+  fillRGB: call('rgbLED', '${1:255}, ${2:0}, ${3:0}'),
+};
+
 export const commandNamed = (id: CommandId): PaletteCommand => ({ id, ...table[id] });
 
 /** The groups, in the order of the palette. */
@@ -124,28 +133,15 @@ const board = {
   values: ['set', 'increase', 'random', 'define'],
 } as const satisfies Choice;
 
-const drive = ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'] as const;
-const wait = ['delay', 'waitUntilNear', 'waitForA'] as const;
-const line = ['distance', 'near', 'leftDark', 'rightDark'] as const;
-const lamps = ['setLED', 'setLEDLeft', 'setLEDRight'] as const;
+/** The commands that robots add or put in the place of the board's; of those of the board alone, the ones they keep. */
+const robots = {
+  drive: ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'],
+  sensors: ['distance', 'near', 'leftDark', 'rightDark', 'middleDark', 'bumper', 'shaken'],
+  light: ['setLED', 'setLEDLeft', 'setLEDRight', 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
+  wait: ['delay', 'waitUntilNear', 'waitForA'],
+} as const satisfies Choice;
 
-/** The commands that the robots add or replace, by their ids. */
-const robots: Readonly<Record<string, Choice>> = {
-  'maqueen-lite': {
-    drive,
-    wait,
-    sensors: [...line, 'shaken'],
-    light: [...lamps, 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
-  },
-  'maqueen-plus-v1': { drive, wait, sensors: [...line, 'shaken'], light: [...lamps, 'beep', 'setAlarm', 'melody'] },
-  'maqueen-plus-v2': {
-    drive,
-    wait,
-    sensors: [...line, 'middleDark', 'shaken'],
-    light: [...lamps, 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
-  },
-  callibot: { drive, wait, sensors: [...line, 'bumper', 'shaken'], light: [...lamps, 'setAlarm', 'melody'] },
-};
+const ofBoard: ReadonlySet<CommandId> = new Set(Object.values<readonly CommandId[]>(board).flat());
 
 /** A group of the palette with its commands. */
 export interface PaletteGroup {
@@ -155,11 +151,19 @@ export interface PaletteGroup {
 
 /** The commands for a robot, by group; without a robot those of the microcomputer alone. */
 export function commandsFor(robot: string | null): readonly PaletteGroup[] {
-  const choice: Choice = { ...board, ...robots[robot ?? ''] };
+  const library = robotReferences.find((it) => it.robot === robot)?.modules[0]?.names;
+  const choice: Choice = library === undefined ? board : { ...board, ...robots };
   return GROUPS.flatMap((id) => {
-    const commands = choice[id]?.map(commandNamed) ?? [];
+    const commands = (choice[id] ?? []).flatMap((command) => written(command, library ?? {}));
     return commands.length === 0 ? [] : [{ id, commands }];
   });
+}
+
+/** A command with the names of a robot's library; none if the library lacks them. */
+function written(id: CommandId, library: Readonly<Record<string, unknown>>): readonly PaletteCommand[] {
+  if (ofBoard.has(id)) return [commandNamed(id)];
+  const ways = [table[id], otherwise[id]].flatMap((way) => (way === undefined ? [] : [{ id, ...way }]));
+  return ways.filter(({ needs }) => needs.every((name) => name in library)).slice(0, 1);
 }
 
 /** A template as one reads it: `setSpeed(50)`, with `…` for the lines that belong inside. */

@@ -126,7 +126,6 @@ const STORIES: Readonly<Record<string, readonly Moment[]>> = {
     },
   ],
   'maqueen-lite servo.py': opensInTheEnd(0),
-  'callibot servo.py': opensAndCloses,
   'maqueen-plus-v1 first_drive.py': [fourQuarters],
   'maqueen-plus-v1 wheels.py': [
     {
@@ -165,6 +164,10 @@ const STORIES: Readonly<Record<string, readonly Moment[]>> = {
   ],
 };
 
+/** Every example of a servo moves a claw. */
+const storyOf = ({ id }: { readonly id: string }, file: string): readonly Moment[] =>
+  STORIES[`${id} ${file}`] ?? (file === 'servo.py' ? opensAndCloses : []);
+
 /** The bumper is there to touch the walls. */
 const touches = ({ example }: ExampleOf): boolean => example.file === 'bumper.py';
 
@@ -183,7 +186,7 @@ const drivesWell = (entry: ExampleOf, seconds: number): Moment => ({
 /** Every example in every language. The code is one, so what it shows beyond its first seconds is looked at in English. */
 const drives = examples.flatMap((entry) => {
   const { robot, example } = entry;
-  const story = STORIES[`${robot.id} ${example.file}`] ?? [];
+  const story = storyOf(robot, example.file);
   return LANGUAGES.map((language) => {
     const isLong = language === 'en' || touches(entry);
     const moments = [drivesWell(entry, isLong ? 8 : 3), ...(language === 'en' ? story : [])];
@@ -206,7 +209,7 @@ describe('the examples of the robots', () => {
     const named = examples.map(({ robot, example }) => `${robot.id} ${example.file}`);
     expect(named).toEqual(expect.arrayContaining(Object.keys(STORIES)));
     for (const { robot, example } of examples) {
-      const story = STORIES[`${robot.id} ${example.file}`] ?? [];
+      const story = storyOf(robot, example.file);
       if (/quarter turn/i.test(example.source.en)) expect(story, example.file).toContain(fourQuarters);
       if (example.file === 'servo.py') expect(story, robot.id).toEqual(expect.arrayContaining(opensAndCloses));
     }
