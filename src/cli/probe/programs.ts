@@ -5,6 +5,7 @@ import floats from '../../../docs/hardware/probe/floats.py?raw';
 import maqueenLite from '../../../docs/hardware/probe/maqueen_lite.py?raw';
 import maqueenPlusV2 from '../../../docs/hardware/probe/maqueen_plus_v2.py?raw';
 import memory from '../../../docs/hardware/probe/memory.py?raw';
+import motionkit2 from '../../../docs/hardware/probe/motionkit_2.py?raw';
 import sound from '../../../docs/hardware/probe/sound.py?raw';
 import timing from '../../../docs/hardware/probe/timing.py?raw';
 
@@ -55,6 +56,7 @@ export const probes: Readonly<Record<string, Probe | undefined>> = {
   maqueen_lite: { source: maqueenLite, robot: 'maqueen-lite', tells: always('src/robots/maqueen-lite') },
   maqueen_plus_v2: { source: maqueenPlusV2, robot: 'maqueen-plus-v2', tells: always('src/robots/maqueen-plus-v2') },
   callibot: { source: callibot, robot: 'callibot', tells: always('src/robots/callibot') },
+  motionkit_2: { source: motionkit2, robot: 'motionkit-2', tells: always('src/robots/motionkit-2') },
 };
 
 /** The source file with the project's value for a row. */

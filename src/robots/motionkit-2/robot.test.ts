@@ -42,7 +42,13 @@ function attachedWith(context: Partial<RobotContext>): Floor {
   floor.robot.detach();
   const { clock, board, chassis } = floor;
   const nothing = { distanceMm: Infinity, hitMm: null };
-  const surroundings = { ground: () => 1, distance: () => nothing, depths: () => [], supplyMv: () => 4800, lineReadings: {} };
+  const surroundings = {
+    ground: () => 1,
+    distance: () => nothing,
+    depths: () => [],
+    supplyMv: () => 4800,
+    lineReadings: {},
+  };
   motionkit2Build.attach({ clock, board, chassis, ...surroundings, options: {}, scale: 1, ...context });
   return floor;
 }
@@ -62,23 +68,43 @@ describe('MotionKit 2 on the floor, through callimk', () => {
     expect(drive('right()\ndelay(1000)\nstop()').turned).toBeCloseTo(-left.turned, 2);
   });
 
-  it('creeps with its least speed of 15 and drives faster with each of 30, 60 and 200', () => {
-    const ways = [15, 30, 60, 200].map((speed) => drive(`setSpeed(${speed})\nforward()`).xMm);
-    expect(ways[0]).toBeGreaterThan(50);
-    for (let i = 1; i < ways.length; i++) expect(ways[i]! / ways[i - 1]!).toBeGreaterThan(1.2);
+  it.each([
+    [15, 7],
+    [30, 16],
+    [60, 24],
+    [100, 29],
+    [255, 36],
+  ])('drives with setSpeed(%i) at %i cm/s: estimated, the Maqueen Lite’s', (speed, cmPerS) => {
+    const { chassis } = drive(`setSpeed(${speed})\nbackward()`, {}, 1500);
+    expect(Math.round(-chassis.wheelSpeedMmPerS(0) / 10)).toBe(cmPerS);
+  });
+
+  it('stands at byte 7 and moves at byte 8', () => {
+    const way = (byte: number): number => {
+      const { send, passMs, chassis } = onTheFloor();
+      send(0x10, 0, 0, byte, 0, byte);
+      passMs(2000);
+      return chassis.pathMm();
+    };
+    expect(way(7)).toBe(0);
+    expect(way(8)).toBeGreaterThan(5);
   });
 
   it.each([
-    ['leftArc', 1],
-    ['rightArc', -1],
-  ])('drives %s(0.3) to its side, smaller than it says, as no measured robot says how large', (arc, side) => {
-    const { chassis, passMs } = drive(`setSpeed(50)\n${arc}(0.3)`);
-    const [path, turned] = [chassis.pathMm(), chassis.turnedRad()];
-    passMs(2000);
-    const radiusMm = (chassis.pathMm() - path) / ((chassis.turnedRad() - turned) * side);
-    expect(radiusMm).toBeGreaterThan(120);
-    expect(radiusMm).toBeLessThan(300);
-  });
+    ['leftArc', 30, 13],
+    ['leftArc', 50, 24],
+    ['leftArc', 100, 58],
+    ['rightArc', 50, -24],
+  ])(
+    'drives %s(0.3) at speed %i on a circle of %i cm: estimated, as nobody has measured it',
+    (arc, speed, radiusCm) => {
+      const { chassis, passMs } = drive(`setSpeed(${speed})\n${arc}(0.3)`);
+      const [path, turned] = [chassis.pathMm(), chassis.turnedRad()];
+      passMs(1500);
+      const radiusMm = (chassis.pathMm() - path) / (chassis.turnedRad() - turned);
+      expect(Math.round(radiusMm / 10)).toBe(radiusCm);
+    },
+  );
 
   it.each([
     ['motorL(0, 60)', 0, 1],

@@ -48,7 +48,7 @@ const body: ChassisType = {
   ],
   castorMm: { x: 46, y: 0 }, // chosen: between line sensors and front edge
   // Estimated: the law fitted for the Lite (docs/hardware/maqueen-lite-motor-law.md). It moves at byte 15, the least that the
-  // school library sends, and drives 14 cm/s at its usual 30.
+  // school library sends, and drives 16 cm/s at its usual 30.
   drive: {
     v0MmPerS: 423,
     coulomb: 0.0196,
