@@ -10,6 +10,7 @@
 
 from microbit import button_a, button_b, i2c, sleep
 import music
+import os
 
 delay = sleep
 
@@ -31,6 +32,8 @@ def _library():
         import callibot as library
     elif 0x10 not in addresses:
         raise RuntimeError("Please connect to a robot and switch it on.")
+    elif "Calliope" in os.uname().machine:  # there it is a MotionKit 2; its version text is not published
+        import callimk as library
     elif _version() in (b"2.0", b"2.1"):
         import mbrobot_plusV2 as library
     elif _version() == b"1.4":
@@ -151,6 +154,9 @@ class Motor:
     def rotate(self, speed):
         """Turn with a speed of -100 to 100; negative is backward."""
         library = _robot
+        if hasattr(library, "motorL"):
+            (library.motorR if self._port else library.motorL)(int(speed < 0), abs(speed))
+            return
         if not hasattr(library, "motL"):
             import callibotmot as library
         (library.motR if self._port else library.motL).rotate(speed)

@@ -45,7 +45,7 @@ async function run(program: string, seconds: number, setting: Setting = {}) {
   return { simulation, seen, lines: simulation.takeConsole().split('\n').filter(Boolean), ended: simulation.ended };
 }
 
-const robots = ['maqueen-lite', 'maqueen-plus-v2', 'callibot', 'maqueen-plus-v1'];
+const robots = ['maqueen-lite', 'maqueen-plus-v2', 'callibot', 'maqueen-plus-v1', 'motionkit-2'];
 
 describe('simrobot', { timeout: 60_000 }, () => {
   it.each(robots)('drives the %s with a Gear: forward for 600 ms, then it stands', async (robot) => {
