@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { maqueenLite } from '#robots/maqueen-lite/type';
+import { idealTraits } from '#robots/traits';
 import { createReality } from './reality';
 
 const spot = { x: 34, y: 7 };
@@ -19,6 +20,15 @@ describe('reality 0', () => {
     expect(reality.supply({ left: 1, right: 1 })).toBe(1);
     expect(reality.reflectance(0.3, spot)).toBe(0.3);
     expect(reality.echo(hit)).toBe(hit);
+  });
+
+  it('leaves a robot that was measured its motors, its battery and its ultrasonic sensor', () => {
+    const motors = { ...idealTraits.motors, difference: 0.1, charge: 0.9 };
+    const ultrasonic = { offsetMm: 20, scale: 1 };
+    const reality = createReality(0, 5, () => 0, { ...idealTraits, motors, ultrasonic });
+    expect(reality.body(maqueenLite.body).strength).toEqual([1.1, 0.9]);
+    expect(reality.supply(stopped)).toBe(0.9);
+    expect(reality.echo({ distanceMm: 300, hitMm: null }).distanceMm).toBe(320);
   });
 });
 

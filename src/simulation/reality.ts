@@ -90,9 +90,9 @@ type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths'>;
 /** A measured robot whose sensors tremble like these. */
 function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
   return {
+    ...senses,
     body: (type) => bodyWith(type, motors),
     supply: ({ left, right }) => supplyOf(motors, left, right),
-    ...senses,
     echo: (hit) => {
       const distanceMm = Math.max(ultrasonic.offsetMm + ultrasonic.scale * hit.distanceMm, 0);
       return senses.echo({ ...hit, distanceMm });
