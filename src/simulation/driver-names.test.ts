@@ -33,4 +33,8 @@ describe('the robot for a driver that somebody else wrote', () => {
   it('is the Maqueen Lite for maqueen, whatever its capitals', () => {
     expect(['maqueen', 'Maqueen', 'maqueen_lite'].map(robotFor)).toEqual(Array(3).fill('maqueen-lite'));
   });
+
+  it('is the MotionKit 2 for MotionKitV2 (the Calliope editor), motionkit (tinysuperlab) and mklib (chbijou)', () => {
+    expect(['MotionKitV2', 'motionkit', 'mklib'].map(robotFor)).toEqual(Array(3).fill('motionkit-2'));
+  });
 });
