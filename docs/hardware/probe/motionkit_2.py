@@ -1,4 +1,4 @@
-# Probe: the MotionKit 2. It turns its motors for a second and servos to 90: hold it up. See README.md beside this file.
+# Probe: the MotionKit 2. It turns its motors for a second, and its servos: hold it up. See README.md beside this file.
 import os, gc, time
 try:
     from microbit import *
