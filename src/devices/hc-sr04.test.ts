@@ -132,3 +132,54 @@ describe('HC-SR04', () => {
     expect(edges).toHaveLength(2);
   });
 });
+
+describe('HC-SR04 with trigger and echo on one wire', () => {
+  /** The sensor, the board's end of the wire, and a log of the wire's edges in µs. */
+  function onOneWire(distanceMm: number) {
+    const clock = new Clock();
+    const wire = new Wire('P15');
+    attachHcSr04(clock, { trigger: wire, echo: wire }, () => distanceMm);
+    const edges: [number, number][] = [];
+    wire.onLevel((level) => edges.push([clock.nowUs, level]));
+    const board = wire.connect('board');
+    const trigger = (): void => {
+      board.drive(1);
+      clock.advanceTo(clock.nowUs + 10);
+      board.drive(0);
+    };
+    return { clock, wire, board, edges, trigger };
+  }
+
+  it('answers on it for 582 µs when the board has let go and something stands 10 cm away', () => {
+    const { clock, board, edges, trigger } = onOneWire(100);
+    trigger();
+    board.release();
+    clock.advanceTo(100_000);
+    expect(edges).toEqual([[0, 1], [10, 0], [460, 1], [1042, 0]]); // prettier-ignore
+  });
+
+  it('does not take the end of its own echo for a trigger, and measures again at the next one', () => {
+    const { clock, board, edges, trigger } = onOneWire(100);
+    trigger();
+    board.release();
+    clock.advanceTo(100_000);
+    trigger();
+    board.release();
+    clock.advanceTo(200_000);
+    expect(edges).toHaveLength(8);
+    expect(edges.at(-1)).toEqual([101_042, 0]);
+  });
+
+  it('is not heard by a board that goes on driving low', () => {
+    const { clock, edges, trigger } = onOneWire(100);
+    trigger();
+    clock.advanceTo(100_000);
+    expect(edges).toEqual([[0, 1], [10, 0]]); // prettier-ignore
+  });
+
+  it('leaves the wire to the others between measurements: a pull-up makes it high', () => {
+    const { wire, board } = onOneWire(100);
+    board.pull('up');
+    expect(wire.level).toBe(1);
+  });
+});

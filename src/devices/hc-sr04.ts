@@ -7,6 +7,10 @@
  *                    ↑            ↑
  *              START_US later     distance × US_PER_MM later still
  *
+ * Where trigger and echo are the same wire (a socket with three contacts), the sensor drives it only while the echo
+ * lasts, and its own edges start nothing. Two drivers that do so on real robots: 4tronix BitBot bitbot.ts (sonar),
+ * Tiger-Jython/Robotics-Libraries mbbitbot.py.
+ *
  * Source: ElecFreaks "HC-SR04 User Guide", timing diagram. The guide asks for a trigger of 10 µs; school libraries
  * send two `write_digital` calls back to back (Tiger-Jython Robotics-Libraries mbrobot.py) and work on real robots,
  * so any high time counts.
@@ -48,10 +52,10 @@ export interface HcSr04Options {
 }
 
 /**
- * Makes two wires behave like an HC-SR04. A trigger while an echo is on its way is ignored.
+ * Makes two wires, or one that serves for both, behave like an HC-SR04. A trigger while an echo is on its way is ignored.
  *
  * @param distanceMm called once per measurement, at the trigger: distance of the obstacle, in mm; `Infinity`: none
- * @returns lets go of both wires and forgets a running measurement
+ * @returns lets go of the wires and forgets a running measurement
  */
 export function attachHcSr04(
   clock: Clock,
@@ -60,7 +64,11 @@ export function attachHcSr04(
   options: HcSr04Options = {},
 ): Stop {
   const echo = wires.echo.connect('HC-SR04 echo');
-  echo.drive(0);
+  const rest = (): void => {
+    if (wires.echo === wires.trigger) echo.release();
+    else echo.drive(0);
+  };
+  rest();
   let busy = false;
   let cancel: Stop = () => undefined;
 
@@ -72,7 +80,7 @@ export function attachHcSr04(
     cancel = clock.at(riseUs, () => {
       echo.drive(1);
       cancel = clock.at(riseUs + lengthUs, () => {
-        echo.drive(0);
+        rest();
         busy = false;
       });
     });
