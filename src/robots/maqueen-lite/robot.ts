@@ -16,6 +16,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
+import { echoOf } from '../echo';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
@@ -70,9 +71,12 @@ function attach(context: RobotContext): Robot {
   const leds = { left: ledOn(board.wire('P8')), right: ledOn(board.wire('P12')) };
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
-    attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, sonar.distanceMm, {
-      withoutTarget: context.options['echo'] === 'long-pulse' ? 'long-pulse' : 'none',
-    }),
+    attachHcSr04(
+      clock,
+      { trigger: board.wire('P1'), echo: board.wire('P2') },
+      sonar.distanceMm,
+      echoOf(context.options),
+    ),
     lineLeft.stop,
     lineRight.stop,
     attachIrReceiver(board.wire('P16')),

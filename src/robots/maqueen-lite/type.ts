@@ -5,9 +5,9 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import words from './words';
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;
@@ -69,18 +69,6 @@ export const maqueenLite: RobotType = {
   body,
   modules: ['mbrobot', 'mbrobotmot', 'mbalarm'],
   driverNames: ['maqueen', 'maqueenlite'],
-  options: [
-    ...attachmentOptions(SERVO_PORTS),
-    {
-      id: 'echo',
-      title: words.options.echo.title,
-      isExpert: true,
-      choices: [
-        { id: 'none', title: words.options.echo.choices.none },
-        { id: 'long-pulse', title: words.options.echo.choices['long-pulse'] },
-      ],
-    },
-    incidenceOption,
-  ],
+  options: [...attachmentOptions(SERVO_PORTS), echoOption, incidenceOption],
   mountMm: { x: 58, y: 0 },
 };

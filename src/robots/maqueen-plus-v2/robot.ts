@@ -15,6 +15,7 @@ import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
+import { echoOf } from '../echo';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
@@ -87,9 +88,7 @@ function attach(context: RobotContext): Robot {
   const underglow = attachWs2812(board.wire('P15'), RGB_COUNT, tellColors(context));
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
-    attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, {
-      withoutTarget: options['echo'] === 'long-pulse' ? 'long-pulse' : 'none',
-    }),
+    attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, echoOf(options)),
     ...SERVO_PORTS.map((port) => onServoSignal(context, board.wire(port), (angle) => servos.set(port, angle))),
     attachIrReceiver(board.wire('P16')),
     underglow.stop,

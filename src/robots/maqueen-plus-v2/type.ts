@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Option } from '#core/option';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import words from './words';
@@ -94,15 +95,7 @@ const options: readonly Option[] = [
       { id: 'light-low', title: words.analogPolarity.choices['light-low'] },
     ],
   },
-  {
-    id: 'echo',
-    title: words.echo.title,
-    isExpert: true,
-    choices: [
-      { id: 'none', title: words.echo.choices.none },
-      { id: 'long-pulse', title: words.echo.choices['long-pulse'] },
-    ],
-  },
+  echoOption,
   incidenceOption,
 ];
 
