@@ -20,14 +20,14 @@ export interface Light {
   readonly below: boolean;
 }
 
-// Chosen by eye: one colour for each light under the body, in the order of their numbers.
+// Chosen by eye: one colour for each colour light, in the order of their numbers; a fifth one begins anew.
 const COLORS = ['#00b4ff', '#5b5bff', '#ff3d9a', '#18c964'];
 const RED = '#ff2d2d';
 const UNDERGLOW_REACH = 1.75; // as in the arena
 const LED_REACH = 3;
 const MARGIN_MM = 8; // room for the light around the body; what reaches farther fades away
 
-/** Hides the circles that only mark the lights under the body. */
+/** Hides the circles that only mark the colour lights. */
 const NO_PLACES = '<style>[id^="rgb-"]{display:none}</style>';
 
 /** The portrait for the text of a robot.svg; without `lit` all lights are off. */
@@ -35,16 +35,16 @@ export function robotPicture(svg: string, lit: boolean): RobotPortrait {
   const drawing = readRobotDrawing(svg);
   const body = drawing.viewBox;
   const margin = lit ? MARGIN_MM : 0;
-  const underglow = drawing.rgb.map((spot, index) => ({
-    ...spot,
-    radius: spot.radius * UNDERGLOW_REACH,
+  const colours = drawing.rgb.map(({ isOnTop, radius, ...at }, index) => ({
+    ...at,
+    radius: radius * (isOnTop ? LED_REACH : UNDERGLOW_REACH),
     color: COLORS[index % COLORS.length] ?? RED,
-    below: true,
+    below: !isOnTop,
   }));
   const leds = [drawing.leds.left, drawing.leds.right]
     .filter((spot) => spot !== null)
     .map((spot) => ({ ...spot, radius: spot.radius * LED_REACH, color: RED, below: false }));
-  const lights = lit ? [...underglow, ...leds] : [];
+  const lights = lit ? [...colours, ...leds] : [];
   return {
     box: {
       x: body.x - margin,

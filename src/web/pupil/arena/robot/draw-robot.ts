@@ -6,7 +6,7 @@ import { bumperSprites } from './draw-bumper';
 import { drawGlow, floorLight, glowOf } from '../../../kit/drawing/draw-glow';
 import { ledOpacity } from '../../board/drawing/led-brightness';
 import type { Palette } from '../model/palette';
-import type { Box, RobotDrawing, Spot } from './robot-drawing';
+import type { Box, ColourLight, RobotDrawing, Spot } from './robot-drawing';
 import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import type { RobotSprite } from './robot-sprite';
 import { toPx, type View } from '../view/view-transform';
@@ -25,12 +25,12 @@ export interface RobotAppearance {
 export function paintedRadiusMm(drawing: RobotDrawing): number {
   const { x, y, width, height } = drawing.viewBox;
   const corner = Math.hypot(Math.max(-x, x + width), Math.max(-y, y + height));
-  const lights = drawing.rgb.map((spot) => Math.hypot(spot.x, spot.y) + spot.radius * UNDERGLOW_REACH);
+  const lights = drawing.rgb.map((light) => Math.hypot(light.x, light.y) + light.radius * reachOf(light));
   return Math.max(corner + 10, ...lights) * HELD_SIZE;
 }
 
-/** Ratio of the radius of the light on the floor to the light's circle in the drawing. */
-const UNDERGLOW_REACH = 1.75;
+/** Ratio of the radius of a colour light's glow to its circle in the drawing. */
+const reachOf = ({ isOnTop }: ColourLight): number => (isOnTop ? 3 : 1.75);
 
 /**
  * Draws the robot: shadow, light on the floor, body, its lights, the treads of its wheels, and attachments over its
@@ -61,7 +61,7 @@ export function drawRobot(
     if (sprite === null) return;
     drawShadows(around, enter, sprite, bumper, { size, held: appearance.held });
     enter(around, HERE);
-    drawUnderglow(around, drawing.rgb, robot.state);
+    drawColours(around, drawing, robot.state, { onTop: false });
     for (const half of bumper) drawInto(around, half.sprite.body, drawing.viewBox, half.pushedMm);
     drawInto(around, sprite.body, drawing.viewBox);
     drawLights(around, drawing, robot, appearance.display);
@@ -115,6 +115,7 @@ function drawLights(
     const spot = sensor.bright ? drawing.line.get(sensor.name) : undefined;
     if (spot !== undefined) drawLineLight(context, spot);
   }
+  drawColours(context, drawing, state, { onTop: true });
   drawDisplay(context, drawing.display, display);
   drawRedLight(context, drawing.leds.left, state.leds.left);
   drawRedLight(context, drawing.leds.right, state.leds.right);
@@ -134,12 +135,22 @@ function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, b
   context.drawImage(image, box.x, box.y + backMm, box.width, box.height);
 }
 
-function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[], state: RobotState): void {
-  spots.forEach((spot, i) => {
-    const color = state.rgb[i];
-    if (color === undefined) return;
-    const light = floorLight(color);
-    drawGlow(context, spot, spot.radius * UNDERGLOW_REACH, light.color, light.alpha);
+/** Draws the colour lights under the body or those on top of it. */
+function drawColours(
+  context: CanvasRenderingContext2D,
+  { rgb }: RobotDrawing,
+  state: RobotState,
+  { onTop }: { readonly onTop: boolean },
+): void {
+  rgb.forEach((light, i) => {
+    const shown = state.rgb[i];
+    if (shown === undefined || light.isOnTop !== onTop) return;
+    const { color, alpha } = floorLight(shown);
+    drawGlow(context, light, light.radius * reachOf(light), color, alpha);
+    if (!onTop || alpha === 0) return;
+    context.globalAlpha = alpha;
+    disc(context, light, light.radius, `rgb(${color.join()})`);
+    context.globalAlpha = 1;
   });
 }
 

@@ -36,7 +36,13 @@ describe('a robot drawing', () => {
     expect(drawing.display.map((light) => light.x)).toEqual([-9, -5]);
   });
 
-  it('leaves the lights under the body and the still tread out of the picture, and nothing else', () => {
+  it('knows which colour lights are on top of the body: those of class top', () => {
+    const top =
+      '<svg><circle id="rgb-0" cx="1" cy="1" r="2"/><circle id="rgb-1" class="top" cx="1" cy="9" r="2"/></svg>';
+    expect(readRobotDrawing(top).rgb.map(({ isOnTop }) => isOnTop)).toEqual([false, true]);
+  });
+
+  it('leaves the colour lights and the still tread out of the picture, and nothing else', () => {
     expect(drawing.svg).not.toContain('rgb-');
     expect(drawing.svg).not.toContain('tread');
     expect(drawing.svg).toContain('rx="3.4" fill="#14171a"/>');

@@ -8,8 +8,9 @@ import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
  * their `id`, either of the shape itself or of a group around it (of circles, the one of class `lit` counts, otherwise
  * the first without class `glow`); they must not be in a transformed group:
  * - `wheel-left`, `wheel-right`: a `<rect>`, the tyre. A moving tread replaces the parts of class `tread` in it.
- * - `rgb-0` … : a `<circle>` per colour light under the body, any number, in the order of the robot's state. It only
- *   marks a place and is not drawn: its light falls on the floor around it, from the circle up to 1.75 times as far.
+ * - `rgb-0` … : a `<circle>` per colour light, any number, in the order of the robot's state. It only marks a place and
+ *   is not drawn. Under the body: its light falls on the floor around it, from the circle up to 1.75 times as far. With
+ *   the class `top` the light is on top of the body: it fills the circle and shines three times as far.
  * - `led-left`, `led-right`: a `<circle>` per red light.
  * - `line-NAME`: a `<circle>` per line sensor's light, NAME as in the robot's state.
  * - `display`: a group of 25 `<rect>`, row by row.
@@ -25,7 +26,7 @@ export interface RobotDrawing {
   /** In drawing units (mm). */
   readonly viewBox: Box;
   readonly wheels: { readonly left: Box | null; readonly right: Box | null };
-  readonly rgb: readonly Spot[];
+  readonly rgb: readonly ColourLight[];
   readonly leds: { readonly left: Spot | null; readonly right: Spot | null };
   /** By the name of the sensor. */
   readonly line: ReadonlyMap<string, Spot>;
@@ -48,6 +49,11 @@ export interface Spot {
   readonly radius: number;
 }
 
+/** A colour light: under the body, where only its light on the floor is seen, or on top of it. */
+export interface ColourLight extends Spot {
+  readonly isOnTop: boolean;
+}
+
 /** Reads the text of a robot.svg; without a readable `viewBox` 160 × 160 mm around the axle is assumed. */
 export function readRobotDrawing(svg: string): RobotDrawing {
   const all = [...elementsOf(readSvgTree(svg))];
@@ -65,7 +71,7 @@ export function readRobotDrawing(svg: string): RobotDrawing {
     svg: without(svg, all.filter(isLeftOut)),
     viewBox: viewBoxOf(root),
     wheels: { left: wheel('wheel-left'), right: wheel('wheel-right') },
-    rgb: numberedSpots(parts, 'rgb'),
+    rgb: colourLights(parts),
     leds: { left: spotOf(parts.get('led-left')), right: spotOf(parts.get('led-right')) },
     line,
     display: boxesOf(parts.get('display')).slice(0, 25),
@@ -99,12 +105,13 @@ export function withPixelSize(svg: string, widthPx: number, heightPx: number): s
   });
 }
 
-function numberedSpots(parts: ReadonlyMap<string, SvgElement>, name: string): Spot[] {
-  const spots: Spot[] = [];
+function colourLights(parts: ReadonlyMap<string, SvgElement>): ColourLight[] {
+  const lights: ColourLight[] = [];
   for (let i = 0; ; i += 1) {
-    const spot = spotOf(parts.get(`${name}-${String(i)}`));
-    if (spot === null) return spots;
-    spots.push(spot);
+    const part = parts.get(`rgb-${String(i)}`);
+    const spot = spotOf(part);
+    if (spot === null) return lights;
+    lights.push({ ...spot, isOnTop: part?.attributes['class'] === 'top' });
   }
 }
 

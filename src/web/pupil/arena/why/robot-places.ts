@@ -33,18 +33,21 @@ export function partAt(pointMm: Vec, robot: DrawnRobot, reachMm: number): Output
 
 /** @param at in the drawing's frame */
 function drawnAt(at: Vec, { wheels, leds, rgb, display }: DrawnParts, reach: number): Output | null {
+  const colours = ({ onTop }: { readonly onTop: boolean }): readonly (readonly [Output, number])[] =>
+    spots(
+      rgb.map((light) => (light.isOnTop === onTop ? light : null)),
+      rgb.map((_, place): Output => `color-${place}`),
+      at,
+    );
   const parts: readonly (readonly [Output, number])[] = [
     ...spots([leds.left, leds.right], ['light-left', 'light-right'], at),
+    ...colours({ onTop: true }),
     ...[wheels.left, wheels.right].flatMap((box, side): readonly (readonly [Output, number])[] =>
       box === null ? [] : [[side === 0 ? 'wheel-left' : 'wheel-right', awayFrom(at, box)]],
     ),
     ...display.map((box): readonly [Output, number] => ['display', awayFrom(at, box)]),
     // Below the body: parts above them have priority.
-    ...spots(
-      rgb,
-      rgb.map((_, place): Output => `color-${place}`),
-      at,
-    ),
+    ...colours({ onTop: false }),
   ];
   const [nearest] = [...parts].sort(([, one], [, other]) => one - other);
   return nearest !== undefined && nearest[1] <= reach ? nearest[0] : null;
