@@ -1,4 +1,5 @@
 // Written by `npm run robots`: do not edit.
+import { bitbotXlBuild } from './bitbot-xl/robot';
 import { callibotBuild } from './callibot/robot';
 import { maqueenLiteBuild } from './maqueen-lite/robot';
 import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
@@ -8,6 +9,7 @@ import type { RobotBuild } from './robot';
 
 /** The parts of every robot that a run needs. Apart from `index.ts`, as only a run loads them. */
 export const robotBuilds: readonly RobotBuild[] = [
+  bitbotXlBuild,
   callibotBuild,
   maqueenLiteBuild,
   maqueenPlusV1Build,

@@ -1,4 +1,5 @@
 // Written by `npm run robots`: do not edit.
+import { bitbotXl } from './bitbot-xl/type';
 import { callibot } from './callibot/type';
 import { maqueenLite } from './maqueen-lite/type';
 import { maqueenPlusV1 } from './maqueen-plus-v1/type';
@@ -7,9 +8,14 @@ import { motionkit2 } from './motionkit-2/type';
 import type { RobotType } from './robot';
 
 /** Every robot there is, in the order in which they are offered. */
-export const robotTypes: readonly RobotType[] = [callibot, maqueenLite, maqueenPlusV1, maqueenPlusV2, motionkit2].sort(
-  (one, other) => one.place - other.place,
-);
+export const robotTypes: readonly RobotType[] = [
+  bitbotXl,
+  callibot,
+  maqueenLite,
+  maqueenPlusV1,
+  maqueenPlusV2,
+  motionkit2,
+].sort((one, other) => one.place - other.place);
 
 /** The robot with this id, or `null`. */
 export function findRobot(id: string): RobotType | null {

@@ -1,5 +1,6 @@
 // Written by `npm run robots`: do not edit.
 import type { RobotReference } from '#reference/types';
+import { bitbotXlReference } from './bitbot-xl/reference';
 import { callibotReference } from './callibot/reference';
 import { maqueenLiteReference } from './maqueen-lite/reference';
 import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
@@ -8,6 +9,7 @@ import { motionkit2Reference } from './motionkit-2/reference';
 
 /** The libraries of robots, for the editor. Apart from `index.ts`, as only the editor loads them, and later. */
 export const robotReferences: readonly RobotReference[] = [
+  bitbotXlReference,
   callibotReference,
   maqueenLiteReference,
   maqueenPlusV1Reference,

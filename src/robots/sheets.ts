@@ -1,4 +1,5 @@
 // Written by `npm run robots`: do not edit.
+import { bitbotXlSheet } from './bitbot-xl/sheet';
 import { callibotSheet } from './callibot/sheet';
 import { maqueenLiteSheet } from './maqueen-lite/sheet';
 import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
@@ -8,6 +9,7 @@ import type { RobotSheet } from './robot';
 
 /** The texts of the gallery on every robot. Apart from `index.ts`, as only the gallery loads them, and later. */
 export const robotSheets: readonly RobotSheet[] = [
+  bitbotXlSheet,
   callibotSheet,
   maqueenLiteSheet,
   maqueenPlusV1Sheet,
