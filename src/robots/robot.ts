@@ -169,7 +169,7 @@ export interface Robot {
 export interface RobotState {
   /** The two red lights, 1 = on; on a robot with colour lamps off. */
   readonly leds: { readonly left: 0 | 1; readonly right: 0 | 1 };
-  /** Colour lights: front left, back left, back right, front right; on a robot with two: left, right. */
+  /** Colour lights, any number, the left half first: front left, back left, back right, front right; left, right; two arms. */
   readonly rgb: readonly Rgb[];
   /** Colour lamps in front, left and right, that its controller drives; none on a robot with red lights or `rgb` alone. */
   readonly lamps: readonly Rgb[];

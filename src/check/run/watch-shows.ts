@@ -40,7 +40,7 @@ export function watchLight(which: LightPlace, color: LightColor | null): Watcher
 function isLit({ robot, rgb, lights }: Lights, which: LightPlace, color: LightColor | null): boolean {
   const { left, right } = robot?.leds ?? { left: 0, right: 0 };
   const robotRgb = robot?.rgb ?? [];
-  // A robot with two colour lights has left and right; one with four has the left ones first.
+  // Those on the left come first, whether there are two, four or twelve.
   const half = robotRgb.length / 2;
   const shines = (light: Rgb): boolean => (color === null ? light.some((part) => part > 0) : isColor(light, color));
   const red = color === null || color === 'red';

@@ -53,6 +53,7 @@ describe('bit:bot XL, its motors (4T select_model; GMC BitBotXL_info)', () => {
       ...context,
       ground: () => 1,
       distance: () => ({ distanceMm: Infinity, hitMm: null }),
+      depths: () => [],
       supplyMv: () => 4500,
     });
     told.length = 0;

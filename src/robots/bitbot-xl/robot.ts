@@ -20,7 +20,7 @@ import { createPca9557 } from '#devices/pca9557';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { mountMotors, tellColors } from '../mounting';
-import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import mbbitbot from './library/mbbitbot.py?raw';
 import { bitbotXl as type } from './type';
@@ -71,14 +71,11 @@ function attach(context: RobotContext): Robot {
   ];
 
   const state = (): RobotState => ({
-    leds: { left: 0, right: 0 },
+    ...bareState,
     rgb: arms.colors(),
     lineSensors: line.states(),
-    servos: {},
-    attachments: [],
     duty: drive.duty(),
     ultrasonic: sonar.state(),
-    bumper: null,
   });
   const step = (): void => {
     line.sample();

@@ -35,6 +35,7 @@ const REAR_WITH_WHEELS: readonly Vec[] = [
 
 const body: ChassisType = {
   outlineMm: [FRONT, REAR_WITH_WHEELS],
+  heightMm: 55, // with the micro:bit upright: GMC
   massG: 200, // chosen, not weighed: about 150 g kit, 9 g micro:bit, 40 g for three AAA cells
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
   wheels: [
