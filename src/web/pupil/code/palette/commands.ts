@@ -1,6 +1,5 @@
 /**
- * The commands for beginners' programs. Chosen by hand: few, and each good for a line that does something. A robot has those
- * whose names its library brings.
+ * The commands for beginners' programs, by robot. Chosen by hand: few, and each good for a line that does something.
  */
 import { robotReferences } from '#robots/references';
 
@@ -65,6 +64,8 @@ const table = {
   near: when('getDistance() < ${1:20}', 'getDistance'),
   leftDark: own(`if irLeft.read_digital() == 0:${BODY}`, 'irLeft'),
   rightDark: own(`if irRight.read_digital() == 0:${BODY}`, 'irRight'),
+  leftOnLine: when('getLine(0) == 1', 'getLine'),
+  rightOnLine: when('getLine(1) == 1', 'getLine'),
   middleDark: own(`if irM.read_digital() == 0:${BODY}`, 'irM'),
   bumper: own(`if tsValue() == 1:${BODY}`, 'tsValue'),
   shaken: when('accelerometer.was_gesture("${1:shake}")', 'accelerometer.was_gesture'),
@@ -79,6 +80,7 @@ const table = {
   setLEDRight: call('setLEDRight', '${1:1}'),
   fillRGB: call('fillRGB', '${1:255}, ${2:0}, ${3:0}'),
   clearRGB: call('clearRGB'),
+  fill: call('fill', '${1:255}, ${2:0}, ${3:0}'),
   beep: call('beep'),
   setAlarm: call('setAlarm', '${1:1}'),
   melody: call('music.play', 'music.${1:ODE}'),
@@ -106,23 +108,14 @@ const table = {
 /** The name of a command, by which its texts are found. */
 export type CommandId = keyof typeof table;
 
-/** Other ways to write a command, for robots whose library lacks the names of the usual one. */
-const otherwise: Partial<Record<CommandId, Omit<PaletteCommand, 'id'>>> = {
-  leftDark: own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'),
-  rightDark: own(`if irRightValue() == 0:${BODY}`, 'irRightValue'),
-  fillRGB: call('rgbLED', '${1:255}, ${2:0}, ${3:0}'),
-};
-
 export const commandNamed = (id: CommandId): PaletteCommand => ({ id, ...table[id] });
 
 /** The groups, in the order of the palette. */
 export const GROUPS = ['drive', 'show', 'buttons', 'sensors', 'light', 'wait', 'repeat', 'when', 'values'] as const;
 export type GroupId = (typeof GROUPS)[number];
 
-type Choice = Partial<Record<GroupId, readonly CommandId[]>>;
-
 /** The commands for every program: the microcomputer and Python. */
-const board = {
+const board: Partial<Record<GroupId, readonly CommandId[]>> = {
   show: ['show', 'scroll', 'image', 'pixel', 'clear', 'print'],
   buttons: ['pressedA', 'pressedB', 'wasPressedA', 'logo'],
   sensors: ['shaken', 'tilt', 'temperature', 'brightness', 'loudness', 'heading'],
@@ -131,17 +124,24 @@ const board = {
   repeat: ['forever', 'times', 'while', 'break'],
   when: ['if', 'ifElse'],
   values: ['set', 'increase', 'random', 'define'],
-} as const satisfies Choice;
+};
 
-/** The commands that robots add or put in the place of the board's; of those of the board alone, the ones they keep. */
-const robots = {
+/**
+ * The commands that robots add or replace, as far as their libraries have the names; of several in brackets, the first
+ * that a robot can take.
+ */
+const ofRobots: Partial<Record<GroupId, readonly (CommandId | readonly CommandId[])[]>> = {
   drive: ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'],
-  sensors: ['distance', 'near', 'leftDark', 'rightDark', 'middleDark', 'bumper', 'shaken'],
-  light: ['setLED', 'setLEDLeft', 'setLEDRight', 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
-  wait: ['delay', 'waitUntilNear', 'waitForA'],
-} as const satisfies Choice;
-
-const ofBoard: ReadonlySet<CommandId> = new Set(Object.values<readonly CommandId[]>(board).flat());
+  wait: [['delay', 'sleep'], 'waitUntilNear', 'waitForA'],
+  // prettier-ignore
+  sensors: [
+    'distance', 'near', ['leftDark', 'leftOnLine'], ['rightDark', 'rightOnLine'], 'middleDark', 'bumper', 'shaken',
+  ],
+  // prettier-ignore
+  light: [
+    'setLED', 'setLEDLeft', 'setLEDRight', ['fillRGB', 'fill'], 'clearRGB', 'beep', 'setAlarm', 'melody',
+  ],
+};
 
 /** A group of the palette with its commands. */
 export interface PaletteGroup {
@@ -149,21 +149,25 @@ export interface PaletteGroup {
   readonly commands: readonly PaletteCommand[];
 }
 
-/** The commands for a robot, by group; without a robot those of the microcomputer alone. */
-export function commandsFor(robot: string | null): readonly PaletteGroup[] {
-  const library = robotReferences.find((it) => it.robot === robot)?.modules[0]?.names;
-  const choice: Choice = library === undefined ? board : { ...board, ...robots };
-  return GROUPS.flatMap((id) => {
-    const commands = (choice[id] ?? []).flatMap((command) => written(command, library ?? {}));
-    return commands.length === 0 ? [] : [{ id, commands }];
-  });
+/** The names of a robot's library for pupils: the first one that its reference tells. */
+function namesOf(robot: string): ReadonlySet<string> {
+  const [first] = robotReferences.find((it) => it.robot === robot)?.modules ?? [];
+  return new Set(Object.keys(first?.names ?? {}));
 }
 
-/** A command with the names of a robot's library; none if the library lacks them. */
-function written(id: CommandId, library: Readonly<Record<string, unknown>>): readonly PaletteCommand[] {
-  if (ofBoard.has(id)) return [commandNamed(id)];
-  const ways = [table[id], otherwise[id]].flatMap((way) => (way === undefined ? [] : [{ id, ...way }]));
-  return ways.filter(({ needs }) => needs.every((name) => name in library)).slice(0, 1);
+/** Names that are not the robot's: of the board, and so always there. */
+const ofBoards = new Set(['accelerometer', 'button_a', 'music', 'sleep']);
+
+/** The commands for a robot, by group; without a robot those of the microcomputer alone. */
+export function commandsFor(robot: string | null): readonly PaletteGroup[] {
+  const names = robot === null ? null : namesOf(robot);
+  const isKnown = (id: CommandId): boolean =>
+    commandNamed(id).needs.every((name) => names?.has(name) === true || ofBoards.has(name));
+  return GROUPS.flatMap((id) => {
+    const own = names === null ? undefined : ofRobots[id];
+    const chosen = own?.flatMap((entry) => [entry].flat().find(isKnown) ?? []) ?? board[id] ?? [];
+    return chosen.length === 0 ? [] : [{ id, commands: chosen.map(commandNamed) }];
+  });
 }
 
 /** A template as one reads it: `setSpeed(50)`, with `…` for the lines that belong inside. */
