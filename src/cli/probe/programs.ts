@@ -1,4 +1,5 @@
 /** The probes, and what each of their rows would change. */
+import bitbotXl from '../../../docs/hardware/probe/bitbot_xl.py?raw';
 import callibot from '../../../docs/hardware/probe/callibot.py?raw';
 import errors from '../../../docs/hardware/probe/errors.py?raw';
 import floats from '../../../docs/hardware/probe/floats.py?raw';
@@ -55,6 +56,7 @@ export const probes: Readonly<Record<string, Probe | undefined>> = {
   },
   maqueen_lite: { source: maqueenLite, robot: 'maqueen-lite', tells: always('src/robots/maqueen-lite') },
   maqueen_plus_v2: { source: maqueenPlusV2, robot: 'maqueen-plus-v2', tells: always('src/robots/maqueen-plus-v2') },
+  bitbot_xl: { source: bitbotXl, robot: 'bitbot-xl', tells: always('src/robots/bitbot-xl') },
   callibot: { source: callibot, robot: 'callibot', tells: always('src/robots/callibot') },
   motionkit_2: { source: motionkit2, robot: 'motionkit-2', tells: always('src/robots/motionkit-2') },
 };
