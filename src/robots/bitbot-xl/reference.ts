@@ -21,4 +21,5 @@ export const bitbotXlReference: RobotReference = {
   robot: 'bitbot-xl',
   modules: [mbbitbot],
   texts: words,
+  misnamed: { left: 'right', right: 'left' },
 };

@@ -99,6 +99,16 @@ describe('the palette, for robots whose libraries say the same otherwise', () =>
   });
 });
 
+describe('the palette, for a library whose left() turns to the right', () => {
+  it.each([
+    ['maqueen-lite', 'left()'],
+    ['bitbot-xl', 'right()'],
+  ])('turns %s to the left with %s', (robot, code) => {
+    const commands = commandsFor(robot).flatMap((group) => group.commands);
+    expect(commands.find(({ id }) => id === 'left')?.code).toBe(code);
+  });
+});
+
 describe('a command as the palette shows it', () => {
   it('has its values, and … where other lines belong', () => {
     expect(codeShown('fillRGB(${1:255}, ${2:0}, ${3:0})')).toBe('fillRGB(255, 0, 0)');

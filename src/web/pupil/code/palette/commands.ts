@@ -1,6 +1,7 @@
 /**
  * The commands for beginners' programs, by robot. Chosen by hand: few, and each good for a line that does something.
  */
+import type { RobotReference } from '#reference/types';
 import { robotReferences } from '#robots/references';
 
 /** A command that the palette writes. */
@@ -149,25 +150,36 @@ export interface PaletteGroup {
   readonly commands: readonly PaletteCommand[];
 }
 
-/** The names of a robot's library for pupils: the first one that its reference tells. */
-function namesOf(robot: string): ReadonlySet<string> {
-  const [first] = robotReferences.find((it) => it.robot === robot)?.modules ?? [];
-  return new Set(Object.keys(first?.names ?? {}));
-}
-
 /** Names that are not the robot's: of the board, and so always there. */
 const ofBoards = new Set(['accelerometer', 'button_a', 'music', 'sleep']);
 
+/** True for the commands that a robot can take: its reference's first module, which is for pupils, has their names. */
+function knownTo({ modules: [first] }: RobotReference): (id: CommandId) => boolean {
+  const names = new Set([...Object.keys(first?.names ?? {}), ...ofBoards]);
+  return (id) => commandNamed(id).needs.every((name) => names.has(name));
+}
+
+/** A command as a robot's library calls it. */
+function calledBy({ misnamed }: RobotReference, id: CommandId): PaletteCommand {
+  const command = commandNamed(id);
+  const other = misnamed?.[command.said ?? ''];
+  return other === undefined ? command : { ...command, ...call(other) };
+}
+
+/** The commands of a group for a robot; `null`: those of the microcomputer. */
+function commandsIn(id: GroupId, reference: RobotReference | null): readonly PaletteCommand[] {
+  const entries = reference === null ? undefined : ofRobots[id];
+  if (reference === null || entries === undefined) return board[id]?.map(commandNamed) ?? [];
+  const isKnown = knownTo(reference);
+  return entries.flatMap((entry) => [entry].flat().find(isKnown) ?? []).map((known) => calledBy(reference, known));
+}
+
 /** The commands for a robot, by group; without a robot those of the microcomputer alone. */
 export function commandsFor(robot: string | null): readonly PaletteGroup[] {
-  const names = robot === null ? null : namesOf(robot);
-  const isKnown = (id: CommandId): boolean =>
-    commandNamed(id).needs.every((name) => names?.has(name) === true || ofBoards.has(name));
-  return GROUPS.flatMap((id) => {
-    const own = names === null ? undefined : ofRobots[id];
-    const chosen = own?.flatMap((entry) => [entry].flat().find(isKnown) ?? []) ?? board[id] ?? [];
-    return chosen.length === 0 ? [] : [{ id, commands: chosen.map(commandNamed) }];
-  });
+  const reference = robotReferences.find((it) => it.robot === robot) ?? null;
+  return GROUPS.map((id) => ({ id, commands: commandsIn(id, reference) })).filter(
+    ({ commands }) => commands.length > 0,
+  );
 }
 
 /** A template as one reads it: `setSpeed(50)`, with `…` for the lines that belong inside. */
