@@ -83,19 +83,39 @@ describe.each(devices)('the palette for $name', ({ hardware, written }) => {
   });
 });
 
-describe('the palette, for robots whose libraries say the same otherwise', () => {
-  const idsFor = (robot: string) => commandsFor(robot).flatMap(({ commands }) => commands.map(({ id }) => id));
+describe('the palette of a robot', () => {
+  const idsFor = (robot: string, group: string): readonly string[] =>
+    commandsFor(robot)
+      .find(({ id }) => id === group)
+      ?.commands.map(({ id }) => id) ?? [];
+
+  it.each(robotTypes)('has the ways to drive of the $name', ({ id }) => {
+    expect(idsFor(id, 'drive').length).toBeGreaterThanOrEqual(5);
+  });
 
   it.each([
-    ['maqueen-lite', ['delay', 'leftDark', 'fillRGB']],
-    ['bitbot-xl', ['sleep', 'leftOnLine', 'fill']],
-  ] as const)('has for %s each of them once: %j', (robot, expected) => {
-    const either = ['delay', 'sleep', 'leftDark', 'leftOnLine', 'fillRGB', 'fill'];
-    expect(
-      idsFor(robot)
-        .filter((id) => either.includes(id))
-        .sort(),
-    ).toEqual([...expected].sort());
+    ['maqueen-lite', ['distance', 'near', 'leftDark', 'rightDark', 'shaken']],
+    ['maqueen-plus-v2', ['distance', 'near', 'leftDark', 'rightDark', 'middleDark', 'shaken']],
+    ['callibot', ['distance', 'near', 'leftDark', 'rightDark', 'bumper', 'shaken']],
+  ])('has for the %s only the sensors of its library', (robot, sensors) => {
+    expect(idsFor(robot, 'sensors')).toEqual(sensors);
+  });
+
+  it.each([
+    ['maqueen-lite', ['fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody']],
+    ['maqueen-plus-v1', ['beep', 'setAlarm', 'melody']],
+    ['callibot', ['setAlarm', 'melody']],
+    ['motionkit-2', ['fillRGB', 'melody']],
+  ])('has for the %s, beside its lamps, only the lights and sounds of its library', (robot, lights) => {
+    expect(idsFor(robot, 'light')).toEqual(['setLED', 'setLEDLeft', 'setLEDRight', ...lights]);
+  });
+
+  it.each([
+    ['motionkit-2', ['if irLeftValue() == 0:\n    …', 'rgbLED(255, 0, 0)']],
+    ['bitbot-xl', ['if getLine(0) == 1:\n    …', 'fill(255, 0, 0)', 'sleep(500)']],
+  ])('writes a command with the names that the library of the %s has', (robot, expected) => {
+    const codes = commandsFor(robot).flatMap(({ commands }) => commands.map(({ code }) => codeShown(code)));
+    expect(codes).toEqual(expect.arrayContaining(expected));
   });
 });
 

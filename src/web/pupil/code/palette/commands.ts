@@ -65,8 +65,6 @@ const table = {
   near: when('getDistance() < ${1:20}', 'getDistance'),
   leftDark: own(`if irLeft.read_digital() == 0:${BODY}`, 'irLeft'),
   rightDark: own(`if irRight.read_digital() == 0:${BODY}`, 'irRight'),
-  leftOnLine: when('getLine(0) == 1', 'getLine'),
-  rightOnLine: when('getLine(1) == 1', 'getLine'),
   middleDark: own(`if irM.read_digital() == 0:${BODY}`, 'irM'),
   bumper: own(`if tsValue() == 1:${BODY}`, 'tsValue'),
   shaken: when('accelerometer.was_gesture("${1:shake}")', 'accelerometer.was_gesture'),
@@ -81,7 +79,6 @@ const table = {
   setLEDRight: call('setLEDRight', '${1:1}'),
   fillRGB: call('fillRGB', '${1:255}, ${2:0}, ${3:0}'),
   clearRGB: call('clearRGB'),
-  fill: call('fill', '${1:255}, ${2:0}, ${3:0}'),
   beep: call('beep'),
   setAlarm: call('setAlarm', '${1:1}'),
   melody: call('music.play', 'music.${1:ODE}'),
@@ -109,14 +106,24 @@ const table = {
 /** The name of a command, by which its texts are found. */
 export type CommandId = keyof typeof table;
 
+/** Other ways to write a command, for robots whose libraries lack the names of the usual one. */
+const otherwise: Partial<Record<CommandId, readonly Omit<PaletteCommand, 'id'>[]>> = {
+  delay: [table.sleep],
+  leftDark: [own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'), own(`if getLine(0) == 1:${BODY}`, 'getLine')],
+  rightDark: [own(`if irRightValue() == 0:${BODY}`, 'irRightValue'), own(`if getLine(1) == 1:${BODY}`, 'getLine')],
+  fillRGB: [call('rgbLED', '${1:255}, ${2:0}, ${3:0}'), call('fill', '${1:255}, ${2:0}, ${3:0}')],
+};
+
 export const commandNamed = (id: CommandId): PaletteCommand => ({ id, ...table[id] });
 
 /** The groups, in the order of the palette. */
 export const GROUPS = ['drive', 'show', 'buttons', 'sensors', 'light', 'wait', 'repeat', 'when', 'values'] as const;
 export type GroupId = (typeof GROUPS)[number];
 
+type Choice = Partial<Record<GroupId, readonly CommandId[]>>;
+
 /** The commands for every program: the microcomputer and Python. */
-const board: Partial<Record<GroupId, readonly CommandId[]>> = {
+const board: Choice = {
   show: ['show', 'scroll', 'image', 'pixel', 'clear', 'print'],
   buttons: ['pressedA', 'pressedB', 'wasPressedA', 'logo'],
   sensors: ['shaken', 'tilt', 'temperature', 'brightness', 'loudness', 'heading'],
@@ -127,21 +134,12 @@ const board: Partial<Record<GroupId, readonly CommandId[]>> = {
   values: ['set', 'increase', 'random', 'define'],
 };
 
-/**
- * The commands that robots add or replace, as far as their libraries have the names; of several in brackets, the first
- * that a robot can take.
- */
-const ofRobots: Partial<Record<GroupId, readonly (CommandId | readonly CommandId[])[]>> = {
+/** The commands that robots put in the place of the board's, as far as their libraries have the names. */
+const ofRobots: Choice = {
   drive: ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'],
-  wait: [['delay', 'sleep'], 'waitUntilNear', 'waitForA'],
-  // prettier-ignore
-  sensors: [
-    'distance', 'near', ['leftDark', 'leftOnLine'], ['rightDark', 'rightOnLine'], 'middleDark', 'bumper', 'shaken',
-  ],
-  // prettier-ignore
-  light: [
-    'setLED', 'setLEDLeft', 'setLEDRight', ['fillRGB', 'fill'], 'clearRGB', 'beep', 'setAlarm', 'melody',
-  ],
+  wait: ['delay', 'waitUntilNear', 'waitForA'],
+  sensors: ['distance', 'near', 'leftDark', 'rightDark', 'middleDark', 'bumper', 'shaken'],
+  light: ['setLED', 'setLEDLeft', 'setLEDRight', 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
 };
 
 /** A group of the palette with its commands. */
@@ -153,25 +151,20 @@ export interface PaletteGroup {
 /** Names that are not the robot's: of the board, and so always there. */
 const ofBoards = new Set(['accelerometer', 'button_a', 'music', 'sleep']);
 
-/** True for the commands that a robot can take: its reference's first module, which is for pupils, has their names. */
-function knownTo({ modules: [first] }: RobotReference): (id: CommandId) => boolean {
+/** A command with names that a robot's reference tells in its first module, which is for pupils; none if they lack. */
+function written(id: CommandId, { modules: [first], misnamed }: RobotReference): readonly PaletteCommand[] {
   const names = new Set([...Object.keys(first?.names ?? {}), ...ofBoards]);
-  return (id) => commandNamed(id).needs.every((name) => names.has(name));
-}
-
-/** A command as a robot's library calls it. */
-function calledBy({ misnamed }: RobotReference, id: CommandId): PaletteCommand {
-  const command = commandNamed(id);
-  const other = misnamed?.[command.said ?? ''];
-  return other === undefined ? command : { ...command, ...call(other) };
+  const way = [table[id], ...(otherwise[id] ?? [])].find(({ needs }) => needs.every((name) => names.has(name)));
+  if (way === undefined) return [];
+  const called = misnamed?.[way.said ?? ''];
+  return [{ id, ...way, ...(called === undefined ? {} : call(called)) }];
 }
 
 /** The commands of a group for a robot; `null`: those of the microcomputer. */
 function commandsIn(id: GroupId, reference: RobotReference | null): readonly PaletteCommand[] {
-  const entries = reference === null ? undefined : ofRobots[id];
-  if (reference === null || entries === undefined) return board[id]?.map(commandNamed) ?? [];
-  const isKnown = knownTo(reference);
-  return entries.flatMap((entry) => [entry].flat().find(isKnown) ?? []).map((known) => calledBy(reference, known));
+  const own = reference === null ? undefined : ofRobots[id];
+  if (reference === null || own === undefined) return board[id]?.map(commandNamed) ?? [];
+  return own.flatMap((command) => written(command, reference));
 }
 
 /** The commands for a robot, by group; without a robot those of the microcomputer alone. */
