@@ -1,8 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseScene } from './parse';
+import { usualHeights } from './kinds/heights';
 import { findProblems } from './rules';
-import { sceneDefaults, SCENE_VERSION, strokeColors } from './scene';
+import { sceneDefaults, sceneLimits, SCENE_VERSION, strokeColors } from './scene';
 
 const page = readFileSync(new URL('./FORMAT.md', import.meta.url), 'utf8');
 
@@ -35,6 +36,11 @@ describe('the description of the course file', () => {
     expect(rows.get('width')?.trim()).toBe(`${sceneDefaults.width}, ${sceneDefaults.color}`);
     expect(rows.get('speed')?.trim()).toBe(`${sceneDefaults.speed} mm/s, ${sceneDefaults.spiked}`);
     expect(rows.get('height')?.trim()).toBe(String(sceneDefaults.labelHeight));
+    const heights = [...page.matchAll(/^\| ((?:`[\w-]+`(?:, )?)+) +\| (\d+) +\|$/gm)].flatMap(([, types = '', mm]) =>
+      [...types.matchAll(/`([\w-]+)`/g)].map(([, type]) => [type, Number(mm)]),
+    );
+    expect(Object.fromEntries(heights)).toMatchObject(usualHeights);
+    expect(page).toContain(`, ${sceneLimits.heightMm.min} to ${sceneLimits.heightMm.max} mm.`);
     expect(page).toContain(`Colours: ${strokeColors.join(', ')}`);
   });
 });

@@ -225,6 +225,28 @@ const version6: Scene = {
   ],
 };
 
+const version7: Scene = {
+  ...version6,
+  name: 'Höhen der siebten Fassung',
+  robot: { type: null, at: [200, 450], heading: 0, scale: 1, options: {}, name: 'Ada' },
+  objects: [
+    { id: 'w1', type: 'wall', from: [900, 200], to: [900, 700], thickness: 20, height: 1000 },
+    { id: 'w2', type: 'wall', from: [100, 200], to: [100, 700], thickness: 10, height: 5 },
+    { id: 'b1', type: 'block', at: [600, 300], size: [66, 66], angle: 12.5, round: true, height: 30, lock: true },
+    {
+      ...{ id: 'f1', type: 'fixed-block', at: [700, 300], size: [40, 60], angle: 0, height: 60 },
+      corners: [[0, 0], [40, 0], [20, 60]], // prettier-ignore
+    },
+    { id: 'f2', type: 'fixed-block', at: [700, 500], size: [40, 60], angle: 0 },
+    { id: 'p1', type: 'spikes', at: [500, 700], size: [60, 40], angle: 0, height: 20 },
+    {
+      ...{ id: 'm1', type: 'mover', at: [300, 700], to: [300, 800], size: [60, 60], angle: 0, height: 39 },
+      ...{ speed: 100, spiked: true },
+    },
+    { id: 'l1', type: 'label', at: [300, 50], text: 'niedrig', height: 60, angle: 0 },
+  ],
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
@@ -233,6 +255,7 @@ describe('a course file of an older version', () => {
     [4, version4],
     [5, version5],
     [6, version6],
+    [7, version7],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });
@@ -248,6 +271,8 @@ describe('a course file of an older version', () => {
     expect(serializeScene(sceneOf(kept(3)))).toBe(kept(3));
     expect(serializeScene(sceneOf(kept(4)))).toBe(kept(4));
     expect(serializeScene(sceneOf(kept(5)))).toBe(kept(5));
+    expect(serializeScene(sceneOf(kept(6)))).toBe(kept(6));
+    expect(serializeScene(sceneOf(kept(7)))).toBe(kept(7));
   });
 
   it('says rotations in eighths of a turn, which older apps read, until one of its things needs more', () => {
@@ -258,6 +283,15 @@ describe('a course file of an older version', () => {
     const locked = serializeScene({ ...version2, objects: objects.map((object) => ({ ...object, lock: true })) });
     expect(locked).toContain('"version": 5');
     expect(locked).toContain('"size": [50, 50], "angle": 135, "lock": true }');
+  });
+
+  it('is written in version 7 only if a thing has a height of its own; letters have always had theirs', () => {
+    const objects = version7.objects.filter((object) => object.type === 'label' || !('height' in object));
+    expect(objects.map(({ id }) => id)).toEqual(['f2', 'l1']);
+    expect(serializeScene({ ...version2, objects })).toContain('"version": 2');
+    expect(serializeScene({ ...version7, objects })).toContain('"version": 6');
+    for (const object of version7.objects.filter(({ id }) => /^[wbfpm]1$/.test(id)))
+      expect(serializeScene({ ...version2, objects: [object] })).toContain('"version": 7');
   });
 
   it('is not written with the name of a group of which one thing is left', () => {

@@ -17,6 +17,8 @@ const steps: readonly ((file: Fields) => Fields)[] = [
   (file) => file,
   // 5 → 6: name and colour of the first robot are new; what there was means the same.
   (file) => file,
+  // 6 → 7: heights of what stands on the floor are new; without them it is as high as it was.
+  (file) => file,
 ];
 
 /** The oldest version that is still read. */

@@ -34,8 +34,14 @@ export interface Shaped {
   readonly corners?: readonly Point[];
 }
 
+/** A thing that stands up from the floor. */
+interface Standing {
+  /** Its top above the floor in whole mm, for sensors: robots bump into it at any height. Left out: usual for its kind. */
+  readonly height?: number;
+}
+
 /** A straight solid wall; `from` and `to` are the ends of its centre line. */
-export interface Wall extends Common {
+export interface Wall extends Common, Standing {
   readonly type: 'wall';
   readonly from: Point;
   readonly to: Point;
@@ -44,7 +50,7 @@ export interface Wall extends Common {
 }
 
 /** A body on the floor: a `block` can be pushed, a `fixed-block` cannot. Of one that is not round, `round` is left out. */
-export interface Block extends Common, Shaped {
+export interface Block extends Common, Shaped, Standing {
   readonly type: 'block' | 'fixed-block';
 }
 
@@ -79,7 +85,7 @@ export interface Zone extends Common, Shaped {
 }
 
 /** A solid thing with spikes that stands still: a robot that touches it has failed. */
-export interface Spikes extends Common, Shaped {
+export interface Spikes extends Common, Shaped, Standing {
   readonly type: 'spikes';
 }
 
@@ -87,7 +93,7 @@ export interface Spikes extends Common, Shaped {
  * A solid body that moves by itself: along a way from stop to stop, whatever is in its path, or after robots as far as
  * solid things let it (`chases`). The simplest goes to and fro between `at`, where its way begins, and `to`.
  */
-export interface Mover extends Common, Omit<Shaped, 'corners'> {
+export interface Mover extends Common, Omit<Shaped, 'corners'>, Standing {
   readonly type: 'mover';
   /** Its centre at the second stop. The same as `at`, and no `stops`: it has no way. */
   readonly to: Point;
@@ -271,7 +277,7 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
-export const SCENE_VERSION = 6;
+export const SCENE_VERSION = 7;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
@@ -305,6 +311,8 @@ export const sceneLimits = {
   placeMm: { min: -20_000, max: 20_000 },
   thicknessMm: { min: 2, max: 500 },
   blockMm: { min: 5, max: 5_000 },
+  /** Of what stands on the floor: flat enough that every sensor looks over it, up to higher than any sees. */
+  heightMm: { min: 5, max: 1_000 },
   angleDeg: { min: 0, max: 360 },
   corners: { min: 3, max: 60 },
   /** Smallest area of a polygon: that of the smallest block. */

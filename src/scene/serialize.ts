@@ -1,6 +1,7 @@
 import { additionsOf } from './additions';
 import { tidied } from './groups';
 import { asAngle, asTurn, braces, pair, property, type Rotation } from './json-text';
+import { ownHeightOf } from './kinds/heights';
 import { kindOf } from './kinds/index';
 import { optionsProperty } from './robot-values';
 import {
@@ -43,7 +44,8 @@ export function serializeScene(scene: Scene): string {
 }
 
 function versionFor({ robot, task, objects }: Scene): number {
-  if (robot.name !== undefined || robot.color !== undefined) return SCENE_VERSION;
+  if (objects.some((object) => ownHeightOf(object) !== null)) return SCENE_VERSION;
+  if (robot.name !== undefined || robot.color !== undefined) return 6;
   if (tidied(objects).some((object) => Object.keys(additionsOf(object)).length > 0)) return 5;
   if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return 4;
   return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : 3;

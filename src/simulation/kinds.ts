@@ -125,7 +125,7 @@ function strokeBody({ points, width, color }: Stroke, world: World): Body {
 }
 
 /** The properties of a block that a run cannot change without making it again. */
-const formOf = ({ size, round, corners }: Block) => ({ size, round, corners });
+const formOf = ({ size, round, corners, height }: Block) => ({ size, round, corners, height });
 
 const vec = ([x, y]: Point): Vec => ({ x, y });
 

@@ -3,12 +3,13 @@ import { sceneDefaults, type Block, type Spikes } from '../scene';
 import { shapeParts } from '../shape/shape';
 import { standing, type SceneKind } from './kind';
 
-/** A kind whose only properties are its place, its shape and its rotation. */
+/** A kind whose only properties are its place, its shape, its rotation and its height. */
 const bodyKind = (name: string): SceneKind<Block | Spikes> => ({
   name,
   write: (body, rotation) => [
     ...shapeProperties(body, rotation),
     ...property('round', body.round ?? sceneDefaults.round, sceneDefaults.round),
+    ...property('height', body.height ?? null, null),
   ],
   ...standing<Block | Spikes>(shapeParts),
 });

@@ -1,10 +1,10 @@
-import type { SceneObject } from '../scene';
+import type { Block, Mover, SceneObject, Spikes, Wall } from '../scene';
 
-/** The kinds of objects that stand up from the floor. */
-type Tall = Extract<SceneObject['type'], 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover'>;
+/** An object that stands up from the floor. */
+export type StandingObject = Wall | Block | Spikes | Mover;
 
 /** Heights in mm of things whose file gives none. Chosen: ultrasonic sensors hear all of them, and no robot drives under. */
-export const usualHeights: Readonly<Record<Tall, number>> = {
+export const usualHeights: Readonly<Record<StandingObject['type'], number>> = {
   wall: 250,
   block: 60,
   'fixed-block': 60,
@@ -13,4 +13,16 @@ export const usualHeights: Readonly<Record<Tall, number>> = {
 };
 
 /** The top of a thing above the floor, in mm. */
-export const heightOf = ({ type }: { readonly type: Tall }): number => usualHeights[type];
+export const heightOf = ({ type, height }: Pick<StandingObject, 'type' | 'height'>): number =>
+  height ?? usualHeights[type];
+
+/** True if an object stands up from the floor. */
+export const isStanding = (object: SceneObject): object is StandingObject => object.type in usualHeights;
+
+/** The height that an object has of its own, in mm; `null`: the usual one, or it lies flat on the floor. */
+export const ownHeightOf = (object: SceneObject): number | null =>
+  isStanding(object) ? (object.height ?? null) : null;
+
+/** The property that makes a thing so high, in mm; `null` or the usual height of its kind: left out. */
+export const heightProperty = (type: StandingObject['type'], mm: number | null): Pick<StandingObject, 'height'> =>
+  mm === null || mm === usualHeights[type] ? {} : { height: mm };

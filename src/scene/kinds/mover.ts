@@ -11,6 +11,7 @@ export const mover: SceneKind<Mover> = {
   write: (mover, rotation) => [
     ...shapeProperties(mover, rotation),
     ...property('round', mover.round ?? sceneDefaults.round, sceneDefaults.round),
+    ...property('height', mover.height ?? null, null),
     ...(isAtPlace(mover) && (mover.chases || mover.spin !== undefined) ? [] : [`"to": ${pair(mover.to)}`]),
     ...(mover.stops ? [`"stops": [${mover.stops.map(pair).join(', ')}]`] : []),
     ...(mover.waits ? [`"waits": [${mover.waits.join(', ')}]`] : []),

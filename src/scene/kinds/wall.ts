@@ -6,10 +6,11 @@ import { standing, type SceneKind } from './kind';
 /** Walls. */
 export const wall: SceneKind<Wall> = {
   name: 'wall',
-  write: ({ from, to, thickness }) => [
+  write: ({ from, to, thickness, height }) => [
     `"from": ${pair(from)}`,
     `"to": ${pair(to)}`,
     ...property('thickness', thickness, sceneDefaults.thickness),
+    ...property('height', height ?? null, null),
   ],
   ...standing<Wall>((wall) => [wallOutline(wall)]),
 };

@@ -1,6 +1,7 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
+import type { StandingObject } from '../kinds/heights';
 import {
   robotColors,
   strokeColors,
@@ -30,6 +31,10 @@ const common = (rng: Rng): Pick<SceneObject, 'lock' | 'group'> => ({
   ...(inPercent(rng, 10) ? { group: oneOf(rng, ['g', 'toString', '1']) } : {}),
 });
 
+/** The height that any thing may have of its own and mostly lacks. */
+const height = (rng: Rng): Pick<StandingObject, 'height'> =>
+  inPercent(rng, 20) ? { height: wholeFrom(rng, 5, 1000) } : {};
+
 /** An object of any kind with random figures, as a course may have it. */
 export function randomObject(rng: Rng, id: string): SceneObject {
   const box = { id, at: point(rng), size: size(rng), angle: angle(rng) };
@@ -45,8 +50,9 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       from,
       to: [from[0] + 10, from[1] - wholeFrom(rng, 0, 99)],
       thickness: wholeFrom(rng, 2, 500),
+      ...height(rng),
     }),
-    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...body }),
+    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...body, ...height(rng) }),
     () => ({
       ...{ type: 'stroke', id, width: wholeFrom(rng, 1, 500), color: oneOf(rng, strokeColors) },
       points: Array.from({ length: wholeFrom(rng, 1, 30) }, () => point(rng)),
@@ -61,6 +67,7 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       to: point(rng),
       speed: wholeFrom(rng, 5, 500),
       spiked: inPercent(rng, 50),
+      ...height(rng),
       ...(inPercent(rng, 60) ? foe(rng, box.at) : {}),
     }),
     () => ({

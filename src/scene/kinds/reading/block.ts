@@ -1,11 +1,11 @@
 import type { Block, Spikes } from '../../scene';
 import type { KindReader } from './kind-reader';
-import { readBody } from './unread';
+import { readBody, readHeight } from './unread';
 
-/** Reads a kind whose only properties are its place, its shape and its rotation. */
+/** Reads a kind whose only properties are its place, its shape, its rotation and its height. */
 const bodyReader = (type: (Block | Spikes)['type']): KindReader<Block | Spikes> => ({
-  properties: ['at', 'size', 'angle', 'round', 'corners'],
-  read: (given) => ({ type, ...readBody(given) }),
+  properties: ['at', 'size', 'angle', 'round', 'corners', 'height'],
+  read: (given) => ({ type, ...readBody(given), ...readHeight(given) }),
 });
 
 export const block = bodyReader('block');

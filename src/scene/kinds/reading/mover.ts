@@ -1,13 +1,13 @@
 import { sceneDefaults, sceneLimits, type Chase, type Mover, type Point } from '../../scene';
 import { waitsProperty } from '../mover-way';
 import type { KindReader } from './kind-reader';
-import { readBody, readObjectId, readPlace, unread, type Unread } from './unread';
+import { readBody, readHeight, readObjectId, readPlace, unread, type Unread } from './unread';
 
 /** The properties of a path; a mover that chases robots has none of them. */
 const wayProperties = ['stops', 'waits', 'loops', 'phase'] as const;
 
 export const mover: KindReader<Mover> = {
-  properties: ['at', 'to', 'size', 'angle', 'round', 'speed', 'spiked', ...wayProperties, 'spin', 'chases'],
+  properties: ['at', 'to', 'size', 'angle', 'round', 'height', 'speed', 'spiked', ...wayProperties, 'spin', 'chases'],
   read(given) {
     const { reader, at } = given;
     const box = readBody(given);
@@ -17,6 +17,7 @@ export const mover: KindReader<Mover> = {
     return {
       type: 'mover',
       ...box,
+      ...readHeight(given),
       to: hasPlaceOnly ? box.at : readPlace(given, 'to'),
       speed: reader.whole(...at('speed'), sceneLimits.speedMmS, sceneDefaults.speed),
       spiked: reader.flag(...at('spiked'), sceneDefaults.spiked),

@@ -2,6 +2,7 @@ import { join, type Fields, type Reader } from '../../reader';
 import { fullTurnDeg } from '#core/angle';
 import { areaOf, polygonFault, type PolygonFault } from '../../shape/polygon';
 import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../../scene';
+import type { StandingObject } from '../heights';
 
 /** An object of a course that is yet to be read, and the reader that notes what is wrong with it. */
 export interface Unread {
@@ -63,6 +64,12 @@ export const readShape = (given: Unread): Omit<Shaped, 'round'> & { readonly id:
   const size = given.reader.point(...given.at('size'), sceneLimits.blockMm);
   return { id: readId(given), at: readPlace(given, 'at'), size, angle: readAngle(given), ...readCorners(given, size) };
 };
+
+/** The height of what stands on the floor; what is left out stays left out. */
+export function readHeight({ reader, at }: Unread): Pick<StandingObject, 'height'> {
+  const [height, path] = at('height');
+  return height === undefined ? {} : { height: reader.whole(height, path, sceneLimits.heightMm) };
+}
 
 /** Reads a shape with `round`, which is left out unless it is true. */
 export function readBody(given: Unread): Omit<Shaped, 'round'> & { readonly id: string; readonly round?: true } {
