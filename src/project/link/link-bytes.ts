@@ -11,6 +11,7 @@
  *     7   for any angle, round bodies, polygons, locks and groups: as 6, with those
  *     8   for the name and the colour of the first robot: as 7, with those
  *     9   for a task for a class, or what is handed in: as 8, with that
+ *     10  for heights of things: as 9, with those
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -49,7 +50,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 
 /** The oldest version that can say it all; `null`: one of the first two. */
 function versionFor(content: Content): keyof typeof laterVersions | null {
-  const { extras, myRobot, devices, starts, sharing, additions, firstRobot, carried } = content;
+  const { extras, myRobot, devices, starts, sharing, additions, firstRobot, carried, heights } = content;
+  if (heights.length > 0) return 10;
   if (carried !== '') return 9;
   if (firstRobot !== null) return 8;
   if (additions.length > 0) return 7;

@@ -1,6 +1,7 @@
 import { fnvOfBytes } from '#core/fnv';
 import { additionsOf } from '#scene/additions';
 import { tidied } from '#scene/groups';
+import { ownHeightOf } from '#scene/kinds/heights';
 import type { Scene, SceneObject, TaskRule } from '#scene/scene';
 
 import { constant, mapped, record, type Codec } from './codec';
@@ -20,6 +21,7 @@ import {
   additionsCodec,
   dictionary,
   firstRobotCodec,
+  heightsCodec,
   sceneCodec,
   sharedCodecs,
   sharingCodec,
@@ -28,6 +30,7 @@ import {
   type FirstRobot,
   type PathCodec,
   type PlacedAdditions,
+  type PlacedHeight,
   type PlacedStart,
   type SharedCodecs,
   type TaskExtras,
@@ -61,6 +64,8 @@ export interface Content {
   readonly firstRobot: FirstRobot | null;
   /** Task and hand-in as JSON, checked like a file's; empty before version 9, and without both. */
   readonly carried: string;
+  /** The heights that objects of a whole course have of their own; empty before version 10. */
+  readonly heights: readonly PlacedHeight[];
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -80,6 +85,7 @@ interface Parts {
   readonly additions?: (shared: SharedCodecs) => Codec<readonly PlacedAdditions[]>;
   readonly firstRobot?: (shared: SharedCodecs) => Codec<FirstRobot | null>;
   readonly carried?: (shared: SharedCodecs) => Codec<string>;
+  readonly heights?: (shared: SharedCodecs) => Codec<readonly PlacedHeight[]>;
 }
 
 /** Version 1: for columns that are deflated. */
@@ -101,6 +107,7 @@ const places: Parts = { ...several, starts: startsCodec, sharing: sharingCodec }
 const shapes: Parts = { ...places, additions: additionsCodec };
 const names: Parts = { ...shapes, firstRobot: firstRobotCodec };
 const forClass: Parts = { ...names, carried: jsonCodec };
+const heights: Parts = { ...forClass, heights: heightsCodec };
 
 /** The versions that add something to the first two, each to the one before. */
 export const laterVersions = {
@@ -111,6 +118,7 @@ export const laterVersions = {
   7: bothWays(shapes),
   8: bothWays(names),
   9: bothWays(forClass),
+  10: bothWays(heights),
 } as const;
 
 function bothWays(parts: Parts): Packing {
@@ -138,6 +146,7 @@ function contentCodec(paths: PathCodec, parts: Parts): ContentCodec {
     additions: parts.additions?.(shared) ?? constant([]),
     firstRobot: parts.firstRobot?.(shared) ?? constant(null),
     carried: parts.carried?.(shared) ?? constant(''),
+    heights: parts.heights?.(shared) ?? constant([]),
   });
   return { codec, columns: columns.used };
 }
@@ -201,11 +210,11 @@ function isUsual(settings: LinkSettings): boolean {
 /** A checksum of a course that later versions of links and of the course's file do not change. */
 export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
-  const { whole, starts, additions, firstRobot } = apart(scene);
+  const { whole, starts, additions, firstRobot, heights } = apart(scene);
   checkedScene.write(out, whole);
   const { figures, words } = out.bytes();
   const sum = fnvOfBytes(words, fnvOfBytes(figures));
-  const news = [starts, additions, firstRobot === null ? [] : [firstRobot]];
+  const news = [starts, additions, firstRobot === null ? [] : [firstRobot], heights];
   return news.reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
 }
 const fnvOfText = (part: readonly unknown[], sum: number): number =>
@@ -220,6 +229,7 @@ export interface Apart {
   readonly starts: readonly PlacedStart[];
   readonly additions: readonly PlacedAdditions[];
   readonly firstRobot: FirstRobot | null;
+  readonly heights: readonly PlacedHeight[];
 }
 
 /** Takes a course apart. */
@@ -234,17 +244,21 @@ export function apart(scene: Scene): Apart {
     const said = additionsOf(object);
     return Object.keys(said).length === 0 ? [] : [{ place, ...said }];
   });
+  const heights = objects.flatMap((object, place): PlacedHeight[] => {
+    const height = ownHeightOf(object);
+    return height === null ? [] : [{ place, height }];
+  });
   const { name = '', color = null, ...robot } = scene.robot;
   const firstRobot = name === '' && color === null ? null : { name, color };
   const whole = { ...scene, robot, objects: objects.filter(({ type }) => type !== 'start') };
-  return { whole, starts, additions, firstRobot };
+  return { whole, starts, additions, firstRobot, heights };
 }
 
 /** The course put together again; unchecked as long as its parts are. */
-export function putTogether({ whole, starts, additions, firstRobot }: Apart): Scene {
+export function putTogether({ whole, starts, additions, firstRobot, heights }: Apart): Scene {
   const objects: SceneObject[] = [...whole.objects];
   for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
-  for (const { place, ...said } of additions) {
+  for (const { place, ...said } of [...additions, ...heights]) {
     const object = objects[place];
     if (object) objects[place] = { ...object, ...said };
   }

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
-import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
+import { defaultScene, sceneDefaults, type Scene, type SceneObject } from '#scene/scene';
 
 import { ColumnWriter, type Bytes } from './columns';
 import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, projectOfLink, type ReadLink } from './link';
@@ -16,6 +16,7 @@ import {
   classProject,
   devicesProject,
   handedInProject,
+  heightsProject,
   shapesProject,
   startsProject,
   FORTY_LINES,
@@ -171,8 +172,8 @@ describe('a link that is not whole', () => {
   });
 
   it('asks to reload the page if it is of a newer version', () => {
-    const read = projectOfLink('#p=10.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 10; this app reads version 9. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=11.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 11; this app reads version 10. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -193,7 +194,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '' }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [] }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -247,6 +248,7 @@ describe('a link of version 1', () => {
       additions: [],
       firstRobot: null,
       carried: '',
+      heights: [],
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -496,6 +498,39 @@ describe('a link of version 9', () => {
   it('whose data is no object holds no project', () => {
     const project = { ...taskProject(), task: [] as unknown as Record<string, unknown> };
     expect(codeOf(projectOfLink(link(project), courses))).toBe('invalid');
+  });
+});
+
+describe('a link of version 10', () => {
+  const kept = keptLink(10);
+
+  it('opens with the heights of its things, each at its place', () => {
+    expect(projectIn(kept)).toEqual(heightsProject());
+  });
+
+  it('is still made so, and only for a course in which a thing has a height of its own', () => {
+    expect(link(heightsProject())).toBe(kept);
+    expect(link(shapesProject())).toBe(keptLink(7));
+  });
+
+  it('takes 20 letters more for thirty walls that are 30 mm high', () => {
+    const { scene, ...project } = taskProject();
+    const walls = Array.from({ length: 30 }, (_, index): SceneObject => {
+      const x = 30 * index;
+      return { type: 'wall', id: `wall-${String(index + 1)}`, from: [x, 100], to: [x, 300], thickness: 10 };
+    });
+    const of = (objects: readonly SceneObject[]): string => link({ ...project, scene: { ...scene, objects } });
+    const low = of(walls.map((wall) => ({ ...wall, height: 30 })));
+    expect(low).toMatch(/^p=10\./);
+    expect(low.length - of(walls).length).toBeLessThanOrEqual(20);
+  });
+
+  it('names a ready course with them, and tells where they were changed since', () => {
+    const { scene, ...project } = heightsProject();
+    const made = linkOf({ ...project, scene, course: 'low' }, { courses: () => scene, program: true });
+    expect(projectOfLink(made?.fragment ?? '', () => scene)).toMatchObject({ isCourseChanged: false });
+    const other = shapesProject().scene;
+    expect(projectOfLink(made?.fragment ?? '', () => other)).toMatchObject({ isCourseChanged: true });
   });
 });
 

@@ -5,7 +5,8 @@
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
  *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
  *                            that they share, 7 for any angle, round bodies, polygons, locks and groups, 8 for the
- *                            name and the colour of the first robot, 9 for a task for a class or what is handed in
+ *                            name and the colour of the first robot, 9 for a task for a class or what is handed in, 10 for
+ *                            heights of things
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -24,7 +25,7 @@ import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 9;
+export const LINK_VERSION = 10;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -124,7 +125,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, robots, ...extras } = scene.task;
-  const { whole, starts, additions, firstRobot } = apart(scene);
+  const { whole, starts, additions, firstRobot, heights } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
@@ -139,6 +140,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     additions: isReady ? [] : additions,
     firstRobot: isReady ? null : firstRobot,
     carried: task === undefined && handIn === undefined ? '' : JSON.stringify({ task, handIn }),
+    heights: isReady ? [] : heights,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -177,7 +179,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses, room: Roo
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9, 10] as const).find((one) => String(one) === version);
   const bytes = known === undefined ? null : unsealed(data);
   if (known === undefined || bytes === null) return damaged();
   const content = contentOfBytes({ version: known, bytes }, room);

@@ -13,7 +13,14 @@ import { deflatedBytes } from './link-bytes';
 import { deflatedContent } from './link-content';
 import type { Project } from '../project';
 import { mutatedBytes } from '../testing/mutate';
-import { classProject, fullProject, largeProject, shapesProject, startsProject } from '../testing/projects';
+import {
+  classProject,
+  fullProject,
+  heightsProject,
+  largeProject,
+  shapesProject,
+  startsProject,
+} from '../testing/projects';
 import { programOfLink } from '../webtigerpython/program-link';
 
 /** Only against an endless loop. */
@@ -32,7 +39,7 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '' }; // prettier-ignore
+  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [] }; // prettier-ignore
   deflatedContent.codec.write(out, content);
   return out.bytes();
 }
@@ -44,11 +51,12 @@ function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
   return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
 }
 
-/** The same for versions 2, 6, 7 and 9: from the changed place on, the model misinterprets every bit. */
+/** The same for versions 2, 6, 7, 9 and 10: from the changed place on, the model misinterprets every bit. */
 function forgedModel(link: string, rng: Rng): string {
-  const bytes = fromBase64Url(link.slice(4)) ?? new Uint8Array();
+  const [version = '', data = ''] = link.slice(2).split('.');
+  const bytes = fromBase64Url(data) ?? new Uint8Array();
   return linkOfBytes({
-    version: link.startsWith('p=9') ? 9 : link.startsWith('p=7') ? 7 : link.startsWith('p=6') ? 6 : 2,
+    version: ([2, 6, 7, 9, 10] as const).find((known) => String(known) === version) ?? 2,
     bytes: mutatedBytes(bytes.subarray(4), rng),
   });
 }
@@ -57,7 +65,14 @@ describe('randomly changed links', () => {
   it(
     `open as a valid project or give a message, never an exception (${String(fuzzRuns)} links)`,
     () => {
-      const projects = [fullProject(), drawingProject(), startsProject(), shapesProject(), classProject()];
+      const projects = [
+        fullProject(),
+        drawingProject(),
+        startsProject(),
+        shapesProject(),
+        classProject(),
+        heightsProject(),
+      ];
       const links = projects.map(linkFor);
       const columns = projects.slice(0, 2).map(columnsOf);
       const codes = new Map<string, number>();

@@ -1,6 +1,7 @@
 /** Projects that tests pack, mutate and read again. */
 import { createRng, type Rng } from '#core/rng';
 import type { MyRobot } from '#my-robot/my-robot';
+import { isStanding } from '#scene/kinds/heights';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 
 import { anyHardware, defaultProjectSettings, type Project } from '../project';
@@ -270,6 +271,16 @@ export function devicesProject(): Project {
       ],
     },
   };
+}
+
+/** The project of `shapesProject` in whose course every other thing that stands has a height of its own. */
+export function heightsProject(): Project {
+  const { scene, ...project } = shapesProject();
+  const heights = [30, 5, 1000];
+  const objects = scene.objects.map((object, index) =>
+    isStanding(object) && index % 2 === 0 ? { ...object, height: heights[(index / 2) % 3] ?? 0 } : object,
+  );
+  return { ...project, scene: { ...scene, objects } };
 }
 
 /** A project with the data of a task for a class, and one that is handed in. */
