@@ -20,18 +20,26 @@ const names = (...ids: readonly string[]): readonly string[] =>
 
 describe('fields of several things', () => {
   it('are those that all have, without their places; it is told where the values differ', () => {
-    expect(names('w', 'v')).toEqual(['thickness differs']);
-    expect(names('b', 'm')).toEqual(['shape', 'width', 'height', 'turn']);
-    expect(names('t', 'c')).toEqual(['shape', 'width differs', 'height differs', 'turn']);
-    expect(names('w', 'b')).toEqual([]);
+    expect(names('w', 'v')).toEqual(['thickness differs', 'height']);
+    expect(names('b', 'm')).toEqual(['shape', 'length', 'breadth', 'turn', 'height differs']);
+    expect(names('t', 'c')).toEqual(['shape', 'length differs', 'breadth differs', 'turn']);
+    expect(names('w', 'b')).toEqual(['height differs']);
+    expect(names('w', 's')).toEqual([]);
     expect(names('w')).toEqual([]);
   });
 
   it('are changed in all of them by one edit', () => {
     const edit = withCommonField(scene, of('w', 'v', 's'), 'thickness', 20);
     expect(edit).toEqual({ type: 'replace', changes: [{ id: 'w', by: [{ ...scene.objects[0], thickness: 20 }] }] });
-    const wide = withCommonField(scene, of('b', 'm'), 'width', 80)!;
+    const wide = withCommonField(scene, of('b', 'm'), 'length', 80)!;
     expect(applyEdit(scene, wide).objects.slice(2, 4)).toMatchObject([{ size: [80, 50] }, { size: [80, 50] }]);
     expect(withCommonField(scene, of('w', 'v'), 'thickness', Number.NaN)).toBeNull();
+  });
+
+  it('make all as high as each other, whatever they are; what is usual for one of them is left out there', () => {
+    const edit = withCommonField(scene, of('w', 'b', 'm'), 'height', 60)!;
+    const [wall, , block, mover] = applyEdit(scene, edit).objects;
+    expect([wall, mover]).toMatchObject([{ height: 60 }, { height: 60 }]);
+    expect(block).toEqual(scene.objects[2]);
   });
 });

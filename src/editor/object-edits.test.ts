@@ -32,7 +32,7 @@ const first = (...args: Parameters<typeof changed>): SceneObject | undefined => 
 describe('changing an object by numbers', () => {
   it('moves a block, sizes it and turns it by degrees', () => {
     expect(first(block('b', [300, 300]), 'x', 412)).toEqual(block('b', [412, 300]));
-    expect(first(block('b', [300, 300]), 'height', 80)).toMatchObject({ size: [50, 80] });
+    expect(first(block('b', [300, 300]), 'breadth', 80)).toMatchObject({ size: [50, 80] });
     expect(first(block('b', [300, 300]), 'turn', 135)).toEqual(block('b', [300, 300], 3));
   });
 
@@ -54,10 +54,23 @@ describe('changing an object by numbers', () => {
     expect(first(mover('m', [100, 100], [300, 100]), 'spiked', true)).toMatchObject({ spiked: true });
   });
 
+  it('makes what stands lower or higher; the usual height of its kind is left out, and nothing that lies flat has one', () => {
+    expect(first(wall('w', [0, 0], [200, 0]), 'height', 30)).toEqual({ ...wall('w', [0, 0], [200, 0]), height: 30 });
+    expect(first({ ...wall('w', [0, 0], [200, 0]), height: 30 } as SceneObject, 'height', 250)).toEqual(
+      wall('w', [0, 0], [200, 0]),
+    );
+    expect(first(block('b', [300, 300]), 'height', 1)).toMatchObject({ height: 5 });
+    expect(first(mover('m', [100, 100], [300, 100]), 'height', 60)).toMatchObject({ height: 60 });
+    expect(changed(block('b', [300, 300]), 'height', 60)).toBeNull();
+    expect(changed(target('t', [300, 300]), 'height', 60)).toBeNull();
+    const low = { ...block('b', [300, 300]), height: 30 } as SceneObject;
+    expect(first(low, 'type', 'spikes')).toMatchObject({ type: 'spikes', height: 30 });
+  });
+
   it('rounds, keeps within what a course may hold, and refuses what is no number', () => {
     expect(first(block('b', [300, 300]), 'x', 99.6)).toEqual(block('b', [100, 300]));
-    expect(first(block('b', [300, 300]), 'width', -5)).toMatchObject({ size: [5, 50] });
-    expect(first(block('b', [300, 300]), 'width', 1e9)).toMatchObject({ size: [5000, 50] });
+    expect(first(block('b', [300, 300]), 'length', -5)).toMatchObject({ size: [5, 50] });
+    expect(first(block('b', [300, 300]), 'length', 1e9)).toMatchObject({ size: [5000, 50] });
     expect(changed(block('b', [300, 300]), 'x', NaN)).toBeNull();
     expect(changed(block('b', [300, 300]), 'x', '12')).toBeNull();
     expect(changed(block('b', [300, 300]), 'x', 300)).toBeNull();

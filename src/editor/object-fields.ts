@@ -10,17 +10,22 @@ import {
   type SceneObject,
   type StrokeColor,
 } from '#scene/scene';
+import { heightOf, withHeight, type StandingObject } from '#scene/kinds/heights';
 import type { MoverWay } from '#scene/kinds/mover-way';
 import type { ShapeName } from '#scene/shape/shape';
 import { within } from './plane';
 
-/** A number of an object that can be typed in. `x` and `y`: its place, of a line its start; `endX`, `endY`: its end. */
+/**
+ * A number of an object that can be typed in. `x` and `y`: its place, of a line its start; `endX`, `endY`: its end. `length` and
+ * `breadth`: its extent from above; `height`: its top above the floor.
+ */
 export type NumberName =
   | 'x'
   | 'y'
   | 'endX'
   | 'endY'
-  | 'width'
+  | 'length'
+  | 'breadth'
   | 'height'
   | 'turn'
   | 'thickness'
@@ -100,6 +105,10 @@ export const lengthField = <T>(
   step: number,
   withValue: (mm: number) => T | null,
 ): Field<T> => ({ kind: 'number', name, value, ...range, step, unit: 'mm', with: withValue });
+
+/** The field of the top of a thing above the floor; the usual height of its kind is left out again. */
+export const heightField = <O extends StandingObject>(object: O): Field<O> =>
+  lengthField('height', heightOf(object), sceneLimits.heightMm, 5, (mm) => withHeight(object, mm));
 
 /** A field for how many, or which one. */
 export const countField = <T>(

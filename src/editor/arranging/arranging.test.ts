@@ -142,4 +142,13 @@ describe('the same size', () => {
     expect(done(scene, sizedAlike(scene, of(['w', 'v']))).objects[3]).toEqual(wall('v', [500, 100], [800, 100]));
     expect(sizedAlike(scene, of(['a']))).toBeNull();
   });
+
+  it('is also its height, if it has one of its own', () => {
+    const low = { ...sized('a', [100, 100], [30, 40]), height: 30 } as SceneObject;
+    const scene = course(low, block('b', [300, 100]), target('t', [600, 600]), { ...wall('w', [500, 100], [500, 400]), height: 20 } as SceneObject, wall('v', [600, 100], [600, 400])); // prettier-ignore
+    const alike = done(scene, sizedAlike(scene, of(['a', 'b', 't']))).objects;
+    expect(alike[1]).toMatchObject({ size: [30, 40], height: 30 });
+    expect('height' in (alike[2] ?? {})).toBe(false);
+    expect(done(scene, sizedAlike(scene, of(['v', 'w']))).objects[3]).toEqual(wall('w', [500, 100], [500, 400]));
+  });
 });

@@ -1,5 +1,6 @@
+import { heightProperty } from '#scene/kinds/heights';
 import type { Block, Spikes } from '#scene/scene';
-import { typeField } from '../object-fields';
+import { heightField, typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
 import type { EditorKind } from './kind';
 import { shapeNames } from '#scene/shape/shape';
@@ -15,10 +16,12 @@ const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => 
     typeField(box.type, boxKinds, (type) => ({ ...box, type })),
     shapeField(box, shapeNames, (bare, shape) => ({ ...bare, ...bodyShape(shape) })),
     ...boxFields(box),
+    heightField(box),
   ],
-  made: (id, at, _scene, { blockSize, blockShape }) => ({
+  made: (id, at, _scene, { blockSize, blockShape, blockHeight }) => ({
     ...{ type, id, at, size: blockSize, angle: 0 },
     ...bodyShape(blockShape),
+    ...heightProperty(type, blockHeight),
   }),
 });
 

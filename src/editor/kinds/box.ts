@@ -69,8 +69,8 @@ export const boxFields = <O extends BoxObject & SceneObject>(
   move: (box: O, dx: number, dy: number) => O = placed.moved,
 ): readonly Field<O>[] => [
   ...placeFields(box, box.at, move),
-  lengthField('width', box.size[0], sceneLimits.blockMm, 10, (mm) => ({ ...box, size: [mm, box.size[1]] })),
-  lengthField('height', box.size[1], sceneLimits.blockMm, 10, (mm) => ({ ...box, size: [box.size[0], mm] })),
+  lengthField('length', box.size[0], sceneLimits.blockMm, 10, (mm) => ({ ...box, size: [mm, box.size[1]] })),
+  lengthField('breadth', box.size[1], sceneLimits.blockMm, 10, (mm) => ({ ...box, size: [box.size[0], mm] })),
   turnField(box),
 ];
 

@@ -1,8 +1,9 @@
 import { isSame } from '#core/same';
+import { heightProperty } from '#scene/kinds/heights';
 import { moverWays, stopsOf, wayOf, withPlaces, withStops, type MoverWay } from '#scene/kinds/mover-way';
 import { sceneLimits, type Mover, type Point } from '#scene/scene';
 import { endOf } from '../drag';
-import type { Field } from '../object-fields';
+import { heightField, type Field } from '../object-fields';
 import { distanceMm, toPoint } from '../plane';
 import type { Handle } from '../tools/tool';
 import { boxed, boxFields } from './box';
@@ -50,6 +51,7 @@ export const mover: EditorKind<Mover> = {
   withoutPoint: withoutStop,
   fields: (mover) => [
     ...boxFields(mover, moved),
+    heightField(mover),
     {
       ...{ kind: 'choice', name: 'way', value: wayOf(mover), choices: moverWays },
       with: (way: MoverWay, scene) => withWay(mover, way, scene),
@@ -66,10 +68,12 @@ export const mover: EditorKind<Mover> = {
     },
     { kind: 'switch', name: 'spiked', value: mover.spiked, with: (spiked: boolean) => ({ ...mover, spiked }) },
   ],
-  made(id, at, scene, { blockSize, moverSpeed, moverSpiked, moverWay, moverWait, moverSpin, blockShape }) {
+  made(id, at, scene, options) {
+    const { blockSize, blockShape, blockHeight, moverSpeed, moverSpiked, moverWay, moverWait, moverSpin } = options;
     const plain: Mover = {
       ...{ type: 'mover', id, at, to: at, size: blockSize, angle: 0, speed: moverSpeed, spiked: moverSpiked },
       ...roundOf(blockShape),
+      ...heightProperty('mover', blockHeight),
     };
     const mover = withWay(withSpin(plain, moverSpin), moverWay, scene);
     return travels(mover) ? withStops(mover, stopsOf(mover).map((stop) => ({ ...stop, wait: moverWait }))) : mover; // prettier-ignore

@@ -1,11 +1,13 @@
 import { isSame } from '#core/same';
 import { wallOutline } from '#scene/kinds/wall';
+import { heightProperty } from '#scene/kinds/heights';
 import { sceneLimits, type Wall } from '#scene/scene';
-import { endFields, lengthField } from '../object-fields';
+import { endFields, heightField, lengthField } from '../object-fields';
 import { distanceMm, middleBetween, minus, toVec } from '../plane';
 import { otherWalls, snappedTo } from '../snap';
 import { hitWithin, mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { lineHandles, turnedEnds } from './line';
+import type { ToolOptions } from '../tools/tool';
 
 /** Length of a wall that is added without a pointer, in mm. Chosen: a cell of a maze and a bit. */
 const NEW_MM = 200;
@@ -37,11 +39,19 @@ export const wall: EditorKind<Wall> = {
   fields: (wall) => [
     ...endFields(wall.from, wall.to, (from, to) => withEnds(wall, from, to)),
     lengthField('thickness', wall.thickness, sceneLimits.thicknessMm, 1, (thickness) => ({ ...wall, thickness })),
+    heightField(wall),
   ],
-  made: (id, [x, y], _scene, { wallThickness }) => ({
-    ...{ type: 'wall', id, from: [x - NEW_MM / 2, y], to: [x + NEW_MM / 2, y], thickness: wallThickness },
+  made: (id, [x, y], _scene, options) => ({
+    ...{ type: 'wall', id, from: [x - NEW_MM / 2, y], to: [x + NEW_MM / 2, y] },
+    ...newWallLook(options),
   }),
 };
+
+/** Thickness and height of the walls that the tools draw. */
+export const newWallLook = ({ wallThickness, wallHeight }: ToolOptions): Pick<Wall, 'thickness' | 'height'> => ({
+  thickness: wallThickness,
+  ...heightProperty('wall', wallHeight),
+});
 
 const withEnds = (wall: Wall, from: Wall['from'], to: Wall['to']): Wall | null =>
   isSame(from, to) ? null : { ...wall, from, to };

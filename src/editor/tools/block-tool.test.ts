@@ -31,6 +31,14 @@ describe('block', () => {
     expect(put(freely(drag([303, 298])))).toMatchObject([{ at: [303, 298] }]);
   });
 
+  it('is as high as the tool is set to, whatever it is; what is usual for its kind is left out', () => {
+    for (const block of ['block', 'fixed-block', 'spikes', 'mover'] as const) {
+      expect(put(drag([300, 300]), { block, blockHeight: 30 })).toMatchObject([{ type: block, height: 30 }]);
+      expect('height' in (put(drag([300, 300]), { block })[0] ?? {})).toBe(false);
+    }
+    expect('height' in (put(drag([300, 300]), { block: 'spikes', blockHeight: 50 })[0] ?? {})).toBe(false);
+  });
+
   it('may be fixed or have spikes', () => {
     expect(put(drag([300, 300]), { block: 'fixed-block' })).toMatchObject([
       { type: 'fixed-block', id: 'fixed-block-1' },

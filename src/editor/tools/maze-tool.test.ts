@@ -38,6 +38,16 @@ describe('maze', () => {
     expect(walls(after(between, [370, 300]))).toEqual([['a', [145, 300], [605, 300]]]);
   });
 
+  it('builds walls as high as the tool for walls is set to, and joins them with such alone', () => {
+    const low = (scene: Scene): Scene =>
+      used(mazeTool, drag([370, 300]), contextOf(scene, { ...OPTIONS, wallHeight: 30 }));
+    expect(low(course(level)).objects).toMatchObject([{ id: 'a' }, { id: 'wall-1', height: 30 }]);
+    const { objects } = low(course({ ...level, height: 30 } as typeof level));
+    expect(objects).toEqual([{ ...wall('a', [145, 300], [455, 300]), height: 30 }]);
+    const said = { ...level, height: 250 } as typeof level;
+    expect(walls(after(course(said), [370, 300]))).toEqual([['a', [145, 300], [455, 300]]]);
+  });
+
   it('leaves walls apart that meet at a corner or are of another thickness', () => {
     expect(walls(after(course(level), [300, 370]))).toEqual([
       ['a', [145, 300], [305, 300]],

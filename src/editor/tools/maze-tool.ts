@@ -1,9 +1,11 @@
 import type { Vec } from '#core/geometry';
 import type { Replacement, SceneEdit } from '#scene/edit';
+import { heightOf } from '#scene/kinds/heights';
 import type { Point, Scene, Wall } from '#scene/scene';
 import { endOf, isTap, startOf } from '../drag';
 import { combined, replacing, roomIn } from '../edits';
 import { freeIds, type IdSource } from '../ids';
+import { newWallLook } from '../kinds/wall';
 import {
   edgeAlong,
   endsOf,
@@ -38,7 +40,7 @@ export const mazeTool: Tool = {
     if (!first) return null;
     const cellMm = cellOf(options);
     const erases = isTaken(spanOf(first, cellMm, scene.size), wallsOn(scene, first, cellMm));
-    return erases ? taken(scene, edges, cellMm) : built(scene, edges, cellMm, options.wallThickness);
+    return erases ? taken(scene, edges, cellMm) : built(scene, edges, cellMm, newWallLook(options));
   },
   marks(drag, context, isDown): readonly Mark[] {
     const { scene, options } = context;
@@ -131,7 +133,7 @@ function byLine(edges: readonly GridEdge[]): readonly (readonly [GridEdge, ...Gr
 }
 
 /** Puts walls on edges; what is in line with its neighbour becomes one wall. */
-function built(scene: Scene, edges: readonly GridEdge[], cellMm: number, thickness: number): SceneEdit | null {
+function built(scene: Scene, edges: readonly GridEdge[], cellMm: number, look: WallLook): SceneEdit | null {
   const freeId = freeIds(scene);
   const walls: Wall[] = [];
   const changes: Replacement[] = [];
@@ -140,24 +142,30 @@ function built(scene: Scene, edges: readonly GridEdge[], cellMm: number, thickne
     const there = wallsOn(scene, edge, cellMm);
     const at = edge.line * cellMm;
     const length = edge.along === 'x' ? scene.size[0] : scene.size[1];
-    const out = overhangMm(thickness);
+    const out = overhangMm(look.thickness);
     const added = line
       .map((one) => spanOf(one, cellMm, scene.size))
       .filter((span) => !isTaken(span, there))
       .map(({ from, to }) => ({ from: Math.max(0, from - out), to: Math.min(length, to + out) }));
     // Only free walls that fit exactly can go on as one.
-    const alike = there.filter(({ wall }) => !wall.lock && wall.thickness === thickness && liesAt(wall, edge, at));
+    const alike = there.filter(({ wall }) => !wall.lock && looksSo(wall, look) && liesAt(wall, edge, at));
     for (const { span, joins } of joinedSpans(added, alike)) {
       const ends = wallEndsAlong(edge, at, span);
       const [first, ...rest] = joins;
       if (first) changes.push({ id: first.wall.id, by: [{ ...first.wall, ...ends }] });
-      else walls.push({ type: 'wall', id: freeId('wall'), ...ends, thickness });
+      else walls.push({ type: 'wall', id: freeId('wall'), ...ends, ...look });
       changes.push(...rest.map(({ wall }) => ({ id: wall.id, by: [] })));
     }
   }
   if (walls.length > roomIn(scene).objects) return null;
   return combined([replacing(changes), walls.length === 0 ? null : { type: 'add', objects: walls }]);
 }
+
+type WallLook = Pick<Wall, 'thickness' | 'height'>;
+
+const looksSo = (wall: Wall, { thickness, height }: WallLook): boolean =>
+  wall.thickness === thickness &&
+  heightOf(wall) === heightOf({ type: 'wall', ...(height !== undefined && { height }) });
 
 const liesAt = ({ from, to }: Wall, { along }: GridEdge, at: number): boolean =>
   along === 'x' ? from[1] === at && to[1] === at : from[0] === at && to[0] === at;

@@ -11,12 +11,14 @@ export const usualToolOptions: ToolOptions = {
   block: 'block',
   blockShape: 'rectangle',
   blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it
+  blockHeight: null,
   moverWay: 'to-and-fro',
   moverSpeed: sceneDefaults.speed,
   moverWait: 0,
   moverSpin: 0,
   moverSpiked: sceneDefaults.spiked,
   wallThickness: sceneDefaults.thickness,
+  wallHeight: null,
   wallSnaps: true,
   mazeCell: 150, // chosen: all robots turn round in it, and the usual arena is 8 × 6 such cells
   zone: 'target',
@@ -44,6 +46,7 @@ export const toolOptionRanges = {
   moverWait: { ...sceneLimits.waitSeconds, step: 0.5 },
   moverSpin: { ...sceneLimits.spinDegS, step: 15 },
   wallThickness: { ...sceneLimits.thicknessMm, step: 1 },
+  height: { ...sceneLimits.heightMm, step: 5 },
   mazeCell: { min: 50, max: 1000, step: 10 },
   zoneBlocks: { ...sceneLimits.blocks, step: 1 },
   labelHeight: { ...sceneLimits.labelMm, step: 5 },

@@ -64,6 +64,8 @@ export interface ToolOptions {
   /** Movers are no polygons: they are rectangles then. */
   readonly blockShape: ShapeName;
   readonly blockSize: Point;
+  /** Height of a new block, fixed block, mover or of new spikes, in mm; `null`: usual for its kind. */
+  readonly blockHeight: number | null;
   /** The movement of a new mover. */
   readonly moverWay: MoverWay;
   readonly moverSpeed: number;
@@ -73,6 +75,8 @@ export interface ToolOptions {
   readonly moverSpin: number;
   readonly moverSpiked: boolean;
   readonly wallThickness: number;
+  /** In mm; `null`: the usual one. */
+  readonly wallHeight: number | null;
   /** Walls snap to 45° and to ends of other walls. */
   readonly wallSnaps: boolean;
   /** Side of a cell of the maze's grid in mm. */

@@ -20,6 +20,12 @@ describe('wall', () => {
     ).toEqual([{ type: 'wall', id: 'wall-1', from: [100, 100], to: [400, 100], thickness: 16 }]);
   });
 
+  it('is as high as the tool is set to; a usual height is left out', () => {
+    const path = [[100, 100], [400, 100]] as const; // prettier-ignore
+    expect(drawn(path, course(), { wallHeight: 30 })).toMatchObject([{ height: 30 }]);
+    expect(drawn(path, course(), { wallHeight: 250 })).toEqual([wall('wall-1', ...path)]);
+  });
+
   it('lies level when it is drawn 10° askew', () => {
     expect(
       drawn([

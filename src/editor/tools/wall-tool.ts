@@ -2,6 +2,7 @@ import type { Point } from '#scene/scene';
 import { endOf, isTap, startOf } from '../drag';
 import { adding } from '../edits';
 import { freeIds } from '../ids';
+import { newWallLook } from '../kinds/wall';
 import { chainMarks, chainOf, type Chain } from '../lines/corners';
 import { distanceMm, toVec } from '../plane';
 import { isInArena, snapMarks, snappedLine, wallAttractors, type SnappedLine } from '../snap';
@@ -20,7 +21,7 @@ export const wallTool: Tool = {
     const idOf = freeIds(scene);
     const walls = sidesOf(drag, context)
       .filter(([from, to]) => distanceMm(toVec(from), toVec(to)) >= SHORTEST_MM)
-      .map(([from, to]) => ({ type: 'wall', id: idOf('wall'), from, to, thickness: options.wallThickness }) as const);
+      .map(([from, to]) => ({ type: 'wall', id: idOf('wall'), from, to, ...newWallLook(options) }) as const);
     return adding(scene, walls);
   },
   goesOn: (drag, context) => (isOneWall(drag) ? false : !wallChain(drag, context).isDone),

@@ -26,3 +26,9 @@ export const ownHeightOf = (object: SceneObject): number | null =>
 /** The property that makes a thing so high, in mm; `null` or the usual height of its kind: left out. */
 export const heightProperty = (type: StandingObject['type'], mm: number | null): Pick<StandingObject, 'height'> =>
   mm === null || mm === usualHeights[type] ? {} : { height: mm };
+
+/** A thing with another height, in mm; `null`: with the usual one of its kind. */
+export function withHeight<O extends StandingObject>(object: O, mm: number | null): O {
+  const { height: _height, ...rest } = object;
+  return { ...rest, ...heightProperty(object.type, mm) } as O; // only its height is another
+}
