@@ -31,6 +31,9 @@ async function openCard(name: string): Promise<void> {
   await vi.waitFor(() => expect(document.querySelector('.card')).not.toBeNull());
 }
 
+/** The text of a field. */
+const shownIn = (name: string): string => (named(name, 'input') as HTMLInputElement).value;
+
 /** Picks an entry of an open card, or one of the buttons in a row. */
 async function pick(name: string): Promise<void> {
   const all = [...document.querySelectorAll<HTMLElement>('[role="radio"]')];
@@ -169,11 +172,28 @@ describe('the options of a tool', () => {
     expect(set().blockSize).toEqual([125, 5]);
   });
 
+  it('set how high a block is, in cm; what is usual for its kind is shown and need not be said', async () => {
+    const { set, mounted } = await optionsOf('block');
+    const open = () => openCard(mounted.get('[aria-label^="Grösse: "]').attributes('aria-label')!);
+    await open();
+    expect(shownIn('Höhe')).toBe('6');
+    await fill('Höhe', '3');
+    expect(set().blockHeight).toBe(30);
+    await fill('Höhe', '6');
+    expect(set().blockHeight).toBeNull();
+    await fill('Höhe', '0.1');
+    expect(set().blockHeight).toBe(5);
+  });
+
   it('set how thick a wall is', async () => {
     const { set } = await optionsOf('wall');
     await openCard('Dicke: 10 mm dick');
     await pick('20 mm dick');
     expect(set().wallThickness).toBe(20);
+    await openCard('Dicke: 20 mm dick');
+    expect(shownIn('Höhe')).toBe('250');
+    await fill('Höhe', '35');
+    expect(set().wallHeight).toBe(35);
   });
 
   it('set how large the cells of a maze are', async () => {

@@ -245,14 +245,15 @@ describe('the list of objects', () => {
 
   it('tells of each thing where it is, what it looks like and what it wants', async () => {
     const wanting = { ...samples.target, blocks: 2, angle: 45 } as const;
-    const { mounted } = await list([samples.stroke, samples.wall, wanting, samples.mover, samples.block]);
+    const low = { ...samples.block, height: 30, angle: 15 } as const;
+    const { mounted } = await list([samples.stroke, samples.wall, wanting, samples.mover, low]);
     const told = mounted.findAll('li .num').map((it) => it.text());
     expect(told.slice(1)).toEqual([
       'von 10 | 80 bis 30 | 80 cm · Schwarz, 20 mm breit',
       'von 10 | 10 bis 30 | 10 cm · 10 mm dick',
       '15 × 15 cm bei 90 | 70 cm · So viele Blöcke müssen hinein: 2, Gedreht 45°',
       '90 | 40 ↔ 110 | 40 cm · 10 cm/s',
-      '5 × 5 cm bei 40 | 20 cm',
+      '5 × 5 cm bei 40 | 20 cm · 30 mm hoch, Gedreht 15°',
     ]);
   });
 

@@ -1,3 +1,4 @@
+import { ownHeightOf } from '#scene/kinds/heights';
 import type { SceneObject } from '#scene/scene';
 
 import { shownLanguage, t } from '../../../kit/i18n';
@@ -11,7 +12,9 @@ const words = editingWords.options;
 export function lookText(object: SceneObject): string {
   const angle = 'angle' in object ? object.angle : 0;
   const turned = angle === 0 ? [] : [`${t(editingWords.fields.turn)} ${numberText(angle, shownLanguage())}°`];
-  return [...looksOf(object), ...turned].join(', ');
+  const height = ownHeightOf(object);
+  const high = height === null ? [] : [t(words.heightMm, { mm: height })];
+  return [...looksOf(object), ...high, ...turned].join(', ');
 }
 
 function looksOf(object: SceneObject): readonly string[] {
