@@ -23,6 +23,15 @@ export const isStanding = (object: SceneObject): object is StandingObject => obj
 export const ownHeightOf = (object: SceneObject): number | null =>
   isStanding(object) ? (object.height ?? null) : null;
 
+/** A thing is low if its own height is less than this, in mm. Chosen: the highest eye of a robot, a lidar's, looks over it. */
+const LOW_MM = 100;
+
+/** True if an object was made so low that some sensors look over it. */
+export function isLowThing(object: SceneObject): boolean {
+  const height = ownHeightOf(object);
+  return height !== null && height < LOW_MM;
+}
+
 /** The property that makes a thing so high, in mm; `null` or the usual height of its kind: left out. */
 export const heightProperty = (type: StandingObject['type'], mm: number | null): Pick<StandingObject, 'height'> =>
   mm === null || mm === usualHeights[type] ? {} : { height: mm };
