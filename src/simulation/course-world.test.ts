@@ -1,8 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { exactTan } from '#core/exact-math';
 import { createRng, type Rng } from '#core/rng';
+import { SR04_CONE } from '#robots/sonar';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { editProblem } from '#scene/check-edit';
 import { defaultScene, strokeColors, type Point, type Scene, type SceneObject } from '#scene/scene';
+import type { DepthView } from '#world/probes/depth-grid';
 import { hashOf, testChassis } from '#world/testing/rig';
 import { movableIds } from './at-once';
 import { CourseWorld } from './course-world';
@@ -95,5 +98,56 @@ describe('a world that follows its course through random edits', { timeout: 60_0
       expect(numbers[i + 1]).toBeGreaterThan(-100);
       expect(numbers[i + 1]).toBeLessThan(1000);
     }
+  });
+});
+
+describe('heights of things', () => {
+  const TANGENTS = [26.25, 18.75, 11.25, 3.75, -3.75, -11.25, -18.75, -26.25].map((deg) => exactTan((deg * Math.PI) / 180)); // prettier-ignore
+  /** A lens 104 mm above the floor that looks straight ahead, in one column of eight rows. */
+  const LENS: DepthView = { heightMm: 104, columns: [0], rows: TANGENTS, rangeMm: 400, leastFloorSlope: 0.1 };
+  const box = { id: 'it', at: [350, 450] as Point, size: [100, 100] as Point, angle: 0 };
+  /** One of each kind, with its near side 300 mm from the left edge. */
+  const things: readonly SceneObject[] = [
+    { type: 'wall', id: 'it', from: [305, 200], to: [305, 700], thickness: 10 },
+    { ...box, type: 'block' },
+    { ...box, type: 'fixed-block' },
+    { ...box, type: 'spikes' },
+    { ...box, type: 'mover', to: box.at, speed: 100, spiked: false },
+  ];
+  const courseOf = (object: SceneObject): Scene => ({ ...defaultScene(), objects: [object] });
+  const cone = { ...SR04_CONE, rangeMm: 400 };
+  const heard = ({ world }: CourseWorld): number => world.distanceCone({ x: 100, y: 450 }, 0, cone).distanceMm;
+  const seen = ({ world }: CourseWorld): readonly string[] =>
+    world
+      .depthGrid({ x: 100, y: 450 }, 0, LENS)
+      .map(({ depthMm, isFloor }) => `${String(Math.round(depthMm))}${isFloor ? ' floor' : ''}`);
+
+  it.each(things)('let an ultrasonic sensor miss a low $type, which a depth grid sees in its lower rows', (thing) => {
+    expect(heard(new CourseWorld(courseOf(thing)))).toBeCloseTo(200, 9);
+    const low = new CourseWorld(courseOf({ ...thing, height: 30 } as SceneObject));
+    expect(heard(low)).toBe(Infinity);
+    // The row at −18.75° comes down to 36 mm at the front, and to the top of what is 100 mm deep at 218 mm.
+    const isDeep = thing.type !== 'wall';
+    const rows = [...Array<string>(6).fill('Infinity'), isDeep ? '218' : '306 floor', '200'];
+    expect(seen(low)).toEqual(rows);
+    expect(heard(new CourseWorld(courseOf({ ...thing, height: 40 } as SceneObject)))).toBeCloseTo(200, 9);
+  });
+
+  it('change with a block while a run goes on, with all else at the next start', () => {
+    for (const thing of things) {
+      const arena = new CourseWorld(courseOf(thing));
+      arena.take(courseOf({ ...thing, height: 30 } as SceneObject));
+      expect(heard(arena)).toBe(thing.type === 'block' ? Infinity : heard(new CourseWorld(courseOf(thing))));
+      arena.take(courseOf(thing));
+      expect(heard(arena)).toBeCloseTo(200, 9);
+    }
+  });
+
+  it('are no help to a robot: it runs into a wall of 5 mm as into any other', () => {
+    const arena = new CourseWorld(courseOf({ ...things[0], height: 5 } as SceneObject));
+    const robot = arena.world.addChassis(testChassis(), { xMm: 150, yMm: 450, headingRad: 0 });
+    for (const wheel of [0, 1]) robot.setDuty(wheel, 0.8);
+    for (let step = 0; step < 500; step++) arena.world.step();
+    expect(robot.pose().xMm).toBeLessThan(300 - 59 + 1);
   });
 });
