@@ -46,6 +46,15 @@ describe('a walk through the course in words', () => {
     expect(walk([at(600, 452, 1)], 2)[1]).toBe('Kontrollpunkt 1, 10 mal 10 cm: genau hier.');
   });
 
+  it('tells the height of what was made lower or higher than usual', () => {
+    expect(walk([{ ...samples.block, at: [500, 800], height: 28 }], 2)[1]).toBe(
+      'Block 1, 5 mal 5 cm, 2.8 cm hoch: 35 cm weiter vorn, 10 cm links.',
+    );
+    expect(walk([{ ...samples.wall, height: 1000 }], 2)[1]).toBe(
+      'Wand 1, 20 cm lang, 100 cm hoch; am nächsten 35 cm weiter hinten, 30 cm links.',
+    );
+  });
+
   it('goes to checkpoints by their numbers first, then targets, lines, walls, blocks and the rest', () => {
     const all = Object.values(samples).filter(({ type }) => type !== 'checkpoint');
     const names = walk([...all, at(100, 100, 3), at(200, 100, 1)], 13).map((words) => words.split(/[,:;]/)[0]);

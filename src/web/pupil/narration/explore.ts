@@ -1,11 +1,13 @@
 import type { Pose, Vec } from '#core/geometry';
+import { ownHeightOf } from '#scene/kinds/heights';
 import type { Scene, SceneObject } from '#scene/scene';
 import { lengthOf, type Outline } from '#scene/outline';
 
 import kindNames from '../../course/editor/words/kinds';
 import { namesOf } from '../../course/editor/words/object-words';
 import { valueText } from '../../course/editor/words/value-text';
-import { t } from '../../kit/i18n';
+import { shownLanguage, t } from '../../kit/i18n';
+import { numberText } from '../../kit/i18n/number-text';
 import { metAlong } from './met-along';
 import narrationWords from './words';
 import { poseText } from './sentences';
@@ -75,7 +77,7 @@ function tellAll(asked: Asked): Told {
   return { words: `${placeText(asked)} ${count === 0 ? t(words.none) : things}`, atMm: originOf(asked) };
 }
 
-/** Describes a thing: its name, its size and its place. */
+/** Describes a thing: its name, its size, its height if it is no usual one, and its place. */
 function tellThing(object: SceneObject, asked: Asked): Told {
   const origin = originOf(asked);
   const name = namesOf(asked.scene).get(object.id) ?? t(kindNames[object.type].one);
@@ -85,12 +87,21 @@ function tellThing(object: SceneObject, asked: Asked): Told {
     const atMm = nearestOfLine(line, origin);
     const look = object.type === 'stroke' ? `${valueText(object.color)}, ` : '';
     const size = t(words.long, { cm: cm(lengthOfLine(line)) });
-    return { words: `${name}, ${look}${size}; ${t(words.nearest, { where: whereText(atMm, asked) })}.`, atMm };
+    return {
+      words: `${name}, ${look}${size}${highText(object)}; ${t(words.nearest, { where: whereText(atMm, asked) })}.`,
+      atMm,
+    };
   }
   const pose = asked.moved[object.id];
   const atMm = pose === undefined ? { x: object.at[0], y: object.at[1] } : vecOf(pose);
   const size = !('size' in object) ? '' : `, ${t(words.size, { x: cm(object.size[0]), y: cm(object.size[1]) })}`;
-  return { words: `${name}${size}: ${whereText(atMm, asked)}.`, atMm };
+  return { words: `${name}${size}${highText(object)}: ${whereText(atMm, asked)}.`, atMm };
+}
+
+/** To the mm: sensors may look over a thing or not. */
+function highText(object: SceneObject): string {
+  const mm = ownHeightOf(object);
+  return mm === null ? '' : `, ${t(words.high, { cm: numberText(mm / 10, shownLanguage()) })}`;
 }
 
 /** Announces the present place, the ground there and the next thing in each direction. */
