@@ -15,7 +15,7 @@ export const layers = {
   simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
   tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
-  advice: ['core'],
+  advice: ['core', 'robots'],
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
   intake: ['core', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'check'],

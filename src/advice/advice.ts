@@ -1,7 +1,9 @@
 import type { AdviceKey, AdviceValues } from './text';
 import { errorTable } from './error-table';
 import { lineAdvice } from './line-advice';
+import { atTable, type AtTable } from './at-table';
 import { nameAdvice } from './name-slips';
+import { robotAdvice } from './robot-advice';
 import { syntaxAdvice, type Mend, type Source } from './syntax-advice';
 
 /** An explanation of an error in the pupil's language: a text's name and what goes into it. */
@@ -35,11 +37,21 @@ const SHOWN_CHARACTERS = 40;
  * The explanation of an exception for pupils: first in their words, then in the device's.
  *
  * @param source the pupil's file and the line the exception names; "invalid syntax", for example, needs it
+ * @param table what is plugged in. With it, a robot that does not answer can be explained
  */
-export function adviceFor({ type, message, traceback = '' }: Failure, source: Source | null = null): Advice {
+export function adviceFor(failure: Failure, source: Source | null = null, table: AtTable | null = null): Advice {
+  const advice = byDevice(failure, source);
+  return table === null ? advice : atTable(advice, table);
+}
+
+/** The explanation without knowing what is plugged in. */
+function byDevice(failure: Failure, source: Source | null): Advice {
+  const { type, message, traceback = '' } = failure;
   const device = message === '' ? type : `${type}: ${message}`;
   if (type === 'MemoryError' && traceback.includes('too long for the board'))
     return { key: 'error.tooLong', values: {}, device };
+  const ofRobot = robotAdvice(type, message, source);
+  if (ofRobot !== null) return { ...ofRobot, device };
   const general = type === 'SyntaxError' && message === 'invalid syntax';
   const found =
     source &&

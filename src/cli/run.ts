@@ -2,20 +2,13 @@ import { closeSync, existsSync, openSync } from 'node:fs';
 import { basename, dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { traitsFor } from '#my-robot/my-robot';
-import { foreignModules, modulesImportedBy } from '#python/imports';
+import { importsOf, modulesImportedBy } from '#python/imports';
 import type { Traits } from '#robots/traits';
-import {
-  AUTO,
-  chooseFurtherHardware,
-  chooseHardware,
-  hardwareIds,
-  isMisplugged,
-  robotMeant,
-  type Hardware,
-} from '#simulation/hardware';
+import { AUTO, chooseFurtherHardware, chooseHardware, hardwareIds, type Hardware } from '#simulation/hardware';
 import { boardOf } from '#board/boards/board-of-device';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
+import { robotFault } from '#simulation/robot-fit';
 import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
@@ -224,18 +217,19 @@ async function strictFailure(
  * meet the device's error or drive oddly, and this says why.
  */
 function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal): void {
-  const { board, robot } = hardware;
-  const meant = robotMeant(foreignModules(files), robot);
-  if (meant !== null) {
-    const here = robot === null ? 'there is no robot here' : `the robot here is the ${robot.name}`;
-    terminal.message(`parcours: the program is for the ${meant.name}, but ${here}. Choose --robot ${meant.id}.`);
+  const { foreign } = importsOf(files);
+  const fault = robotFault(hardware, { all: foreign, foreign });
+  if (fault === null) return;
+  const { kind, fits, values } = fault;
+  const { meant = '', robot = '', board = '', plugged = '' } = values;
+  if (kind === 'misplugged') {
+    terminal.message(
+      `parcours: the ${robot} is made for the ${board}, but here a ${plugged} is plugged in: nothing of the robot is connected. Choose --board ${fits.board}, or another --robot.`,
+    );
     return;
   }
-  if (robot === null || !isMisplugged(hardware)) return;
-  const fitting = findBoard(robot.board);
-  terminal.message(
-    `parcours: the ${robot.name} is made for the ${fitting?.name ?? ''}, but here a ${board.name} is plugged in: nothing of the robot is connected. Choose --board ${robot.board}, or another --robot.`,
-  );
+  const here = kind === 'lacksRobot' ? 'there is no robot here' : `the robot here is the ${robot}`;
+  terminal.message(`parcours: the program is for the ${meant}, but ${here}. Choose --robot ${fits.id}.`);
 }
 
 /** Names the file of a problem of the whole set-up. */

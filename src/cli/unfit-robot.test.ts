@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { parcours, useFolder } from './testing/parcours';
+import { lastLine, parcours, useFolder } from './testing/parcours';
 
 const { file } = useFolder();
 
@@ -20,6 +20,29 @@ describe('parcours run with a robot that does not fit', { timeout: 60_000 }, () 
     const { err, code } = parcours('run', file('bare.py', ''), '--robot', 'none', '--option', 'S1=claw');
     expect(err).toBe('parcours: --option S1: there is no robot here. Leave it out, or choose --robot.\n');
     expect(code).toBe(2);
+  });
+
+  it('explains the error with that, in the report, as the page does', () => {
+    const { out } = parcours(
+      'run',
+      forLite,
+      '--robot',
+      'callibot',
+      '--board',
+      'calliope-mini-3',
+      '--json',
+      '--lang',
+      'de',
+    );
+    const { exception } = lastLine(out);
+    expect(exception?.advice).toBe(
+      'Dieses Programm ist für den Maqueen Lite, gewählt ist der Calli:bot. Wähle den Maqueen Lite unter Gerät.',
+    );
+  });
+
+  it('names the robots that there are where the library of another one is imported', () => {
+    const { err } = parcours('run', file('minibit.py', 'from mbminibit import *\n'));
+    expect(err).toMatch(/mbminibit belongs to the robot 4tronix minibit\. It is not here\. There are: .*Maqueen Lite/);
   });
 
   it('says on which microcomputer the robot belongs when it stands on the other', () => {

@@ -80,3 +80,9 @@ export function modulesImportedBy(files: Readonly<Record<string, string>>): Read
 export function foreignModules(files: Readonly<Record<string, string>>): ReadonlySet<string> {
   return new Set(Array.from(modulesImportedBy(files)).filter((name) => !(`${name}.py` in files)));
 }
+
+/** Both: with the project's own files, and without them. */
+export const importsOf = (files: Readonly<Record<string, string>>) => ({
+  all: modulesImportedBy(files),
+  foreign: foreignModules(files),
+});

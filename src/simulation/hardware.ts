@@ -1,6 +1,7 @@
 import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { completeOptions, optionProblem, type OptionValues } from '#core/option';
+import { bringsOneOf, robotOfDrivers } from '#robots/by-module';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import type { RobotStart, Scene } from '#scene/scene';
@@ -85,28 +86,13 @@ export function chooseFurtherHardware(wish: FurtherWish): Hardware | { readonly 
 /** The id of the robot of a device after the first. */
 export function furtherRobot({ robot, imports, start }: Pick<FurtherWish, 'robot' | 'imports' | 'start'>): string {
   if (robot !== AUTO) return robot;
-  const meant = robotMeant(imports, null);
-  return meant === null ? NO_ROBOT : (start?.type ?? meant.id);
+  const meant = robotTypes.find((type) => bringsOneOf(type, imports));
+  return meant === undefined ? NO_ROBOT : (start?.type ?? meant.id);
 }
 
 /** The course as a device after the first sees it: its board and robot are the first one's. */
 export function sceneOfFurther({ scene, start }: Pick<FurtherWish, 'scene' | 'start'>): Scene {
   return { ...scene, board: null, robot: start ?? { ...scene.robot, type: null, options: {} } };
-}
-
-/** True if the robot is on a board that it does not fit: then nothing of it is connected. */
-export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>): boolean {
-  return robot !== null && robot.board !== board.id;
-}
-
-/**
- * The other robot for which a program is written: the program imports a module of that robot and none of this one. It
- * is a guess for a notice; the run does not depend on it. `null`: the program fits, or it is unclear.
- *
- * @param imported names of the modules that the program imports, without its own files
- */
-export function robotMeant(imported: ReadonlySet<string>, robot: RobotType | null): RobotType | null {
-  return robot !== null && isFor(robot, imported) ? null : (robotTypes.find((type) => isFor(type, imported)) ?? null);
 }
 
 /** A course made for another robot may name options that this one does not have; they are ignored. */
@@ -147,20 +133,11 @@ function boardByImports(imported: ReadonlySet<string>): BoardType | null {
   return boardTypes.find((type) => type.modules.some((name) => imported.has(name))) ?? null;
 }
 
-/** True if one of the robot's modules is imported. */
-const isFor = ({ modules }: RobotType, imported: ReadonlySet<string>): boolean =>
-  modules.some((name) => imported.has(name));
-
 /**
  * The first robot one of whose modules, or a driver by others under a usual name, is imported. Without one, the first
  * robot that carries the named board, or the first of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
-  const goesBy = (named: (driver: string) => boolean) => robotTypes.find((type) => type.driverNames?.some(named));
-  const plain = new Set(Array.from(imported, (name) => name.toLowerCase().replaceAll('_', '')));
-  const byImport =
-    robotTypes.find((type) => isFor(type, imported)) ??
-    goesBy((driver) => imported.has(driver)) ??
-    goesBy((driver) => plain.has(driver));
+  const byImport = robotTypes.find((type) => bringsOneOf(type, imported)) ?? robotOfDrivers(imported);
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 
-import { foreignModules } from '#python/imports';
+import { importsOf } from '#python/imports';
 import { findRobot } from '#robots/index';
-import { robotMeant } from './hardware';
+import { robotMeant } from './robot-fit';
 
 const named = (id: string | null) => (id === null ? null : findRobot(id));
 const meant = (program: string, chosen: string | null, more: Readonly<Record<string, string>> = {}) =>
-  robotMeant(foreignModules({ 'main.py': program, ...more }), named(chosen))?.id ?? null;
+  robotMeant(importsOf({ 'main.py': program, ...more }), named(chosen))?.id ?? null;
 
 describe('the robot that a program is for', () => {
   it('is told where another one is chosen, on another board or on the same', () => {
@@ -31,6 +31,13 @@ describe('the robot that a program is for', () => {
 
   it('cannot be told either where the module is a file of the pupil', () => {
     expect(meant('from mbrobot import *', 'callibot', { 'mbrobot.py': 'def forward(): pass' })).toBeNull();
+  });
+
+  it('is told by a driver of others too, which lies beside the program, unless it has one for the chosen robot', () => {
+    const driver = (name: string) => ({ [`${name}.py`]: 'def go(): pass' });
+    expect(meant('import maqueenPlusV2', 'callibot', driver('maqueenPlusV2'))).toBe('maqueen-plus-v2');
+    expect(meant('import maqueenPlusV2', 'maqueen-plus-v2', driver('maqueenPlusV2'))).toBeNull();
+    expect(meant('from mbrobot import *\nimport maqueenplusv2', 'maqueen-lite', driver('maqueenplusv2'))).toBeNull();
   });
 
   it('is told where no robot is chosen at all', () => {

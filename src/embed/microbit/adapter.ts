@@ -2,10 +2,11 @@ import * as v from 'valibot';
 
 import { LANGUAGES, type Language } from '#core/languages';
 import { filesByName, MAIN, type SourceFile } from '#project/project';
-import { foreignModules } from '#python/imports';
-import { NO_ROBOT, robotMeant } from '#simulation/hardware';
+import { importsOf } from '#python/imports';
+import { NO_ROBOT } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
+import { robotMeant } from '#simulation/robot-fit';
 
 import type { RunPhase } from '#simulation/pace';
 import type { Adapter, HostConnection } from '../adapter';
@@ -153,7 +154,7 @@ class MicrobitAdapter implements Adapter {
   }
 
   private surroundings(files: readonly SourceFile[]): { readonly robot: string; readonly parts: readonly Part[] } {
-    const meant = robotMeant(foreignModules(filesByName(files)), null);
+    const meant = robotMeant(importsOf(filesByName(files)), null);
     const robot = this.wish.robot ?? (meant === null ? NO_ROBOT : 'auto');
     const asked = this.wish.parts ?? BOARD_ALONE;
     const isPlain = asked.join() === BOARD_ALONE.join();

@@ -1,9 +1,10 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
+import type { AtTable } from '#advice/at-table';
+
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from './log/console-log';
 import { foldGreetings } from './log/fold-greeting';
 import { SharedLines } from './log/shared-lines';
-import type { RobotInError } from '../../session/work/hardware/misplugged';
 import type { ErrorReport } from './advice/error-advice';
 import type { TextKey } from '../../kit/i18n/texts';
 
@@ -46,7 +47,7 @@ export class ConsoleModel {
    * @param device place of the device that is shown
    */
   constructor(
-    private readonly table: (device: number) => RobotInError | null,
+    private readonly table: (device: number) => AtTable | null,
     private readonly device: () => number = () => 0,
   ) {}
 
@@ -74,6 +75,13 @@ export class ConsoleModel {
   addNote(key: TextKey, device = 0): void {
     this.show();
     this.logOf(device).add({ kind: 'note', key });
+    this.show();
+  }
+
+  /** Notes that the robot of a device does not fit, as its run begins. */
+  addFit(device = 0): void {
+    this.show();
+    this.logOf(device).add({ kind: 'fit' });
     this.show();
   }
 

@@ -7,7 +7,8 @@ import type { PageParts } from '../../kit/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { RunModel } from '../../session/run/run-model';
-import { robotInErrorNow } from '../../session/work/hardware/use-hardware';
+import { mispluggedNotice } from '../../session/work/hardware/misplugged';
+import { fittedNow, robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { fetchAdvice } from './advice/explain';
 import { placeIn, sourceAt } from './error-text';
@@ -32,6 +33,8 @@ export function followRuns(around: Around): void {
       runs += 1;
       jump.wrong.value = null;
       console.startRun(runs, work.devices.value.length);
+      for (const place of work.devices.value.keys())
+        if (mispluggedNotice(fittedNow(around, place), () => undefined) !== null) console.addFit(place);
       if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
     },
     onRestarted: () => (jump.wrong.value = null),

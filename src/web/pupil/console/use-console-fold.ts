@@ -48,4 +48,4 @@ export function useConsoleFold({
 
 /** True if this is something to read: neither the head of a run nor a word about its end. */
 const says = (entry: ConsoleEntry): boolean =>
-  entry.kind === 'error' || (entry.kind === 'text' && entry.text.trim() !== '');
+  entry.kind === 'error' || entry.kind === 'fit' || (entry.kind === 'text' && entry.text.trim() !== '');

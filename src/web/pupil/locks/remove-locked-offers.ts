@@ -5,12 +5,7 @@ import type { PageParts } from '../../kit/parts';
 import type { TaskLocks } from '../../session/work/model/task-locks';
 import words from './words';
 
-const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
-
-/**
- * Removes from messages the offers of what is locked: another start in a locked course, another robot, a tool that is
- * missing.
- */
+/** Removes from messages the offers of what is locked: another start in a locked course, a tool that is missing. */
 export function removeLockedOffers(
   { notices }: Pick<PageParts, 'notices'>,
   task: Pick<TaskLocks, 'locks' | 'hasTool'>,
@@ -18,9 +13,7 @@ export function removeLockedOffers(
   watch(
     notices.current,
     (notice) => {
-      const { course, robot } = task.locks;
-      const isOffer = notice?.action !== undefined;
-      if (isOffer && ((notice.key === 'notice.handRobot' && course) || (OF_ROBOTS.includes(notice.key) && robot))) {
+      if (notice?.action !== undefined && notice.key === 'notice.handRobot' && task.locks.course) {
         const { action: _, ...plain } = notice;
         notices.show(plain);
       } else if (notice?.key === 'notice.handBlock' && !task.hasTool('select'))

@@ -5,8 +5,9 @@ import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
 import { isThere } from '../../app/testing/find';
 import { mountOn } from '../../app/testing/mount-on';
-import type { Notice } from '../../kit/notices';
+import { mispluggedNotice } from '../../session/work/hardware/misplugged';
 import MispluggedBar from '../../session/work/hardware/MispluggedBar.vue';
+import { fittedNow } from '../../session/work/hardware/use-hardware';
 import { useOpenings } from '../../session/work/use-openings';
 import { BLOCK, givenTask } from './testing/given';
 
@@ -104,15 +105,11 @@ describe('a message that offers what is locked', () => {
   });
 
   it('offers no other robot where the robot is locked', async () => {
-    const other: Notice = {
-      kind: 'warn',
-      key: 'arena.otherRobot',
-      action: { key: 'arena.takeRobot', run: () => undefined },
-    };
     const page = await hasty({ robot: true }, () => undefined);
-    page.notices.show(other);
-    expect(page.notices.current.value).toEqual({ kind: 'warn', key: 'arena.otherRobot' });
-    const bar = mountOn(page, MispluggedBar, { notice: { ...other, values: {} } });
+    page.work.setText('main.py', 'from callibot import *\n');
+    const notice = mispluggedNotice(fittedNow(page), () => undefined)!;
+    expect(notice.key).toBe('arena.otherRobotKept');
+    const bar = mountOn(page, MispluggedBar, { notice });
     expect([bar.text() !== '', isThere('plug-in')]).toEqual([true, false]);
   });
 

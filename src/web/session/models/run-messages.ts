@@ -1,20 +1,20 @@
 import type { PageParts } from '../../kit/parts';
 import type { LayoutParts } from '../layout/parts';
 import { mispluggedNotice } from '../work/hardware/misplugged';
-import { hardwareNow } from '../work/hardware/use-hardware';
+import { fittedNow, hardwareNow } from '../work/hardware/use-hardware';
 import type { WorkParts } from '../work/model/parts';
 
 /** The models that show a run's messages. */
 export type RunMessages = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
 
 /**
- * Shows a notice about a robot that does not fit board or program if the arena, which says so itself, is not in sight;
- * otherwise closes the notice.
+ * Shows a notice about a robot that does not fit board or program if neither arena nor console, which say so themselves,
+ * are in sight; otherwise closes the notice.
  */
-export function showStart({ settings, work, layout, notices }: RunMessages): void {
-  const notice = layout.isShown.value.arena
-    ? null
-    : mispluggedNotice(work.work.value.project, settings.current.value, (wish) => settings.change(wish));
+export function showStart(parts: RunMessages): void {
+  const { settings, layout, notices } = parts;
+  const { arena, console } = layout.isShown.value;
+  const notice = arena || console ? null : mispluggedNotice(fittedNow(parts, 0), (wish) => settings.change(wish));
   if (notice === null) notices.close();
   else notices.show(notice);
 }

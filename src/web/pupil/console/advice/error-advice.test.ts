@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 
+import type { AtTable } from '#advice/at-table';
 import { adviceWords } from '#advice/say';
+import { robotTypes } from '#robots/index';
 import { play } from '#vm/library/testing/play';
 import de from '../../../kit/words/de.json';
 import en from '../../../kit/words/en.json';
 import type { TextKey } from '../../../kit/i18n/texts';
 import { lastPlace } from '../log/console-log';
-import type { RobotInError } from '../../../session/work/hardware/misplugged';
 import { adviceFor, type Advice } from './error-advice';
 
 /** Runs a program with a mistake on our VM and gives what the page says about it. */
@@ -51,6 +52,26 @@ const mistakes: readonly Mistake[] = [
   ['error.attributeOfNone', 'x = print("a")\nx.upper()', { name: 'upper' }],
 
   ['error.ImportError', 'import mbrobbot', { name: 'mbrobbot' }],
+  ['error.driverMissing', 'import maqueenPlusV2', { robot: 'Maqueen Plus V2', module: 'mbrobot_plusV2' }],
+  ['error.driverMissing', 'from mbrobot_plusv2 import *', { module: 'mbrobot_plusV2' }],
+  ['error.robotNotSimulated', 'from mbminibit import *', { name: 'mbminibit', of: '4tronix minibit' }],
+  ['error.robotNotSimulated', 'import MiniBit', { of: '4tronix minibit' }],
+  ['error.robotUnknown', 'from mbrobot_plusV9 import *', { name: 'mbrobot_plusV9' }],
+  [
+    'error.makeCodeRobot',
+    'maqueenPlusV2.i2c_init()\nradio.set_group(37)',
+    { name: 'maqueenPlusV2', robot: 'Maqueen Plus V2' },
+  ],
+  [
+    'error.makeCodeRobot',
+    'matrixLidarDistance.get_data()\nmaqueen.motor_stop(1)',
+    { name: 'matrixLidarDistance', robot: 'Maqueen Lite' },
+  ],
+  ['error.robotNotSimulated', 'CutebotPro.pwm_cruise_control(0, 0)\nbasic.pause(50)', { of: 'Cutebot Pro' }],
+  ['error.makeCode', 'def on_forever():\n    basic.show_string("A")\non_forever()', { name: 'basic' }],
+  ['error.makeCode', 'input.on_button_pressed(1, 2)', { name: 'input' }],
+  ['error.makeCode', 'radio.set_group(1)\nbasic.pause(50)', { name: 'radio' }],
+  ['error.NameError', 'led.on()', { name: 'led' }],
   ['error.moduleOfCalliope', 'from calliopemini import *', { name: 'calliopemini' }],
   ['error.importName', 'from microbit import knopf_a', { name: 'knopf_a' }],
 
@@ -237,6 +258,11 @@ describe('advice', () => {
     );
   });
 
+  it('names every robot that there is, whatever their number, where one is not', () => {
+    const { values } = adviceOf('from mbthetabot import *');
+    expect(values['robots']).toBe(robotTypes.map(({ name }) => name).join(', '));
+  });
+
   it('shortens what does not fit into a sentence', () => {
     const { values } = adviceFor({ type: 'KeyError', message: 'x'.repeat(500) });
     expect(String(values['name'])).toHaveLength(41);
@@ -265,7 +291,7 @@ describe('advice for a robot that does not answer', () => {
   const anyRobot = { type: 'RuntimeError', message: 'Please connect to a robot and switch it on.' };
   const noDevice = { type: 'OSError', message: '[Errno 19] ENODEV' };
   const fault = { key: 'error.otherRobot', values: { meant: 'Maqueen Lite', robot: 'Calli:bot' } } as const;
-  const at = (failure: typeof silent, table: RobotInError) => sentence(adviceFor(failure, null, table));
+  const at = (failure: typeof silent, table: AtTable) => sentence(adviceFor(failure, null, table));
 
   it('names the robot that is chosen and the one that the program is for', () => {
     for (const failure of [silent, anyRobot, noDevice])

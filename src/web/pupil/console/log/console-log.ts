@@ -1,5 +1,6 @@
+import type { AtTable } from '#advice/at-table';
+
 import type { TextKey } from '../../../kit/i18n/texts';
-import type { RobotInError } from '../../../session/work/hardware/misplugged';
 import type { ErrorReport, Failure } from '../advice/error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
@@ -8,7 +9,7 @@ import { TerminalReader, type TerminalPiece } from './terminal-text';
  */
 export type TextTone = 'plain' | 'error' | 'quiet';
 
-/** One thing in the console. `id` is stable while it is shown. */
+/** One thing in the console. `id` is stable while it is shown. `fit`: the robot did not fit as the run began. */
 export type ConsoleEntry =
   | { readonly id: number; readonly kind: 'run'; readonly number: number }
   | {
@@ -19,6 +20,7 @@ export type ConsoleEntry =
       readonly lines: number;
     }
   | { readonly id: number; readonly kind: 'note'; readonly key: TextKey }
+  | { readonly id: number; readonly kind: 'fit' }
   | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly report: ErrorReport };
 
 /** Place of an error: a file of the pupil and its line, counted from 1. */
@@ -44,6 +46,7 @@ const TYPED = 'File "<stdin>"';
 type NewEntry =
   | { readonly kind: 'run'; readonly number: number }
   | { readonly kind: 'note'; readonly key: TextKey }
+  | { readonly kind: 'fit' }
   | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly report: ErrorReport };
 /** A text entry while `write` adds to it; afterwards it never changes. */
 type OpenEntry = { -readonly [K in keyof TextEntry]: TextEntry[K] };
@@ -69,7 +72,7 @@ export class ConsoleLog {
   private readonly reader = new TerminalReader();
 
   /** @param table what is plugged in, for errors of a robot that does not answer */
-  constructor(private readonly table: () => RobotInError | null = () => null) {}
+  constructor(private readonly table: () => AtTable | null = () => null) {}
 
   /** Everything kept, oldest first; a new array after every change. */
   get entries(): readonly ConsoleEntry[] {

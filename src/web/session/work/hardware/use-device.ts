@@ -7,11 +7,10 @@ import type { RobotType } from '#robots/robot';
 import { NO_ROBOT, type Hardware } from '#simulation/hardware';
 
 import { AUTO_ROBOT, deviceName } from '../settings/devices';
-import { deviceAt } from './device-at';
 import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';
 import { isSeed, LAST_SEED, type Settings } from '../settings/settings';
-import { mispluggedNotice } from './misplugged';
-import { useHardware } from './use-hardware';
+import { mispluggedNotice, robotOffer, type FitNotice } from './misplugged';
+import { fittedNow, useHardware } from './use-hardware';
 import type { Workplace } from '../model/parts';
 import type { Notice } from '../../../kit/notices';
 
@@ -42,7 +41,9 @@ export interface DeviceModel {
   /** Takes the used robot with the next number, after the last the first. */
   readonly nextSeed: () => void;
   /** The mismatch of robot and board, or of robot and program, with a remedy; otherwise `null`. */
-  readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
+  readonly misplugged: ComputedRef<FitNotice | null>;
+  /** The remedy for an error of a robot that does not fit, or of none; `null`: there is none, or a task keeps the robot. */
+  readonly offer: ComputedRef<Notice['action'] | null>;
 }
 
 type Parts = Workplace;
@@ -78,10 +79,12 @@ export function useDevice(app: Parts): DeviceModel {
       if (isSeed(seed)) change({ seed });
     },
     nextSeed: () => change({ seed: (now().seed % LAST_SEED) + 1 }),
-    misplugged: computed(() => {
-      const { project, settings: its } = deviceAt(app);
-      return mispluggedNotice(project, its, change);
-    }),
+    misplugged: computed(() => mispluggedNotice(fittedNow(app), change)),
+    offer: computed(() =>
+      robotOffer(fittedNow(app), (wish) =>
+        change({ ...wish, ...(further() === null && arenaFor(wish.robot ?? '', now())) }),
+      ),
+    ),
   };
 }
 

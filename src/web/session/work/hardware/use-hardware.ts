@@ -1,11 +1,12 @@
 import { computed, type ComputedRef } from 'vue';
 
+import type { AtTable } from '#advice/at-table';
 import type { Hardware } from '#simulation/hardware';
 
 import type { WorkParts } from '../model/parts';
 import { deviceAt } from './device-at';
 import { hardwareOf } from './hardware';
-import { robotInError, type RobotInError } from './misplugged';
+import { robotInError, type Fitted } from './misplugged';
 
 /**
  * The robot, the board and its firmware that the device that is shown would have in a run of the present work; `null`
@@ -23,8 +24,12 @@ export function hardwareNow(parts: WorkParts, place = parts.work.place.value): H
 export const hasRobot = (parts: WorkParts): boolean =>
   parts.work.devices.value.some((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
 
+/** The device at this place, and whether a task keeps its robot. */
+export const fittedNow = (parts: WorkParts, place = parts.work.place.value): Fitted => ({
+  ...deviceAt(parts, place),
+  isKept: parts.work.locks.isLocked('robot'),
+});
+
 /** The present robot's part in the explanation of an error. */
-export function robotInErrorNow(parts: WorkParts, place = parts.work.place.value): RobotInError {
-  const { project, settings } = deviceAt(parts, place);
-  return robotInError(project, settings);
-}
+export const robotInErrorNow = (parts: WorkParts, place = parts.work.place.value): AtTable =>
+  robotInError(fittedNow(parts, place));
