@@ -3,7 +3,7 @@ import { flushPromises } from '@vue/test-utils';
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 
 import { byId, isThere, tap } from '../../app/testing/find';
-import { mountOn, textOf } from '../../app/testing/mount-on';
+import { mountOn, setWindow, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
 import { loadTexts } from '../../kit/i18n';
@@ -67,6 +67,15 @@ describe('a program for another robot, in the console', () => {
     await expect.poll(() => isThere('take-robot')).toBe(true);
     await tap('take-robot');
     expect(page.settings.current.value).toMatchObject({ robot: 'auto', showArena: true });
+  });
+
+  it('is told by a message on a phone, as long as neither console nor arena is in sight', async () => {
+    setWindow(390, 844);
+    const page = await running('callibot');
+    expect([page.layout.tab.value, page.notices.current.value?.key]).toEqual(['code', 'arena.otherRobot']);
+    page.layout.tab.value = 'console';
+    expect(page.notices.current.value).toBeNull();
+    setWindow(1366);
   });
 
   it('is nothing to speak of where its robot is chosen', async () => {

@@ -13,10 +13,10 @@ export type RunMessages = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutPa
  */
 export function showStart(parts: RunMessages): void {
   const { settings, layout, notices } = parts;
-  const { arena, console } = layout.isShown.value;
-  const notice = arena || console ? null : mispluggedNotice(fittedNow(parts, 0), (wish) => settings.change(wish));
+  const isUnsaid = (): boolean => !layout.isShown.value.arena && !layout.isShown.value.console;
+  const notice = isUnsaid() ? mispluggedNotice(fittedNow(parts, 0), (wish) => settings.change(wish)) : null;
   if (notice === null) notices.close();
-  else notices.show(notice);
+  else notices.show({ ...notice, holds: isUnsaid });
 }
 
 /** Shows why a run could not begin. The code that measures a course is loaded only then. */
