@@ -26,6 +26,7 @@ describe('the command line', () => {
       forUs: null,
       seed: null,
       reality: null,
+      senses: null,
       robotOptions: {},
       myRobot: null,
       input: null,
@@ -42,7 +43,7 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --until-verdict --strict --lang de --quiet';
+      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --senses off --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --until-verdict --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
@@ -57,6 +58,7 @@ describe('the command line', () => {
       forUs: 1_500_000,
       seed: 7,
       reality: 0.5,
+      senses: false,
       robotOptions: { S1: 'push', model: '2E' },
       myRobot: 'p.json',
       input: 'i.json',

@@ -22,6 +22,8 @@ export interface RunOptions {
   readonly seed: number | null;
   /** `null`: the project's, else 0. */
   readonly reality: number | null;
+  /** Whether the boards feel the arena; `null`: as the project has it, and a program alone does. */
+  readonly senses: boolean | null;
   /** Options of the robot by id. */
   readonly robotOptions: OptionValues;
   /** A project file whose own robot drives. */
@@ -88,6 +90,7 @@ const texts = [
     'for',
     'seed',
     'reality',
+    'senses',
     'my-robot',
     'input',
     'trace',
@@ -226,6 +229,9 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   const reality = given.has('reality') ? numberOf(last('reality') ?? '') : null;
   if (reality !== null && !(reality >= 0 && reality <= 1))
     return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
+  const senses = last('senses');
+  if (senses !== undefined && senses !== 'on' && senses !== 'off')
+    return bad(`--senses: "${senses}" is neither on nor off.`);
   const robotOptions = readOptions(given.get('option') ?? []);
   if (typeof robotOptions === 'string') return bad(robotOptions);
   const devices = readDevices(given.get('device') ?? []);
@@ -246,6 +252,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       forUs: duration?.us ?? null,
       seed,
       reality,
+      senses: senses === undefined ? null : senses === 'on',
       robotOptions,
       myRobot: last('my-robot') ?? null,
       input: last('input') ?? null,

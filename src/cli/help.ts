@@ -63,6 +63,8 @@ How long, and what happens
   --seed NUMBER       where chance begins (default 1): random numbers repeat with it
   --reality NUMBER    from 0, the ideal robot (default), to 1, one like the used robots of a
                       school: unequal motors, weak battery, trembling sensors; from the seed
+  --senses on|off     whether compass, accelerometer, light and microphone feel the arena: a
+                      program alone does (on), a project as it was saved; what --input sets stays
 
   --my-robot FILE     a project with a measured robot ("My robot" on the page): it drives as that
                       one does

@@ -5,7 +5,7 @@ import { parseProject } from '#project/file';
 import { textOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText, isOurs } from '#intake/text';
-import { MAIN } from '#project/project';
+import { MAIN, newWork } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
@@ -93,7 +93,7 @@ async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 
 function workOfFile(path: string): Work | { readonly problem: string } {
   const isNamed = formatOf(path) === 'json';
   const text = readText(path, isNamed ? limits.json : limits.program);
-  return isNamed || isOurs(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text });
+  return isNamed || isOurs(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text }, newWork);
 }
 
 const PROJECT = /^\s*\{\s*"format"\s*:\s*"parcours-project"/;

@@ -28,9 +28,9 @@ export interface DeviceWork extends Pick<FurtherWish, 'robot' | 'board' | 'robot
 }
 
 /** A program alone. */
-export const onlyProgram = (files: Work['files']): Work => ({
-  files,
-  ...{ scene: null, settings: {}, firstName: null, devices: [] },
+export const onlyProgram = (files: Work['files'], settings: Work['settings']): Work => ({
+  ...{ files, settings },
+  ...{ scene: null, firstName: null, devices: [] },
 });
 
 type Read = Work | { readonly problem: string };
@@ -60,8 +60,7 @@ export async function workOfAddress(address: string): Promise<Read> {
   const document = await documentAt(address);
   if (document.kind === 'project') return workOfProject(document.project);
   if (document.kind !== 'program') return { problem: addressProblem(document) };
-  const program = onlyProgram(filesByName(document.files));
-  return document.device === null ? program : { ...program, settings: { device: document.device } };
+  return onlyProgram(filesByName(document.files), document.device === null ? {} : { device: document.device });
 }
 
 const RECORDED = 'is a recorded run. Run it again with parcours replay.';

@@ -1,5 +1,5 @@
 import { projectOf } from '#catalogue/course';
-import { readyCourseOf } from '#catalogue/starts';
+import { asNew, readyCourseOf } from '#catalogue/starts';
 import type { Language } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
 import type { Scene } from '#scene/scene';
@@ -41,20 +41,20 @@ export function readyProject(id: string): Project | null {
   const scene = readyCourse(id);
   if (scene === null) return null;
   const ready = readyCourseOf(id);
-  if (ready?.mission !== undefined) return projectOf(ready, 'en');
+  if (ready?.mission !== undefined) return asNew(projectOf(ready, 'en'));
   const programOf = (name: string): string => programs[`../../courses/${id}/${name}.py`] ?? '';
   const [first, ...others] = courses[`../../courses/${id}/course.json`]?.devices ?? [];
   const further = others.map(({ name, robot }): FurtherDevice => {
     return { ...anyHardware, name, robot, files: [{ name: MAIN, text: programOf(name) }], sameAs: '' };
   });
   const pressed = inputsOf(id);
-  return {
+  return asNew({
     files: [{ name: MAIN, text: programOf('start') }],
     scene,
     course: id,
     ...(first !== undefined && { devices: { first: first.name, others: further } }),
     ...(pressed.length > 0 && { task: { version: 1, worlds: [{ id: 'visible', hidden: false, inputs: pressed }] } }),
-  };
+  });
 }
 
 function inputsOf(id: string): readonly InputEvent[] {

@@ -6,7 +6,7 @@ import { importsOf, modulesImportedBy } from '#python/imports';
 import type { Traits } from '#robots/traits';
 import { AUTO, chooseFurtherHardware, chooseHardware, hardwareIds, type Hardware } from '#simulation/hardware';
 import { boardOf } from '#board/boards/board-of-device';
-import type { InputEvent } from '#simulation/input';
+import { feelingInputs } from '#simulation/feeling';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { robotFault } from '#simulation/robot-fit';
 import { hasTask } from '#simulation/task/task-brief';
@@ -68,7 +68,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   for (const result of [trace, log, record]) if (result !== null) closeSync(result);
   switch (outcome.type) {
     case 'refused':
-      return refuse(placed(outcome.problem, options), terminal);
+      return refuse(placed(outcome.problem, options, (setup.inputs?.length ?? 0) - read.inputs.length), terminal);
     case 'broken':
       terminal.message(`parcours: something broke inside. Please report this.\n${outcome.problem}`);
       return 1;
@@ -129,17 +129,14 @@ function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSe
     robotOptions,
     ...traits,
   };
-  const feels = hardware.robot !== null && settings.arenaSenses === true;
+  const all = [first, ...further.devices] as const;
   return {
     scene,
-    devices: [first, ...further.devices],
-    inputs: feels ? [SENSES, ...inputs] : inputs,
+    devices: all,
+    inputs: (options.senses ?? settings.arenaSenses) ? [...feelingInputs(all), ...inputs] : inputs,
     ...chanceOf(options, read),
   };
 }
-
-/** The board on the robot feels the arena from the start. */
-const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
 
 /** Takes settings of the project that the command line leaves open. */
 function withProject<T extends Pick<RunOptions, 'robot' | 'board' | 'firmware'>>(
@@ -232,9 +229,14 @@ function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal):
   terminal.message(`parcours: the program is for the ${meant}, but ${here}. Choose --robot ${fits.id}.`);
 }
 
-/** Names the file of a problem of the whole set-up. */
-function placed(problem: string, options: RunOptions): string {
-  if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
+/**
+ * Names the file of a problem of the whole set-up.
+ *
+ * @param added number of inputs of the run before those of the input file
+ */
+function placed(problem: string, options: RunOptions, added = 0): string {
+  if (problem.startsWith('[') && options.input !== null)
+    return `${options.input}: ${problem.replace(/\d+/, (place) => String(Number(place) - added))}`;
   if (/^(robot\.|board:|background\.)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
   return problem;
 }

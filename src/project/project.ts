@@ -85,6 +85,12 @@ export const defaultProjectSettings: ProjectSettings = {
   arenaSenses: false,
 };
 
+/**
+ * The settings of new work: a ready course, an example, a program alone, the first one. What was made before keeps its
+ * own, and a project without any the ones above.
+ */
+export const newWork = { arenaSenses: true } as const;
+
 /** The program's file: always there, never renamed. */
 export const MAIN = 'main.py';
 

@@ -4,6 +4,7 @@ import { deviceNames } from '#project/devices';
 import { defaultProjectSettings, type Project, type ProjectSettings } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
 import type { Scene } from '#scene/scene';
+import { feelingInputs } from '#simulation/feeling';
 import { chooseFurtherHardware, chooseHardware, hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
@@ -14,9 +15,6 @@ import { courseOfWorld } from '../task/world-course';
 import { programsOf } from './programs';
 
 type Problem = { readonly problem: string };
-
-/** The board on the robot feels the arena from the start. */
-const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
 
 /**
  * The run of a hand-in in a world: course, hardware and chance are the task's, only the programs are the pupil's. A
@@ -34,15 +32,15 @@ export function setupOf(task: ClassTask, handedIn: Project, world: WorldVariant)
   if ('problem' in first) return first;
   const further = furtherDevices(task.project, others, scene, first.robot !== 'none');
   if ('problem' in further) return further;
-  const feels = first.robot !== 'none' && settings.arenaSenses;
+  const devices = [first, ...further.devices] as const;
   const reality = world.reality ?? settings.reality;
   const sensors = Object.entries(world.sensors).map(([id, value]): InputEvent => {
     return { timeUs: 0, action: { type: 'sensor', id, value } };
   });
   return {
     scene,
-    devices: [first, ...further.devices],
-    inputs: [...(feels ? [SENSES] : []), ...sensors, ...world.inputs],
+    devices,
+    inputs: [...(settings.arenaSenses ? feelingInputs(devices) : []), ...sensors, ...world.inputs],
     reality,
     // As the page and the command line have it: an ideal robot has no number.
     seed: world.seed ?? (reality > 0 ? settings.seed : 1),

@@ -103,7 +103,7 @@ describe('flash', () => {
     const { simulator, flash } = opened();
     expect(simulator.settings()).toMatchObject({ robot: 'none', parts: ['board'] });
     await flash('import mbrobot_plusV2\n');
-    expect(simulator.settings()).toMatchObject({ robot: 'auto', parts: ['board', 'arena'] });
+    expect(simulator.settings()).toMatchObject({ robot: 'auto', parts: ['board', 'arena'], arenaSenses: true });
     await flash('from microbit import *\n');
     expect(simulator.settings()).toMatchObject({ robot: 'none', parts: ['board'] });
   });

@@ -1,7 +1,7 @@
 import * as v from 'valibot';
 
 import { LANGUAGES, type Language } from '#core/languages';
-import { filesByName, MAIN, type SourceFile } from '#project/project';
+import { filesByName, MAIN, newWork, type SourceFile } from '#project/project';
 import { importsOf } from '#python/imports';
 import { NO_ROBOT } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
@@ -25,7 +25,7 @@ const PLAIN: HostSettings = {
   robotOptions: {},
   reality: 0,
   seed: 1,
-  arenaSenses: false,
+  ...newWork,
   speed: 1,
   muted: false,
 };

@@ -1,4 +1,5 @@
 import { existsSync, readFileSync } from 'node:fs';
+import { feelingInputs } from '../feeling';
 import { parseInputs } from '../input-file';
 import { parseScene } from '#scene/parse';
 import type { DeviceSetup, RunSetup } from '../run-setup';
@@ -12,8 +13,8 @@ interface CourseData {
 }
 
 /**
- * The run of a ready course: with its solution and whoever presses what it needs, or as a pupil finds it, with nobody.
- * Folders without a `course.json` have one device.
+ * The run of a ready course, whose boards feel the arena as in all new work: with its solution and whoever presses what
+ * it needs, or as a pupil finds it, with nobody. Folders without a `course.json` have one device.
  */
 export function courseRun(folder: string, seed: number, which: 'solution' | 'start' = 'solution'): RunSetup {
   const parsed = parseScene(read(`${folder}/scene.json`));
@@ -28,7 +29,9 @@ export function courseRun(folder: string, seed: number, which: 'solution' | 'sta
   });
   const files = { 'main.py': read(`${folder}/${which === 'start' ? 'start' : 'main'}.py`) };
   const own = { name: first?.name ?? '1', files, robot: first?.robot ?? 'auto', board: 'auto' };
-  return { scene, devices: [own, ...further], seed, reality: 0, inputs: which === 'start' ? [] : inputsOf(folder) };
+  const devices = [own, ...further] as const;
+  const pressed = which === 'start' ? [] : inputsOf(folder);
+  return { scene, devices, seed, reality: 0, inputs: [...feelingInputs(devices), ...pressed] };
 }
 
 function inputsOf(folder: string): RunSetup['inputs'] & object {

@@ -114,7 +114,7 @@ describe('a run that is taken along', () => {
     });
     const read = parseTape(text);
     const inputs = 'tape' in read ? (read.tape.setup.inputs ?? []) : [];
-    expect(inputs.map(({ action }) => action.type)).toEqual(['serial', 'button', 'edit', 'place']);
+    expect(inputs.map(({ action }) => action.type)).toEqual(['arena-senses', 'serial', 'button', 'edit', 'place']);
     await page.run.reset();
     open(text);
     await soon(() => expect(said()).toContain('the same'));
@@ -149,7 +149,7 @@ describe('a run that is taken along', () => {
     const text = await saved('from mbrobot import *\nforward()\nwhile True:\n    delay(20)\n', () => page.run.stop());
     const read = parseTape(text);
     if ('problem' in read) throw new Error(read.problem);
-    expect(read.tape.setup.inputs).toEqual([]);
+    expect(read.tape.setup.inputs?.map(({ action }) => action.type)).toEqual(['arena-senses']);
     expect(read.tape.result.devices).toMatchObject([{ ended: null }]);
     expect(read.tape.result.simulatedUs).toBeGreaterThan(300_000);
   });

@@ -1,7 +1,7 @@
 import { watch } from 'vue';
 
 import { projectOf } from '#catalogue/course';
-import { MAIN, type Project } from '#project/project';
+import { MAIN, newWork, type Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
 import { createDialogs } from '../../kit/dialogs';
@@ -48,6 +48,8 @@ export function createSession(
   const page = { notices: createNotices(), dialogs: createDialogs(), late: new LateModels() };
   const host = new HostView(wish);
   const settings = createSettings(heldSettings(wish.settings), (names) => locks.refusesSettings(names));
+  // The stored settings are those of other work; this one begins now.
+  if (opened.work === null && wish.settings.arenaSenses === undefined) settings.bring(newWork);
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
   const { locks } = work;
   work.programs = starStore(wish);

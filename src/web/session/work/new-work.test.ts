@@ -34,6 +34,12 @@ describe('the board on a robot', () => {
     expect(feels(page)).toBe(true);
   });
 
+  it('feels it in the first work also where it was switched off in other work, unless a host wishes otherwise', () => {
+    localStorage.setItem('parcours.settings', JSON.stringify({ arenaSenses: false }));
+    expect(feels(createPage())).toBe(true);
+    expect(feels(createPage({ settings: { arenaSenses: false } }))).toBe(false);
+  });
+
   it('feels what it did in files and links of before: nothing, and again nothing when that work is brought back', () => {
     const page = createPage();
     const { files, scene } = page.work.work.value.project;

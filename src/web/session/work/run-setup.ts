@@ -1,5 +1,6 @@
 import { traitsFor } from '#my-robot/my-robot';
 import { filesByName } from '#project/project';
+import { feelingInputs } from '#simulation/feeling';
 import { hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
@@ -22,15 +23,17 @@ export function runSetup(parts: WorkParts, sensed: (place: number) => readonly I
   const names = work.devices.value;
   const [first, ...others] = names.map((name, place) => deviceSetup(parts, name, place));
   if (first === undefined) throw new RangeError('A project has at least one device.');
+  const devices = [first, ...others] as const;
+  const byHand = names.flatMap((name, place) =>
+    handInputs(parts, place, sensed(place)).map((event) => (place === 0 ? event : { ...event, device: name })),
+  );
   return {
     scene: work.scene.value,
-    devices: [first, ...others],
+    devices,
     repl: 'at-once',
     seed: seedOf(settings.current.value),
     reality: settings.current.value.reality,
-    inputs: names.flatMap((name, place) =>
-      deviceInputs(parts, place, sensed(place)).map((event) => (place === 0 ? event : { ...event, device: name })),
-    ),
+    inputs: settings.current.value.arenaSenses ? [...feelingInputs(devices), ...byHand] : byHand,
   };
 }
 
@@ -47,12 +50,8 @@ function deviceSetup(parts: WorkParts, name: string, place: number): DeviceSetup
   };
 }
 
-/** Inputs to a device from the start: values set by hand win over those measured in the arena. */
-function deviceInputs(parts: WorkParts, place: number, sensed: readonly InputEvent[]): readonly InputEvent[] {
+/** The inputs for a device that the hand has set, as far as its board has them. */
+function handInputs(parts: WorkParts, place: number, sensed: readonly InputEvent[]): readonly InputEvent[] {
   const hardware = hardwareNow(parts, place);
-  if (hardware === null) return [];
-  const inputs = fittingInputs(sensed, hardware.board);
-  const hasSenses = hardware.robot !== null || parts.work.hasSeveral.value;
-  const feels = hasSenses && parts.settings.current.value.arenaSenses;
-  return feels ? [{ timeUs: 0, action: { type: 'arena-senses', on: true } }, ...inputs] : inputs;
+  return hardware === null ? [] : fittingInputs(sensed, hardware.board);
 }

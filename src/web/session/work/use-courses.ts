@@ -1,11 +1,10 @@
-import { filesByName, MAIN, type Project } from '#project/project';
+import { filesByName, MAIN, newWork, type Project } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
 import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
 import type { Language } from '../../kit/i18n/texts';
 import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
 import { projectOf, type Course } from '#catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
-import { newWork } from './settings/settings';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
 import { withoutHandedOut } from './model/task-locks';

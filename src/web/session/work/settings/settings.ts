@@ -1,6 +1,7 @@
 import type { OptionValues } from '#core/option';
 import { isRecord } from '#core/record';
 import { readMyRobot, type MyRobot } from '#my-robot/my-robot';
+import { newWork } from '#project/project';
 import { robotTypes } from '#robots/index';
 import { Reader } from '#scene/reader';
 
@@ -92,9 +93,6 @@ export const LAST_SEED = 9999;
 /** True for the number of a used robot: a whole number, 1 … `LAST_SEED`. */
 export const isSeed = (value: unknown): value is number =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
-
-/** The settings of new work: a ready course, an example, the first one. Earlier work keeps its own. */
-export const newWork = { arenaSenses: true } as const;
 
 /** Settings of a first visit. */
 export function defaultSettings(language: Language): Settings {
