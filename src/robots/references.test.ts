@@ -5,6 +5,7 @@ import { readPython } from '#python/tree';
 import { mistakesIn } from '#reference/testing/catalogues';
 import { textKeysOf } from '#reference/text-keys';
 import { textsOfRobot } from '#reference/texts';
+import type { ReferenceModule } from '#reference/types';
 import { robotBuilds } from './builds';
 import { robotReferences } from './references';
 
@@ -15,16 +16,20 @@ function publicNames(source: string): string[] {
   return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
 }
 
+/** All names by which programs import a module. */
+const namesOfModule = ({ name, aliases }: ReferenceModule): readonly string[] => [name, ...aliases];
+
 describe.each(robotBuilds)('the reference of $type.name', ({ type, libraries }) => {
   const reference = robotReferences.find(({ robot }) => robot === type.id);
 
   it.each(Object.entries(libraries))('knows every name of %s and no other', (file, source) => {
-    const module = reference?.modules.find(({ name }) => `${name}.py` === file);
+    const module = reference?.modules.find((it) => namesOfModule(it).some((name) => `${name}.py` === file));
     expect(Object.keys(module?.names ?? {}).sort()).toEqual(publicNames(source));
   });
 
   it('describes no module that the robot does not bring along', () => {
-    expect(reference?.modules.map(({ name }) => `${name}.py`).sort()).toEqual(Object.keys(libraries).sort());
+    const described = reference?.modules.flatMap(namesOfModule).map((name) => `${name}.py`);
+    expect(described?.sort()).toEqual(Object.keys(libraries).sort());
   });
 
   it('has words for every name, each ending in a full stop, and no more words', () => {

@@ -47,6 +47,11 @@ export interface RobotType {
   /** Names of the Python modules it brings along. Importing one of them only hints at this robot. */
   readonly modules: readonly string[];
   /**
+   * Modules that are another one under a second name: name → the one whose file it has. Such names may differ in capitals
+   * alone, as files on many computers cannot.
+   */
+  readonly sameModules?: Readonly<Record<string, string>>;
+  /**
    * Common names of drivers by others: hints like `modules`. A name in lower case without underscores stands for all
    * its spellings; any other name stands for itself and takes precedence.
    */

@@ -1,4 +1,5 @@
 import { freeLibraries } from '#libraries/index';
+import { findRobot, robotTypes } from '#robots/index';
 
 /** Python sources by path. Runs get them together with the robots' behaviour, which is not needed here. */
 const sources = import.meta.glob<string>('../../../robots/*/library/*.py', {
@@ -14,6 +15,8 @@ export function robotOwnLibraries(robot: string): Readonly<Record<string, string
     const [, id, name] = /\/([^/]+)\/library\/([^/]+)$/.exec(path) ?? [];
     if (id === robot && name !== undefined) found[name] = text;
   }
+  for (const [name, same] of Object.entries(findRobot(robot)?.sameModules ?? {}))
+    found[`${name}.py`] = found[`${same}.py`] ?? '';
   return found;
 }
 
@@ -24,6 +27,6 @@ export function robotOwnLibraries(robot: string): Readonly<Record<string, string
  */
 export function allLibraries(robot: string | null): Readonly<Record<string, string>> {
   const all: Record<string, string> = { ...freeLibraries };
-  for (const [path, text] of Object.entries(sources)) all[path.slice(path.lastIndexOf('/') + 1)] = text;
+  for (const { id } of robotTypes) Object.assign(all, robotOwnLibraries(id));
   return Object.assign(all, robot === null ? {} : robotOwnLibraries(robot));
 }
