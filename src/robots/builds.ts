@@ -1,6 +1,7 @@
 // Written by `npm run robots`: do not edit.
 import { bitbotXlBuild } from './bitbot-xl/robot';
 import { callibotBuild } from './callibot/robot';
+import { cutebotBuild } from './cutebot/robot';
 import { maqueenLiteBuild } from './maqueen-lite/robot';
 import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
 import { maqueenPlusV2Build } from './maqueen-plus-v2/robot';
@@ -11,6 +12,7 @@ import type { RobotBuild } from './robot';
 export const robotBuilds: readonly RobotBuild[] = [
   bitbotXlBuild,
   callibotBuild,
+  cutebotBuild,
   maqueenLiteBuild,
   maqueenPlusV1Build,
   maqueenPlusV2Build,

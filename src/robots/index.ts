@@ -1,6 +1,7 @@
 // Written by `npm run robots`: do not edit.
 import { bitbotXl } from './bitbot-xl/type';
 import { callibot } from './callibot/type';
+import { cutebot } from './cutebot/type';
 import { maqueenLite } from './maqueen-lite/type';
 import { maqueenPlusV1 } from './maqueen-plus-v1/type';
 import { maqueenPlusV2 } from './maqueen-plus-v2/type';
@@ -11,6 +12,7 @@ import type { RobotType } from './robot';
 export const robotTypes: readonly RobotType[] = [
   bitbotXl,
   callibot,
+  cutebot,
   maqueenLite,
   maqueenPlusV1,
   maqueenPlusV2,

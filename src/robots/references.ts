@@ -2,6 +2,7 @@
 import type { RobotReference } from '#reference/types';
 import { bitbotXlReference } from './bitbot-xl/reference';
 import { callibotReference } from './callibot/reference';
+import { cutebotReference } from './cutebot/reference';
 import { maqueenLiteReference } from './maqueen-lite/reference';
 import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
 import { maqueenPlusV2Reference } from './maqueen-plus-v2/reference';
@@ -11,6 +12,7 @@ import { motionkit2Reference } from './motionkit-2/reference';
 export const robotReferences: readonly RobotReference[] = [
   bitbotXlReference,
   callibotReference,
+  cutebotReference,
   maqueenLiteReference,
   maqueenPlusV1Reference,
   maqueenPlusV2Reference,

@@ -1,6 +1,7 @@
 // Written by `npm run robots`: do not edit.
 import { bitbotXlSheet } from './bitbot-xl/sheet';
 import { callibotSheet } from './callibot/sheet';
+import { cutebotSheet } from './cutebot/sheet';
 import { maqueenLiteSheet } from './maqueen-lite/sheet';
 import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
 import { maqueenPlusV2Sheet } from './maqueen-plus-v2/sheet';
@@ -11,6 +12,7 @@ import type { RobotSheet } from './robot';
 export const robotSheets: readonly RobotSheet[] = [
   bitbotXlSheet,
   callibotSheet,
+  cutebotSheet,
   maqueenLiteSheet,
   maqueenPlusV1Sheet,
   maqueenPlusV2Sheet,
