@@ -53,7 +53,7 @@ const bundle = (vm, ...args) =>
 /** The bundle behind `npx parcours`. */
 async function buildCli(vm) {
   const inputs = {
-    sources: ['src', 'courses', 'build', 'vite.cli.config.ts', 'package.json', ...VM_SOURCES],
+    sources: ['src', 'courses', 'build', 'docs/hardware/probe', 'vite.cli.config.ts', 'package.json', ...VM_SOURCES],
     product: 'dist/cli/main.mjs',
     counts: (path) => !isTest(path) && !path.startsWith('src/web/'),
   };
