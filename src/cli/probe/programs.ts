@@ -1,12 +1,8 @@
 /** The probes, and what each of their rows would change. */
-import bitbotXl from '../../../docs/hardware/probe/bitbot_xl.py?raw';
-import callibot from '../../../docs/hardware/probe/callibot.py?raw';
+import { robotTypes } from '#robots/index';
 import errors from '../../../docs/hardware/probe/errors.py?raw';
 import floats from '../../../docs/hardware/probe/floats.py?raw';
-import maqueenLite from '../../../docs/hardware/probe/maqueen_lite.py?raw';
-import maqueenPlusV2 from '../../../docs/hardware/probe/maqueen_plus_v2.py?raw';
 import memory from '../../../docs/hardware/probe/memory.py?raw';
-import motionkit2 from '../../../docs/hardware/probe/motionkit_2.py?raw';
 import sound from '../../../docs/hardware/probe/sound.py?raw';
 import timing from '../../../docs/hardware/probe/timing.py?raw';
 
@@ -23,6 +19,23 @@ const COSTS = 'src/board/boards/nrf52833-costs.ts';
 const IN_C = 'src/vm/firmware/work-in-c.mjs';
 const always = (file: string): Probe['tells'] => [{ id: /./, file }];
 const bare = { robot: 'none' };
+
+const sources = import.meta.glob<string>('../../../docs/hardware/probe/*.py', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+
+/** The probes of robots, found by their names: `maqueen_lite.py` asks the robot `maqueen-lite`. */
+function robotProbes(): Readonly<Record<string, Probe>> {
+  const found: Record<string, Probe> = {};
+  for (const { id } of robotTypes) {
+    const name = id.replaceAll('-', '_');
+    const source = sources[`../../../docs/hardware/probe/${name}.py`];
+    if (source !== undefined) found[name] = { source, robot: id, tells: always(`src/robots/${id}`) };
+  }
+  return found;
+}
 
 /** By name; `radio` needs two boards, and is only read. */
 export const probes: Readonly<Record<string, Probe | undefined>> = {
@@ -54,11 +67,7 @@ export const probes: Readonly<Record<string, Probe | undefined>> = {
       { id: /./, file: 'src/board/sound' },
     ],
   },
-  maqueen_lite: { source: maqueenLite, robot: 'maqueen-lite', tells: always('src/robots/maqueen-lite') },
-  maqueen_plus_v2: { source: maqueenPlusV2, robot: 'maqueen-plus-v2', tells: always('src/robots/maqueen-plus-v2') },
-  bitbot_xl: { source: bitbotXl, robot: 'bitbot-xl', tells: always('src/robots/bitbot-xl') },
-  callibot: { source: callibot, robot: 'callibot', tells: always('src/robots/callibot') },
-  motionkit_2: { source: motionkit2, robot: 'motionkit-2', tells: always('src/robots/motionkit-2') },
+  ...robotProbes(),
 };
 
 /** The source file with the project's value for a row. */
