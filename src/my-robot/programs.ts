@@ -37,10 +37,8 @@ export const stepsOf = (type: RobotType): readonly Step[] =>
 export function programOf(step: Step, type: RobotType): Texts {
   const { source } = PROGRAMS[step];
   const board = findBoard(type.board)?.modules[0] ?? 'microbit';
-  const library = type.modules[0] ?? '';
+  const names = type.measuring?.trimEnd() ?? `from ${type.modules[0] ?? ''} import *`;
   const adapted = (text: string): string =>
-    text
-      .replace('from microbit import', `from ${board} import`)
-      .replace(/from mbrobot\w* import/, `from ${library} import`);
+    text.replace('from microbit import', `from ${board} import`).replace(/from mbrobot\w* import \*/, names);
   return Object.fromEntries(LANGUAGES.map((language) => [language, adapted(source[language])])) as unknown as Texts;
 }

@@ -52,6 +52,12 @@ export interface RobotType {
    */
   readonly sameModules?: Readonly<Record<string, string>>;
   /**
+   * The lines of Python, below an import of all of its board's module, by which a program that measures it gets
+   * `setSpeed` (percent), `forward`, `left`, `stop`, `delay` (ms) and `getDistance` (cm). Left out: its first module has
+   * these names.
+   */
+  readonly measuring?: string;
+  /**
    * Common names of drivers by others: hints like `modules`. A name in lower case without underscores stands for all
    * its spellings; any other name stands for itself and takes precedence.
    */

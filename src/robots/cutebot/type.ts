@@ -7,6 +7,7 @@ import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import measuring from './measuring.py?raw';
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;
@@ -72,6 +73,7 @@ export const cutebot: RobotType = {
   body,
   modules: ['cutebot', 'Cutebot'],
   sameModules: { Cutebot: 'cutebot' }, // the name of Elecfreaks' own file
+  measuring,
   options: [...attachmentOptions(SERVO_PORTS), incidenceOption],
   mountMm: { x: 58, y: 0 },
 };
