@@ -44,6 +44,6 @@ export interface RobotReference {
   readonly modules: readonly ReferenceModule[];
   /** Short words on the modules' names, by the names' keys. */
   readonly texts: Readonly<Record<string, Texts>>;
-  /** Calls without values that do what another call's name says: name → the name of the call that does it. */
+  /** Calls that do what another call's name says, also one that the library lacks: name → the name of the right call. */
   readonly misnamed?: Readonly<Record<string, string>>;
 }

@@ -51,4 +51,11 @@ export const cutebotReference: RobotReference = {
   robot: 'cutebot',
   modules: [cutebot],
   texts: words,
+  misnamed: {
+    forward: 'go_forward',
+    backward: 'go_backward',
+    left: 'turn_left',
+    right: 'turn_right',
+    getDistance: 'get_sonar_distance',
+  },
 };

@@ -112,6 +112,7 @@ describe('the palette of a robot', () => {
 
   it.each([
     ['motionkit-2', ['if irLeftValue() == 0:\n    …', 'rgbLED(255, 0, 0)']],
+    ['cutebot', ['if has_left_track():\n    …', 'distance = get_sonar_distance()', 'set_motors_speed(50, 30)']],
     ['bitbot-xl', ['if getLine(0) == 1:\n    …', 'fill(255, 0, 0)', 'sleep(500)']],
   ])('writes a command with the names that the library of the %s has', (robot, expected) => {
     const codes = commandsFor(robot).flatMap(({ commands }) => commands.map(({ code }) => codeShown(code)));
@@ -119,10 +120,11 @@ describe('the palette of a robot', () => {
   });
 });
 
-describe('the palette, for a library whose left() turns to the right', () => {
+describe('the palette, for libraries with other names, or whose left() turns to the right', () => {
   it.each([
     ['maqueen-lite', 'left()'],
     ['bitbot-xl', 'right()'],
+    ['cutebot', 'turn_left()'],
   ])('turns %s to the left with %s', (robot, code) => {
     const commands = commandsFor(robot).flatMap((group) => group.commands);
     expect(commands.find(({ id }) => id === 'left')?.code).toBe(code);

@@ -17,6 +17,8 @@ export interface PaletteCommand {
 
 const BODY = '\n\t${}';
 
+type Way = Omit<PaletteCommand, 'id'>;
+
 /** A call whose own words in the reference explain it. */
 const call = (name: string, values = '') => ({
   code: `${name}(${values})`,
@@ -48,6 +50,7 @@ const table = {
   rightArc: call('rightArc', '${1:0.2}'),
   stop: call('stop'),
   setSpeed: call('setSpeed', '${1:50}'),
+  wheels: call('set_motors_speed', '${1:50}, ${2:30}'),
 
   scroll: call('display.scroll', '"${1:Hi!}"'),
   show: call('display.show', '"${1:A}"'),
@@ -79,6 +82,8 @@ const table = {
   setLEDRight: call('setLEDRight', '${1:1}'),
   fillRGB: call('fillRGB', '${1:255}, ${2:0}, ${3:0}'),
   clearRGB: call('clearRGB'),
+  lampLeft: call('set_left_rgb_led', '${1:255}, ${2:0}, ${3:0}'),
+  lampRight: call('set_right_rgb_led', '${1:255}, ${2:0}, ${3:0}'),
   beep: call('beep'),
   setAlarm: call('setAlarm', '${1:1}'),
   melody: call('music.play', 'music.${1:ODE}'),
@@ -107,10 +112,18 @@ const table = {
 export type CommandId = keyof typeof table;
 
 /** Other ways to write a command, for robots whose libraries lack the names of the usual one. */
-const otherwise: Partial<Record<CommandId, readonly Omit<PaletteCommand, 'id'>[]>> = {
+const otherwise: Partial<Record<CommandId, readonly Way[]>> = {
   delay: [table.sleep],
-  leftDark: [own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'), own(`if getLine(0) == 1:${BODY}`, 'getLine')],
-  rightDark: [own(`if irRightValue() == 0:${BODY}`, 'irRightValue'), own(`if getLine(1) == 1:${BODY}`, 'getLine')],
+  leftDark: [
+    own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'),
+    own(`if getLine(0) == 1:${BODY}`, 'getLine'),
+    own(`if has_left_track():${BODY}`, 'has_left_track'),
+  ],
+  rightDark: [
+    own(`if irRightValue() == 0:${BODY}`, 'irRightValue'),
+    own(`if getLine(1) == 1:${BODY}`, 'getLine'),
+    own(`if has_right_track():${BODY}`, 'has_right_track'),
+  ],
   fillRGB: [call('rgbLED', '${1:255}, ${2:0}, ${3:0}'), call('fill', '${1:255}, ${2:0}, ${3:0}')],
 };
 
@@ -136,10 +149,13 @@ const board: Choice = {
 
 /** The commands that robots put in the place of the board's, as far as their libraries have the names. */
 const ofRobots: Choice = {
-  drive: ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'],
+  drive: ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed', 'wheels'],
   wait: ['delay', 'waitUntilNear', 'waitForA'],
   sensors: ['distance', 'near', 'leftDark', 'rightDark', 'middleDark', 'bumper', 'shaken'],
-  light: ['setLED', 'setLEDLeft', 'setLEDRight', 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
+  // prettier-ignore
+  light: [
+    'setLED', 'setLEDLeft', 'setLEDRight', 'lampLeft', 'lampRight', 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody',
+  ],
 };
 
 /** A group of the palette with its commands. */
@@ -152,12 +168,19 @@ export interface PaletteGroup {
 const ofBoards = new Set(['accelerometer', 'button_a', 'music', 'sleep']);
 
 /** A command with names that a robot's reference tells in its first module, which is for pupils; none if they lack. */
-function written(id: CommandId, { modules: [first], misnamed }: RobotReference): readonly PaletteCommand[] {
+function written(id: CommandId, { modules: [first], misnamed = {} }: RobotReference): readonly PaletteCommand[] {
   const names = new Set([...Object.keys(first?.names ?? {}), ...ofBoards]);
-  const way = [table[id], ...(otherwise[id] ?? [])].find(({ needs }) => needs.every((name) => names.has(name)));
-  if (way === undefined) return [];
-  const called = misnamed?.[way.said ?? ''];
-  return [{ id, ...way, ...(called === undefined ? {} : call(called)) }];
+  const ways = [table[id], ...(otherwise[id] ?? [])].map((way) => called(way, misnamed));
+  const way = ways.find(({ needs }) => needs.every((name) => names.has(name)));
+  return way === undefined ? [] : [{ id, ...way }];
+}
+
+/** A way to write a command with the name that a library gives its call, if that is another one. */
+function called(way: Way, misnamed: Readonly<Record<string, string>>): Way {
+  const { said, needs, code } = way;
+  const other = said === null ? undefined : misnamed[said];
+  if (said === null || other === undefined) return way;
+  return { code: code.replace(said, other), said: other, needs: needs.map((name) => (name === said ? other : name)) };
 }
 
 /** The commands of a group for a robot; `null`: those of the microcomputer. */
