@@ -37,4 +37,8 @@ describe('the robot for a driver that somebody else wrote', () => {
   it('is the MotionKit 2 for MotionKitV2 (the Calliope editor), motionkit (tinysuperlab) and mklib (chbijou)', () => {
     expect(['MotionKitV2', 'motionkit', 'mklib'].map(robotFor)).toEqual(Array(3).fill('motionkit-2'));
   });
+
+  it('is the Cutebot for cutebot (Vittascience) and Cutebot (Elecfreaks)', () => {
+    expect(['cutebot', 'Cutebot'].map(robotFor)).toEqual(Array(2).fill('cutebot'));
+  });
 });

@@ -127,6 +127,7 @@ music.stop()
     ['maqueen-plus-v2', 'from mbrobot_plusV2 import *\nforward()\ndelay(300)\nstop()'],
     ['callibot', 'from callibot import *\nforward()\ndelay(300)\nstop()'],
     ['bitbot-xl', 'from mbbitbot import *\nforward()\nsleep(300)\nstop()'],
+    ['cutebot', 'from cutebot import *\ngo_forward()\nutime.sleep_ms(300)\nstop()'],
   ])('holds for the wheels of %s', async (robot, main) => {
     const board = robot === 'callibot' ? 'calliope-mini-3' : 'microbit-v2';
     const wheels = async (ms: number): Promise<unknown> =>
