@@ -14,6 +14,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
+import { echoOf } from '../echo';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
@@ -32,6 +33,7 @@ const UNDERGLOW_COUNT = 2; // EF: left, right
 /** Colour lights in the order of the state: headlamp left, right, then the LEDs below. */
 const HEADLAMP: Readonly<Record<Side, 0 | 1>> = { left: 0, right: 1 };
 const UNDERGLOW_FROM = 2;
+const OFF: Rgb = [0, 0, 0];
 
 const WIRES: Robot['wires'] = { P8: [], P12: [], P13: [], P14: [], P15: [], P16: [] };
 
@@ -47,10 +49,7 @@ function attach(context: RobotContext): Robot {
   const servos = mountServos(context, type, SERVO_PORTS);
   const motors = mountMotors(context);
   const tell = tellColors(context);
-  const headlamps: [Rgb, Rgb] = [
-    [0, 0, 0],
-    [0, 0, 0],
-  ];
+  const headlamps: [Rgb, Rgb] = [OFF, OFF];
   const controller = createController({
     motor: (side, duty) => {
       const { left, right } = motors.duty();
@@ -70,7 +69,12 @@ function attach(context: RobotContext): Robot {
   const underglow = attachWs2812(board.wire('P15'), UNDERGLOW_COUNT, (led, color) => tell(UNDERGLOW_FROM + led, color));
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
-    attachHcSr04(clock, { trigger: board.wire('P8'), echo: board.wire('P12') }, sonar.distanceMm),
+    attachHcSr04(
+      clock,
+      { trigger: board.wire('P8'), echo: board.wire('P12') },
+      sonar.distanceMm,
+      echoOf(context.options),
+    ),
     attachIrReceiver(board.wire('P16')),
     lineLeft.stop,
     lineRight.stop,
