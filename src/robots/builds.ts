@@ -5,6 +5,7 @@ import { cutebotBuild } from './cutebot/robot';
 import { maqueenLiteBuild } from './maqueen-lite/robot';
 import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
 import { maqueenPlusV2Build } from './maqueen-plus-v2/robot';
+import { maqueenPlusV3Build } from './maqueen-plus-v3/robot';
 import { motionkit2Build } from './motionkit-2/robot';
 import type { RobotBuild } from './robot';
 
@@ -16,5 +17,6 @@ export const robotBuilds: readonly RobotBuild[] = [
   maqueenLiteBuild,
   maqueenPlusV1Build,
   maqueenPlusV2Build,
+  maqueenPlusV3Build,
   motionkit2Build,
 ];

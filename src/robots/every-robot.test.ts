@@ -11,6 +11,8 @@ import { robotSheets } from './sheets';
 import { putOnFloor } from './testing/floor';
 
 const LONGEST_FILE_NAME = 120; // the board's file system
+/** After this time every chip answers at its address. */
+const CHIPS_START_MS = 3000;
 const LARGEST_DRAWING_BYTES = 24_000; // about 6 kB compressed: drawings are part of the page before Run
 
 /** Every language is there, without a German letter that Switzerland does not use. */
@@ -157,14 +159,15 @@ describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s
     const drawing = await fetchDrawing(build.type.id);
     for (const { name } of state.lineSensors) expect(drawing).toContain(`id="line-${name}"`);
     for (let i = 0; i < state.rgb.length; i++) expect(drawing).toContain(`id="rgb-${i}"`);
+    for (const side of ['left', 'right'].slice(0, state.lamps.length)) expect(drawing).toContain(`id="lamp-${side}"`);
   });
 
   it('stands still and shines nowhere before a program says so', () => {
     const { robot, chassis, passMs } = putOnFloor(build);
     passMs(500);
-    const { leds, rgb, duty } = robot.state();
+    const { leds, rgb, lamps, duty } = robot.state();
     expect([leds, duty, chassis.pathMm()]).toEqual([{ left: 0, right: 0 }, { left: 0, right: 0 }, 0]);
-    for (const color of rgb) expect(color).toEqual([0, 0, 0]);
+    for (const color of [...rgb, ...lamps]) expect(color).toEqual([0, 0, 0]);
   });
 
   it.each(build.type.options.flatMap(({ id, choices }) => choices.map((choice) => [id, choice.id] as const)))(
@@ -179,7 +182,7 @@ describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s
 
   it('leaves wires and bus as it found them', () => {
     const { board, clock, robot, passMs } = putOnFloor(build);
-    passMs(20);
+    passMs(CHIPS_START_MS);
     robot.detach();
     const bare = new Board(board.type, new Clock());
     bare.clock.advanceTo(clock.nowUs);
@@ -209,7 +212,8 @@ describe.each(robotSheets.map((sheet) => [findRobot(sheet.robot)!.name, sheet] a
     });
 
     it('has a register table for each address that answers on the bus, and for no other', () => {
-      const { board } = putOnFloor(build);
+      const { board, passMs } = putOnFloor(build);
+      passMs(CHIPS_START_MS);
       const answering = [...Array(128).keys()].filter((address) => board.i2c.answers(address));
       const shown = sheet.registers.flatMap(({ address, lastAddress = address }) =>
         Array.from({ length: lastAddress - address + 1 }, (_, i) => address + i),

@@ -5,6 +5,7 @@ import { cutebot } from './cutebot/type';
 import { maqueenLite } from './maqueen-lite/type';
 import { maqueenPlusV1 } from './maqueen-plus-v1/type';
 import { maqueenPlusV2 } from './maqueen-plus-v2/type';
+import { maqueenPlusV3 } from './maqueen-plus-v3/type';
 import { motionkit2 } from './motionkit-2/type';
 import type { RobotType } from './robot';
 
@@ -16,6 +17,7 @@ export const robotTypes: readonly RobotType[] = [
   maqueenLite,
   maqueenPlusV1,
   maqueenPlusV2,
+  maqueenPlusV3,
   motionkit2,
 ].sort((one, other) => one.place - other.place);
 

@@ -2,6 +2,8 @@
 import { attachServoPorts, type ServoPorts } from '#attachments/servo-ports';
 import type { Rgb } from '#core/rgb';
 import type { Side } from '#devices/dc-motor';
+import type { Stop } from '#core/stop';
+import { attachPwmServo } from '#devices/servo';
 import type { RobotContext, RobotState, RobotType } from './robot';
 
 /** Both motors of a robot. */
@@ -46,6 +48,27 @@ export function mountServos(
       onSet?.(`servo-${port}`, angleDeg);
     },
   };
+}
+
+/**
+ * Shortest PWM period that turns a servo on a pin, in µs. Chosen: the buzzer is on P0, too, and its notes down to 100 Hz
+ * must not turn a claw.
+ */
+const LEAST_SERVO_PERIOD_US = 10_000;
+
+/** Listens to servos on the pins of these names; tones are left out. Whole degrees, because the steps of `write_analog` are 2°. */
+export function listenToServos(
+  { board, clock }: RobotContext,
+  pins: readonly string[],
+  set: (pin: string, angleDeg: number) => void,
+): readonly Stop[] {
+  return pins.map((pin) => {
+    const wire = board.wire(pin);
+    const hear = (angleDeg: number): void => {
+      if (wire.pwm === null || wire.pwm.periodUs >= LEAST_SERVO_PERIOD_US) set(pin, Math.round(angleDeg));
+    };
+    return attachPwmServo(wire, hear, { clock });
+  });
 }
 
 /** Makes a function that reports a colour light that the program sets, by its place. */

@@ -6,6 +6,7 @@ import { cutebotReference } from './cutebot/reference';
 import { maqueenLiteReference } from './maqueen-lite/reference';
 import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
 import { maqueenPlusV2Reference } from './maqueen-plus-v2/reference';
+import { maqueenPlusV3Reference } from './maqueen-plus-v3/reference';
 import { motionkit2Reference } from './motionkit-2/reference';
 
 /** The libraries of robots, for the editor. Apart from `index.ts`, as only the editor loads them, and later. */
@@ -16,5 +17,6 @@ export const robotReferences: readonly RobotReference[] = [
   maqueenLiteReference,
   maqueenPlusV1Reference,
   maqueenPlusV2Reference,
+  maqueenPlusV3Reference,
   motionkit2Reference,
 ];

@@ -44,6 +44,8 @@ export interface RobotType {
   /** Id of the board type that it carries. On another board nothing of the robot is connected. */
   readonly board: string;
   readonly body: ChassisType;
+  /** The body with these options, of the same shape; left out: all of them have `body`. */
+  readonly bodyWith?: (options: OptionValues) => ChassisType;
   /** Names of the Python modules it brings along. Importing one of them only hints at this robot. */
   readonly modules: readonly string[];
   /**
@@ -67,6 +69,10 @@ export interface RobotType {
   /** The mount of an attachment: in the middle of the front edge. `null`: nothing can be fixed. */
   readonly mountMm: Vec | null;
 }
+
+/** The body of a robot with these options. */
+export const bodyOf = ({ body, bodyWith }: RobotType, options: OptionValues): ChassisType =>
+  bodyWith?.(options) ?? body;
 
 /** The parts of a robot that a run needs. */
 export interface RobotBuild {

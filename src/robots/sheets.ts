@@ -5,6 +5,7 @@ import { cutebotSheet } from './cutebot/sheet';
 import { maqueenLiteSheet } from './maqueen-lite/sheet';
 import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
 import { maqueenPlusV2Sheet } from './maqueen-plus-v2/sheet';
+import { maqueenPlusV3Sheet } from './maqueen-plus-v3/sheet';
 import { motionkit2Sheet } from './motionkit-2/sheet';
 import type { RobotSheet } from './robot';
 
@@ -16,5 +17,6 @@ export const robotSheets: readonly RobotSheet[] = [
   maqueenLiteSheet,
   maqueenPlusV1Sheet,
   maqueenPlusV2Sheet,
+  maqueenPlusV3Sheet,
   motionkit2Sheet,
 ];

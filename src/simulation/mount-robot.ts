@@ -4,7 +4,7 @@ import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { heardCone } from '#robots/incidence';
-import type { OnSet, Robot, RobotType } from '#robots/robot';
+import { bodyOf, type OnSet, type Robot, type RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
@@ -48,7 +48,11 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   const { at, heading, scale } = start;
   const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
   const reality = createReality(place.reality, place.seed, () => clock.nowUs, place.traits);
-  const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose, () => clock.nowUs);
+  const chassis = world.addChassis(
+    reality.body(scaledBody(bodyOf(type, hardware.options), scale)),
+    pose,
+    () => clock.nowUs,
+  );
   chassis.setBattery((left, right) => reality.supply({ left, right }));
   const robot = build.attach({
     clock,

@@ -78,7 +78,7 @@ const body: ChassisType = {
 export const callibot: RobotType = {
   id: 'callibot',
   name: 'Calli:bot',
-  place: 3,
+  place: 4,
   board: 'calliope-mini-3',
   body,
   modules: ['callibot', 'callibotmot', 'cbalarm'],

@@ -60,7 +60,7 @@ const body: ChassisType = {
 export const maqueenPlusV1: RobotType = {
   id: 'maqueen-plus-v1',
   name: 'Maqueen Plus V1',
-  place: 4,
+  place: 5,
   board: 'microbit-v2',
   body,
   modules: ['mbrobot_plus'],

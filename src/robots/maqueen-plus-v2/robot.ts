@@ -7,16 +7,13 @@
  *      P2  servo               P15  four RGB LEDs
  *                              P16  infrared receiver
  */
-import type { Wire } from '#board/wires/wire';
 import type { Vec } from '#core/geometry';
-import type { Stop } from '#core/stop';
 import { signedDuty } from '#devices/dc-motor';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
-import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
-import { mountMotors, mountServos, tellColors } from '../mounting';
+import { listenToServos, mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
@@ -47,12 +44,6 @@ const BRIGHTNESS = {
 const SONAR_AT: Vec = { x: 76, y: 0 };
 
 const RGB_COUNT = 4; // front left, back left, back right, front right: ETH
-
-/**
- * Shortest PWM period that turns a servo here, in µs. Chosen: the buzzer is on P0, too, and its notes down to 100 Hz
- * must not turn a claw.
- */
-const LEAST_SERVO_PERIOD_US = 10_000;
 
 const WIRES: Robot['wires'] = { P13: [], P14: [], P15: [], P16: [] };
 
@@ -89,7 +80,7 @@ function attach(context: RobotContext): Robot {
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, echoOf(options)),
-    ...SERVO_PORTS.map((port) => onServoSignal(context, board.wire(port), (angle) => servos.set(port, angle))),
+    ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
     attachIrReceiver(board.wire('P16')),
     underglow.stop,
     servos.stop,
@@ -117,11 +108,3 @@ function attach(context: RobotContext): Robot {
  * (1 forward, 2 backward) report this in the maker's forum: forward drives back, backward does nothing.
  */
 const dutyOf = ([direction, speed]: MotorBytes['left']): number => (direction > 1 ? 0 : signedDuty(direction, speed));
-
-/** Listens to a servo's wire; tones are left out. Whole degrees, because the steps of `write_analog` are 2°. */
-function onServoSignal({ clock }: RobotContext, wire: Wire, set: (angleDeg: number) => void): Stop {
-  const hear = (angleDeg: number): void => {
-    if (wire.pwm === null || wire.pwm.periodUs >= LEAST_SERVO_PERIOD_US) set(Math.round(angleDeg));
-  };
-  return attachPwmServo(wire, hear, { clock });
-}

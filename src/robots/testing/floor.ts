@@ -6,7 +6,7 @@ import { createVm } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/step';
 import { createWorld, type World } from '#world/world';
-import type { Robot, RobotBuild } from '../robot';
+import { bodyOf, type Robot, type RobotBuild } from '../robot';
 
 /** A robot in an arena of 3 m × 3 m, its board controlled by a test. */
 export interface Floor {
@@ -55,7 +55,8 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
   const world = createWorld({ widthMm: 3000, heightMm: 3000 });
   prepare(world);
   const pose = { xMm: 1000, yMm: 1000, headingRad: 0 };
-  const chassis = world.addChassis({ ...build.type.body, strength }, pose, () => clock.nowUs);
+  const all = completeOptions(build.type.options, options);
+  const chassis = world.addChassis({ ...bodyOf(build.type, all), strength }, pose, () => clock.nowUs);
   const robot = build.attach({
     clock,
     board,
@@ -63,8 +64,9 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
     distance: (from, headingRad, cone) =>
       world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
+    depths: (from, view) => world.depthGrid(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
     supplyMv: () => supplyMv,
-    options: completeOptions(build.type.options, options),
+    options: all,
     scale,
     lineReadings: {},
   });

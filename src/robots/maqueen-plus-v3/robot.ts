@@ -1,0 +1,105 @@
+/**
+ * DFRobot Maqueen Plus V3: its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md.
+ *
+ *      P0  buzzer, servo S1             P13  ultrasonic trigger, if plugged in     I2C 0x10  motors, lamps, line sensors
+ *      P1  servo S2, four RGB LEDs      P14  ultrasonic echo                       I2C 0x33  lidar
+ *      P2  servo S3                     P16  infrared receiver
+ */
+import type { Vec } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
+import type { Stop } from '#core/stop';
+import { attachIrReceiver } from '#devices/ir-receiver';
+import { attachHcSr04 } from '#devices/hc-sr04';
+import { attachWs2812 } from '#devices/ws2812';
+import { mountLidar } from '../lidar';
+import { mountLineRow, type LinePlace } from '../line-row';
+import { listenToServos, mountMotors, mountServos, tellColors } from '../mounting';
+import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import { mountSonar, SR04_CONE, type Sonar } from '../sonar';
+import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
+import mbrobotPlusV3 from './library/mbrobot_plusV3.py?raw';
+import { maqueenPlusV3 as type, SERVO_PORTS } from './type';
+
+/** As on the V2, whose chassis it has. */
+const LINE_SENSORS: readonly LinePlace<LineName>[] = [
+  { name: 'L2', atMm: { x: 46, y: 36 } },
+  { name: 'L1', atMm: { x: 56, y: 12 } },
+  { name: 'M', atMm: { x: 56, y: 0 } },
+  { name: 'R1', atMm: { x: 56, y: -12 } },
+  { name: 'R2', atMm: { x: 46, y: -36 } },
+];
+const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
+
+/** Readings on black and on the bare floor: franc0r/francor-maqueen-plus-microbit, of 4095. Linear in between: chosen. */
+const BRIGHTNESS = { black: 2700, floor: 3800 };
+
+/** Upright on its bracket at the front edge: chosen from the drawing; a bracket can be screwed on elsewhere. */
+const LIDAR_AT: Vec = { x: 77, y: 0 };
+
+/** Its socket is that of the V2: its cans end at the front edge. */
+const SONAR_AT: Vec = { x: 76, y: 0 };
+
+const RGB_COUNT = 4; // front left, back left, back right, front right: sjh5637/myMaqueenPlusV3_extension
+
+export const maqueenPlusV3Build: RobotBuild = {
+  type,
+  libraries: { 'mbrobot_plusV3.py': mbrobotPlusV3 },
+  attach,
+};
+
+function attach(context: RobotContext): Robot {
+  const { board, options, onSet } = context;
+  const servos = mountServos(context, type, SERVO_PORTS);
+  const motors = mountMotors(context);
+  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
+  let lamps: readonly [Rgb, Rgb] = [DARK, DARK];
+  const controller = createController({
+    motors: motors.set,
+    isBright: line.isBright,
+    brightness: line.reading,
+    lamps: (left, right, { first, last }) => {
+      lamps = [left, right];
+      if (first === 0) onSet?.('light-left', left.join());
+      if (last === 1) onSet?.('light-right', right.join());
+    },
+  });
+  const sonar = options['ultrasonic'] === 'yes' ? plugInSonar(context, () => servos.sonarTurnRad()) : null;
+  const lidar = options['lidar'] === 'none' ? null : mountLidar(context, LIDAR_AT);
+  const underglow = attachWs2812(board.wire('P1'), RGB_COUNT, tellColors(context));
+  const stops: readonly Stop[] = [
+    board.i2c.attach(CONTROLLER_ADDRESS, controller),
+    ...listenToServos(context, SERVO_PORTS, servos.set),
+    attachIrReceiver(board.wire('P16')),
+    ...(sonar === null ? [] : [sonar.stop]),
+    ...(lidar === null ? [] : [lidar.stop]),
+    underglow.stop,
+    servos.stop,
+    motors.stop,
+  ];
+  const state = (): RobotState => ({
+    ...bareState,
+    rgb: underglow.colors(),
+    lamps,
+    lineSensors: line.states(),
+    servos: servos.servos(),
+    attachments: servos.attachments(),
+    duty: motors.duty(),
+    ultrasonic: sonar?.state() ?? null,
+    lidar: lidar?.state() ?? null,
+  });
+  const step = (): void => {
+    line.sample();
+    servos.step();
+  };
+  const wires: Robot['wires'] = { P1: [], P16: [], ...(sonar && { P13: [], P14: [] }) };
+  return { wires, state, step, detach: () => stops.forEach((stop) => stop()) };
+}
+
+const DARK: Rgb = [0, 0, 0];
+
+function plugInSonar(context: RobotContext, turnRad: () => number): Pick<Sonar, 'state'> & { readonly stop: Stop } {
+  const { board, clock } = context;
+  const { distanceMm, state } = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad });
+  const wires = { trigger: board.wire('P13'), echo: board.wire('P14') };
+  return { state, stop: attachHcSr04(clock, wires, distanceMm) };
+}
