@@ -1,5 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from './i2c-registers';
+import {
+  createRegisterMachine,
+  liveRegisters,
+  memoryRegisters,
+  textRegisters,
+  type RegisterOptions,
+} from './i2c-registers';
 
 /** Four registers from 0x02 with a memory, one at 0x10 that counts its readings, a text at 0xFD. */
 function machine() {
@@ -61,5 +67,51 @@ describe('A register machine on the I2C bus', () => {
 
   it('starts at register 0', () => {
     expect(machine().read(3)).toEqual([0, 0, 0]);
+  });
+});
+
+describe('A register machine that keeps the register it was told', () => {
+  it('reads from there each time: a flag that is asked for once more, without its number', () => {
+    let flag = 1;
+    const target = createRegisterMachine([liveRegisters(87, 1, () => flag--)], { staysSelected: true });
+    target.write(Uint8Array.of(87));
+    expect([target.read(1)[0], target.read(1)[0]]).toEqual([1, 0]);
+  });
+
+  it('reads from there after data as well: [76, 1], then two bytes', () => {
+    const speeds = liveRegisters(76, 2, (offset) => 65 + offset);
+    const after = (options?: RegisterOptions): number[] => {
+      const target = createRegisterMachine([speeds], options);
+      target.write(Uint8Array.of(76, 1));
+      return [...target.read(2)];
+    };
+    expect(after()).toEqual([66, 0]);
+    expect(after({ staysSelected: true })).toEqual([65, 66]);
+  });
+});
+
+describe('A text with more letters than registers', () => {
+  /** From 50 on, a text of 14 letters; a number each in 60 to 65. */
+  function longText() {
+    const text = textRegisters(50, 'MBT0050-EN-3.0', 10);
+    const target = createRegisterMachine([text, liveRegisters(60, 6, (offset) => 200 + offset)]);
+    return (register: number, ...counts: number[]): number[] => {
+      target.write(Uint8Array.of(register));
+      return counts.flatMap((count) => [...target.read(count)]);
+    };
+  }
+  const letters = [...new TextEncoder().encode('MBT0050-EN-3.0')];
+
+  it('is read whole from its length or its first letter on, at once or byte by byte, and then come the registers behind', () => {
+    const read = longText();
+    expect(read(50, 17)).toEqual([14, ...letters, 205, 0]);
+    expect(read(51, 14)).toEqual(letters);
+    expect(read(51, ...Array<number>(15).fill(1))).toEqual([...letters, 205]);
+  });
+
+  it('leaves the registers over which it runs their own meaning when they are selected', () => {
+    const read = longText();
+    expect(read(60, 6)).toEqual([200, 201, 202, 203, 204, 205]);
+    expect(read(64, 1)).toEqual([204]);
   });
 });

@@ -5,7 +5,9 @@
  *      write  [register]                 selects it
  *      read   n bytes                    from the selected register on; the selection moves along
  *
- * Register numbers are bytes and wrap from 255 to 0. A register without a part ignores writes and reads as 0.
+ * Register numbers are bytes and wrap from 255 to 0. A register without a part ignores writes and reads as 0. After data
+ * most chips have selected the register behind them; some read from the one that was named, again and again
+ * (`RegisterOptions`).
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
 
@@ -15,6 +17,11 @@ const REGISTER_COUNT = 256;
 export interface RegisterPart {
   readonly first: number;
   readonly count: number;
+  /**
+   * How many bytes a read that starts in this part gets from it, if these are more than its registers. It then goes on
+   * behind them, not with the registers in between, which still answer when they are selected. Left out: `count`.
+   */
+  readonly readCount?: number;
   readonly read: (offset: number) => number;
   /** Left out: read-only. */
   readonly write?: (offset: number, byte: number) => void;
@@ -28,13 +35,15 @@ export interface Touched {
   readonly last: number;
 }
 
-/** Registers that keep what was written; at the start 0. `written` gets their contents. */
+/** Registers that keep what was written; at the start `start`, or 0. `written` gets their contents. */
 export function memoryRegisters(
   first: number,
   count: number,
   written: (bytes: Readonly<Uint8Array>, touched: Touched) => void = () => undefined,
+  start: readonly number[] = [],
 ): RegisterPart {
   const bytes = new Uint8Array(count);
+  bytes.set(start);
   return {
     first,
     count,
@@ -51,28 +60,43 @@ export function liveRegisters(first: number, count: number, read: (offset: numbe
   return { first, count, read };
 }
 
-/** An ASCII text, read-only: its length in the first register, its characters in the following ones. */
-export function textRegisters(first: number, text: string): RegisterPart {
-  return liveRegisters(first, text.length + 1, (offset) => (offset === 0 ? text.length : text.charCodeAt(offset - 1)));
+/**
+ * An ASCII text, read-only: its length in the first register, its characters in the following ones.
+ *
+ * @param room registers that it has, if they are fewer than it needs; a read gets all of it all the same
+ */
+export function textRegisters(first: number, text: string, room = text.length + 1): RegisterPart {
+  const readCount = text.length + 1;
+  const read = (offset: number): number => (offset === 0 ? text.length : text.charCodeAt(offset - 1));
+  return { first, count: Math.min(room, readCount), readCount, read };
+}
+
+/** How a chip differs from most. */
+export interface RegisterOptions {
+  /** Every read begins at the register that was named last, whatever was written to it or read from it since. */
+  readonly staysSelected?: boolean;
 }
 
 /** Makes the device. Where parts overlap, the first one in the list counts. */
-export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget {
+export function createRegisterMachine(parts: readonly RegisterPart[], options: RegisterOptions = {}): I2cTarget {
   const partOf = Array.from({ length: REGISTER_COUNT }, (_, register) =>
     parts.find(({ first, count }) => register >= first && register < first + count),
   );
   let selected = 0;
+  /** The part in which reading began, if it gives more bytes than it has registers. */
+  let long: RegisterPart | undefined;
   const next = (): number => (selected + 1) % REGISTER_COUNT;
-
-  /** Calls `written` once for each part in which a transfer has written, from this register on. */
-  const tell = (register: number, count: number): void => {
-    const touched = new Map<RegisterPart, Touched>();
-    for (let i = 0; i < count; i++) {
-      const at = (register + i) % REGISTER_COUNT;
-      const part = partOf[at];
-      if (part?.write) touched.set(part, around(touched.get(part), at - part.first));
-    }
-    for (const [part, registers] of touched) part.written?.(registers);
+  const select = (register: number): void => {
+    selected = register;
+    const part = partOf[register];
+    long = (part?.readCount ?? 0) > (part?.count ?? 0) ? part : undefined;
+  };
+  const readNext = (): number => {
+    const offset = long === undefined ? 0 : selected - long.first;
+    const part = long !== undefined && offset >= 0 && offset < (long.readCount ?? 0) ? long : partOf[selected];
+    const byte = part?.read(selected - part.first) ?? 0;
+    selected = next();
+    return byte;
   };
 
   return {
@@ -88,22 +112,32 @@ export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget
         part?.write?.(selected - part.first, bytes[i] ?? 0);
         selected = next();
       }
+      select(options.staysSelected === true ? start : selected);
       const count = bytes.length - 1;
       if (count === 0) return;
       // Nearly every transfer stays within one part, and in simple loops they come by the thousand.
-      if (!isWhole || start + count > REGISTER_COUNT) tell(start, count);
+      if (!isWhole || start + count > REGISTER_COUNT) tell(partOf, start, count);
       else if (whole?.write) whole.written?.({ first: start - whole.first, last: start - whole.first + count - 1 });
     },
     read: (count) => {
       const answer = new Uint8Array(count);
-      for (let i = 0; i < count; i++) {
-        const part = partOf[selected];
-        answer[i] = part?.read(selected - part.first) ?? 0;
-        selected = next();
-      }
+      const start = selected;
+      for (let i = 0; i < count; i++) answer[i] = readNext();
+      if (options.staysSelected === true) selected = start;
       return answer;
     },
   };
+}
+
+/** Calls `written` once for each part in which a transfer has written, from this register on. */
+function tell(partOf: readonly (RegisterPart | undefined)[], register: number, count: number): void {
+  const touched = new Map<RegisterPart, Touched>();
+  for (let i = 0; i < count; i++) {
+    const at = (register + i) % REGISTER_COUNT;
+    const part = partOf[at];
+    if (part?.write) touched.set(part, around(touched.get(part), at - part.first));
+  }
+  for (const [part, registers] of touched) part.written?.(registers);
 }
 
 const around = (before: Touched | undefined, offset: number): Touched => ({
