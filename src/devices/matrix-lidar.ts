@@ -48,9 +48,9 @@ export type LidarLook = (size: LidarSize) => readonly number[];
 /** One module as its owner sees it. */
 export interface MatrixLidar {
   /** Cells per row now. */
-  size(): LidarSize;
+  readonly size: () => LidarSize;
   /** For each cell, row by row from the upper left of what it looks at: true if it was read within this time. */
-  readWithin(us: number): readonly boolean[];
+  readonly readWithin: (us: number) => readonly boolean[];
   readonly stop: Stop;
 }
 
@@ -124,7 +124,7 @@ function createTarget(clock: Clock, cells: Cells): I2cTarget {
       const [status, data, waitUs = READY_US] =
         'error' in said ? [FAILED, [said.error]] : [DONE, said.data, said.waitUs];
       // Only a change of mode is answered before the cells have settled.
-      const readyUs = command === SET_MODE ? clock.nowUs + waitUs : Math.max(clock.nowUs + waitUs, settledUs);
+      const readyUs = Math.max(clock.nowUs + waitUs, command === SET_MODE ? 0 : settledUs);
       if (command === SET_MODE && status === DONE) settledUs = clock.nowUs + SETTLE_US;
       reply = { bytes: [status, command, data.length & 0xff, data.length >> 8, ...data], readyUs };
     },
@@ -182,15 +182,15 @@ function wayPast(cells: Cells, passedFromMm: number): readonly number[] {
 
 /** The cells of a module, by column from the left and row from the top as it sees them. */
 interface Cells {
-  size(): LidarSize;
+  readonly size: () => LidarSize;
   resize(size: LidarSize): void;
   /** The words of the wanted cells, row by row. */
   read(isWanted: (column: number, row: number) => boolean): readonly number[];
   /** The least depth in the left quarter of the columns, in the half in the middle, and in the right quarter. */
   sides(): readonly [left: number, ahead: number, right: number];
   /** A depth as it is sent. */
-  word(depthMm: number): number;
-  readWithin(us: number): readonly boolean[];
+  readonly word: (depthMm: number) => number;
+  readonly readWithin: (us: number) => readonly boolean[];
 }
 
 function createCells(clock: Clock, look: LidarLook, { startSize, emptyMm, isTransposed }: MatrixLidarOptions): Cells {

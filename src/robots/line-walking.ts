@@ -1,10 +1,8 @@
 /**
- * Following a line as the Maqueen V5's controller does by itself (DFRobot pxt-maqueen, Maqueen_V5.patrolling). DFRobot
- * publishes only the switch and the three speeds; the steering is chosen: the simple rule for three sensors.
+ * Following a line as controllers of DFRobot do by themselves (pxt-maqueen, Maqueen_V5.patrolling; the Maqueen Plus V3's
+ * patrol). DFRobot publishes only the switch and the number of speeds; the steering is chosen: the simple rule for three
+ * sensors.
  */
-
-/** Speed byte of a wheel by grade, 1 … 3: chosen. Other grades drive like the first. */
-const SPEEDS = [40, 40, 55, 70] as const;
 
 /** Share of that speed at the inner wheel if the middle sensor sees the line, and if only an outer one does: chosen. */
 const EASY = 0.55;
@@ -17,7 +15,7 @@ export interface LineView {
   readonly right: boolean;
 }
 
-/** Speed bytes of both wheels, forward. */
+/** Speeds of both wheels, forward, in the unit of the speed that was given. */
 export interface WheelSpeeds {
   readonly left: number;
   readonly right: number;
@@ -29,7 +27,7 @@ export interface LineWalker {
    * The wheels' speeds for this sight; call it once per step of the world. Without a line they turn towards its last
    * side. If that is unknown, as after a sharp corner, they turn to the left and to the right, farther each time.
    */
-  next(view: LineView, grade: number): WheelSpeeds;
+  next(view: LineView, speed: number): WheelSpeeds;
 }
 
 /**
@@ -42,8 +40,7 @@ export function createLineWalker(): LineWalker {
   let side: 'left' | 'right' | null = null;
   let lostSteps: number | null = null; // null: no line seen yet
   return {
-    next: ({ left, middle, right }, grade) => {
-      const speed = SPEEDS[grade] ?? SPEEDS[0];
+    next: ({ left, middle, right }, speed) => {
       const seesLine = left || middle || right;
       if (left !== right) side = left ? 'left' : 'right';
       else if (seesLine) side = null;

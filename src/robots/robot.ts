@@ -140,6 +140,8 @@ export interface RobotContext {
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
   /** The picture of a multizone ranger whose lens is at `from` (robot frame) and looks ahead. */
   readonly depths: (from: Vec, view: DepthView) => readonly DepthCell[];
+  /** How far a move that the robot measures by itself misses its end now, in standard deviations; 0 on an ideal robot. */
+  readonly miss: () => number;
   /** Present voltage of the battery, in mV. */
   readonly supplyMv: () => number;
   /** A value for each option of the type. */

@@ -68,6 +68,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const { headingRad } = chassis.pose();
       return reality.depths(world.depthGrid(chassis.toWorld(from), headingRad, view, chassis));
     },
+    miss: () => reality.miss(),
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
     options: hardware.options,
     scale,

@@ -7,6 +7,7 @@
  *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
  *      ultrasonic   trembles and misses an echo now and then. From slanted walls it hears as the robot's option says
  *      lidar        trembles, far things more; now and then a cell loses a shiny floor
+ *      moves        those that a robot measures by itself end a little too early or too late
  *
  * A robot that was measured (`#robots/traits`) brings motors, battery and sensors of its own; chance then only lets its
  * sensors tremble.
@@ -33,6 +34,8 @@ export interface Reality {
   echo(hit: ConeHit): ConeHit;
   /** Distorts the picture of the lidar. */
   depths(cells: readonly DepthCell[]): readonly DepthCell[];
+  /** How far a move that the robot measures by itself misses its end now, in standard deviations. */
+  miss(): number;
 }
 
 /** A full battery's voltage in mV. Chosen: four NiMH cells of 1.2 V. */
@@ -60,6 +63,7 @@ const IDEAL: Reality = {
   reflectance: (seen) => seen,
   echo: (hit) => hit,
   depths: (cells) => cells,
+  miss: () => 0,
 };
 
 /**
@@ -85,7 +89,7 @@ export function createReality(amount: number, seed: number, nowUs: () => number,
   };
 }
 
-type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths'>;
+type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'miss'>;
 
 /** A measured robot whose sensors tremble like these. */
 function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
@@ -124,6 +128,7 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
         const noiseMm = Math.max(DEPTH_NOISE.leastMm, DEPTH_NOISE.share * cell.depthMm) * tremble(channel);
         return { ...cell, depthMm: Math.max(cell.depthMm + amount * noiseMm, 0) };
       }),
+    miss: () => amount * bellOf((draw) => unitOf(salt, moment(), MISS + draw)),
   };
 }
 
@@ -131,6 +136,17 @@ const ECHO = 1;
 const ECHO_MISSED = 2;
 /** The first of those of the lidar's cells; channels of line sensors are whole numbers that never come near it. */
 const DEPTHS = 0x40000000;
+
+/** The first of those of measured moves, likewise. */
+const MISS = 0x50000000;
+const BELL_DRAWS = 12;
+
+/** A number with mean 0 and standard deviation 1, within ±6: the sum of twelve even ones (Irwin and Hall). */
+function bellOf(unit: (draw: number) => number): number {
+  let sum = -BELL_DRAWS / 2;
+  for (let draw = 0; draw < BELL_DRAWS; draw++) sum += unit(draw);
+  return sum;
+}
 
 const LOST: DepthCell = { depthMm: Infinity, isFloor: false };
 

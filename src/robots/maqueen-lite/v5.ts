@@ -25,10 +25,10 @@ import type { Vec } from '#core/geometry';
 import { BOTH_SIDES } from '#devices/dc-motor';
 import { liveRegisters, memoryRegisters, type RegisterPart } from '#devices/i2c-registers';
 import type { Motors } from '../mounting';
+import { createLineWalker } from '../line-walking';
 import { mountLineRow, type LineRow } from '../line-row';
 import type { OnSet, RobotContext } from '../robot';
 import { createCarLight, type CarLight } from './car-light';
-import { createLineWalker } from './line-walking';
 
 const CAR_LIGHTS = 0x0b;
 const LINE_BITS = 0x1d;
@@ -59,6 +59,9 @@ const CELLS_MV = [
   { empty: 3300, full: 4200 },
   { empty: 3300, full: 4500 },
 ] as const;
+
+/** Speed byte of a wheel that follows the line, by grade, 1 … 3: chosen. Other grades drive like the first. */
+const WALKING_SPEEDS = [40, 40, 55, 70] as const;
 
 const FULL_BYTE = 255;
 
@@ -117,7 +120,8 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
     step: () => {
       line.moved();
       if (!isWalking) return;
-      const { left, right } = walker.next({ left: sees('left'), middle: sees('middle'), right: sees('right') }, grade);
+      const view = { left: sees('left'), middle: sees('middle'), right: sees('right') };
+      const { left, right } = walker.next(view, WALKING_SPEEDS[grade] ?? WALKING_SPEEDS[0]);
       motors.drive(left / FULL_BYTE, right / FULL_BYTE);
     },
   };

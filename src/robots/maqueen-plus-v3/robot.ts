@@ -6,17 +6,17 @@
  *      P2  servo S3                     P16  infrared receiver
  */
 import type { Vec } from '#core/geometry';
-import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachWs2812 } from '#devices/ws2812';
 import { mountLidar } from '../lidar';
 import { mountLineRow, type LinePlace } from '../line-row';
-import { listenToServos, mountMotors, mountServos, tellColors } from '../mounting';
+import { listenToServos, mountServos, tellColors } from '../mounting';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE, type Sonar } from '../sonar';
-import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
+import { mountChassis } from './chassis';
+import type { LineName } from './controller';
 import mbrobotPlusV3 from './library/mbrobot_plusV3.py?raw';
 import { maqueenPlusV3 as type, SERVO_PORTS } from './type';
 
@@ -48,58 +48,45 @@ export const maqueenPlusV3Build: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, options, onSet } = context;
+  const { board, options } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
-  const motors = mountMotors(context);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
-  let lamps: readonly [Rgb, Rgb] = [DARK, DARK];
-  const controller = createController({
-    motors: motors.set,
-    isBright: line.isBright,
-    brightness: line.reading,
-    lamps: (left, right, { first, last }) => {
-      lamps = [left, right];
-      if (first === 0) onSet?.('light-left', left.join());
-      if (last === 1) onSet?.('light-right', right.join());
-    },
-  });
+  const chassis = mountChassis(context, line);
   const sonar = options['ultrasonic'] === 'yes' ? plugInSonar(context, () => servos.sonarTurnRad()) : null;
   const lidar = options['lidar'] === 'none' ? null : mountLidar(context, LIDAR_AT);
   const underglow = attachWs2812(board.wire('P1'), RGB_COUNT, tellColors(context));
   const stops: readonly Stop[] = [
-    board.i2c.attach(CONTROLLER_ADDRESS, controller),
-    ...listenToServos(context, SERVO_PORTS, servos.set),
+    ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
     attachIrReceiver(board.wire('P16')),
     ...(sonar === null ? [] : [sonar.stop]),
     ...(lidar === null ? [] : [lidar.stop]),
     underglow.stop,
     servos.stop,
-    motors.stop,
+    chassis.stop,
   ];
   const state = (): RobotState => ({
     ...bareState,
     rgb: underglow.colors(),
-    lamps,
+    lamps: chassis.lamps(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: motors.duty(),
+    duty: chassis.duty(),
     ultrasonic: sonar?.state() ?? null,
     lidar: lidar?.state() ?? null,
   });
   const step = (): void => {
     line.sample();
+    chassis.step();
     servos.step();
   };
   const wires: Robot['wires'] = { P1: [], P16: [], ...(sonar && { P13: [], P14: [] }) };
   return { wires, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
-const DARK: Rgb = [0, 0, 0];
-
 function plugInSonar(context: RobotContext, turnRad: () => number): Pick<Sonar, 'state'> & { readonly stop: Stop } {
   const { board, clock } = context;
-  const { distanceMm, state } = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad });
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad });
   const wires = { trigger: board.wire('P13'), echo: board.wire('P14') };
-  return { state, stop: attachHcSr04(clock, wires, distanceMm) };
+  return { state: () => sonar.state(), stop: attachHcSr04(clock, wires, sonar.distanceMm) };
 }

@@ -2,11 +2,19 @@
 import type { RobotSheet } from '../robot';
 import words from './words/sheet';
 import firstDrive from './examples/first_drive.py?languages';
+import lidar from './examples/lidar.py?languages';
+import measured from './examples/measured.py?languages';
+import patrol from './examples/patrol.py?languages';
 
 export const maqueenPlusV3Sheet: RobotSheet = {
   robot: 'maqueen-plus-v3',
   about: words.about,
-  examples: [{ ...firstDrive, course: 'empty' }],
+  examples: [
+    { ...firstDrive, course: 'empty' },
+    { ...lidar, course: 'empty' },
+    { ...patrol, course: 'closed-line' },
+    { ...measured, course: 'empty' },
+  ],
   wiring: [
     { ...words.wiring.motors, at: 'I2C 0x10' },
     { ...words.wiring.lidar, at: 'I2C 0x33' },
@@ -29,6 +37,22 @@ export const maqueenPlusV3Sheet: RobotSheet = {
         { register: '12', access: 'RW', meaning: words.registers.controller.rightLamp },
         { register: '29', access: 'R', meaning: words.registers.controller.line },
         { register: '30 … 39', access: 'R', meaning: words.registers.controller.brightness },
+        { register: '50', access: 'R', meaning: words.registers.controller.versionLength },
+        { register: '51 …', access: 'R', meaning: words.registers.controller.version },
+        { register: '60', access: 'RW', meaning: words.registers.controller.mode },
+        { register: '61', access: 'R', meaning: words.registers.controller.junction },
+        { register: '63', access: 'RW', meaning: words.registers.controller.patrolSpeed },
+        { register: '64', access: 'RW', meaning: words.registers.controller.distanceDirection },
+        { register: '65, 66', access: 'RW', meaning: words.registers.controller.distance },
+        { register: '67', access: 'RW', meaning: words.registers.controller.angleDirection },
+        { register: '68', access: 'RW', meaning: words.registers.controller.angle },
+        { register: '69 … 72', access: 'RW', meaning: words.registers.controller.ways },
+        { register: '73', access: 'W', meaning: words.registers.controller.reset },
+        { register: '76, 77', access: 'R', meaning: words.registers.controller.speeds },
+        { register: '78 … 81', access: 'R', meaning: words.registers.controller.light },
+        { register: '85, 86', access: 'RW', meaning: words.registers.controller.grades },
+        { register: '87', access: 'R', meaning: words.registers.controller.busy },
+        { register: '90, 91', access: 'RW', meaning: words.registers.controller.driven },
       ],
     },
     {

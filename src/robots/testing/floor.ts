@@ -1,12 +1,13 @@
 import { Board } from '#board/board';
 import { findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
+import type { Vec } from '#core/geometry';
 import { completeOptions, type OptionValues } from '#core/option';
 import { createVm } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/step';
 import { createWorld, type World } from '#world/world';
-import { bodyOf, type Robot, type RobotBuild } from '../robot';
+import { bodyOf, type OnSet, type Robot, type RobotBuild } from '../robot';
 
 /** A robot in an arena of 3 m × 3 m, its board controlled by a test. */
 export interface Floor {
@@ -37,24 +38,31 @@ export interface ProgramRun {
 export interface FloorSetup {
   /** Paints lines and puts up walls. */
   readonly prepare?: (world: World) => void;
+  /** Left out: (1000, 1000). */
+  readonly startMm?: Vec;
   readonly options?: OptionValues;
   readonly scale?: number;
   /** Voltage of the battery. */
   readonly supplyMv?: number;
+  /** How far measured moves miss their end, in standard deviations. */
+  readonly miss?: number;
+  /** Called when the program sets an output. */
+  readonly onSet?: OnSet;
   /** Strength of the left and the right motor. */
   readonly strength?: readonly [number, number];
 }
 
-/** Puts a robot at (1000, 1000), heading along +x, with its board. */
+/** Puts a robot on the floor, heading along +x, with its board. */
 export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
-  const { prepare = () => undefined, options = {}, scale = 1, supplyMv = 4800, strength = [1, 1] } = setup;
+  const { prepare = () => undefined, options = {}, scale = 1, supplyMv = 4800, miss = 0, strength = [1, 1] } = setup;
+  const { startMm = { x: 1000, y: 1000 } } = setup;
   const boardType = findBoard(build.type.board);
   if (!boardType) throw new Error(`There is no board "${build.type.board}".`);
   const clock = new Clock();
   const board = new Board(boardType, clock);
   const world = createWorld({ widthMm: 3000, heightMm: 3000 });
   prepare(world);
-  const pose = { xMm: 1000, yMm: 1000, headingRad: 0 };
+  const pose = { xMm: startMm.x, yMm: startMm.y, headingRad: 0 };
   const all = completeOptions(build.type.options, options);
   const chassis = world.addChassis({ ...bodyOf(build.type, all), strength }, pose, () => clock.nowUs);
   const robot = build.attach({
@@ -65,10 +73,12 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     distance: (from, headingRad, cone) =>
       world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
     depths: (from, view) => world.depthGrid(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
+    miss: () => miss,
     supplyMv: () => supplyMv,
     options: all,
     scale,
     lineReadings: {},
+    ...(setup.onSet && { onSet: setup.onSet }),
   });
   clock.every(STEP_US, () => {
     world.step();

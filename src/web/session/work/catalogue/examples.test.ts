@@ -162,6 +162,42 @@ const STORIES: Readonly<Record<string, readonly Moment[]>> = {
       },
     },
   ],
+  'maqueen-plus-v3 first_drive.py': [endsDark(20_000)],
+  'maqueen-plus-v3 lidar.py': [
+    {
+      afterMs: 60_000,
+      says: 'it has driven 3 m about the arena and touched nothing',
+      holds(run) {
+        const { pathMm, collisions } = robotOf(run);
+        expect(pathMm).toBeGreaterThan(3000);
+        expect(collisions).toBe(0);
+      },
+    },
+  ],
+  'maqueen-plus-v3 patrol.py': [
+    {
+      afterMs: 13_000,
+      says: 'it has followed the line for 1.4 m and still sees it',
+      holds(run) {
+        const { pathMm, state } = robotOf(run);
+        expect(pathMm).toBeGreaterThan(1400);
+        expect(state.lineSensors.some(({ bright }) => !bright)).toBe(true);
+      },
+    },
+  ],
+  'maqueen-plus-v3 measured.py': [
+    {
+      afterMs: 30_000,
+      says: 'it is back where it began within 2 mm',
+      holds(run) {
+        hasEnded(run);
+        const { turnedRad, pose } = robotOf(run);
+        expect(Math.abs((turnedRad * 180) / Math.PI + 360)).toBeLessThan(1);
+        const [start] = traceOf(run);
+        expect(Math.hypot(pose.xMm - start!.xMm, pose.yMm - start!.yMm)).toBeLessThan(2);
+      },
+    },
+  ],
 };
 
 /** Every example of a servo moves a claw. */
