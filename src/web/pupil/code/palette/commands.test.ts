@@ -113,7 +113,10 @@ describe('the palette of a robot', () => {
   it.each([
     ['motionkit-2', ['if irLeftValue() == 0:\n    …', 'rgbLED(255, 0, 0)']],
     ['cutebot', ['if has_left_track():\n    …', 'distance = get_sonar_distance()', 'set_motors_speed(50, 30)']],
-    ['bitbot-xl', ['if getLine(0) == 1:\n    …', 'fill(255, 0, 0)', 'sleep(500)']],
+    [
+      'bitbot-xl',
+      ['if getLine(0) == 1:\n    …', 'fill(255, 0, 0)', 'sleep(500)', 'while getDistance() > 20:\n    sleep(20)'],
+    ],
   ])('writes a command with the names that the library of the %s has', (robot, expected) => {
     const codes = commandsFor(robot).flatMap(({ commands }) => commands.map(({ code }) => codeShown(code)));
     expect(codes).toEqual(expect.arrayContaining(expected));

@@ -114,6 +114,7 @@ export type CommandId = keyof typeof table;
 /** Other ways to write a command, for robots whose libraries lack the names of the usual one. */
 const otherwise: Partial<Record<CommandId, readonly Way[]>> = {
   delay: [table.sleep],
+  waitUntilNear: [own('while getDistance() > ${1:20}:\n\tsleep(${2:20})', 'getDistance', 'sleep')],
   leftDark: [
     own(`if irLeftValue() == 0:${BODY}`, 'irLeftValue'),
     own(`if getLine(0) == 1:${BODY}`, 'getLine'),
