@@ -63,6 +63,8 @@ export const bitbotXl: RobotType = {
   board: 'microbit-v2',
   body,
   modules: ['mbbitbot'],
+  // Its left() turns to the right, and it has no delay().
+  measuring: 'from mbbitbot import *\nfrom mbbitbot import right as left\n\ndelay = sleep',
   driverNames: ['bitbotxl', 'bitbot'], // GMC's module is BitBotXL
   options: [echoOption, incidenceOption],
   mountMm: null,
