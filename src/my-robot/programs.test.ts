@@ -26,9 +26,9 @@ describe.each(robotTypes)('the programs that measure a $name', { timeout: 30_000
     const scene = { ...defaultScene(), robot: { ...defaultScene().robot, type: type.id } };
     const files = { 'main.py': programOf('distance', type).en };
     const hardware = { robot: type.id, board: type.board, seed: 1, reality: 0 };
-    const inputs = [press(200, true), press(250, false)];
+    const inputs = [press(4000, true), press(4050, false)]; // a lidar takes 3 s to start
     const run = await Simulation.create(soloRun({ scene, files, ...hardware, inputs }), firmware);
-    run.advanceTo(2_000_000);
+    run.advanceTo(8_000_000);
     expect(run.ended?.exception ?? null).toBeNull();
     expect(Number(run.takeConsole())).toBeGreaterThan(10);
   });
