@@ -55,11 +55,11 @@ const MARK = /^[^#\n]*\b(?:basic\.(?:forever|pause|show_\w+|clear_screen)|input\
 const IMPORT = /^[ \t]*(?:from|import)\b/m;
 
 function makeCodeAdvice(name: string, text: string): SyntaxAdvice | null {
+  const robot = robotNamed(name);
+  if (robot?.modules.includes(name)) return null; // its import is forgotten
+  if (robot !== null) return { key: 'error.makeCodeRobot', values: { name, ...ways(robot) } };
   const other = otherRobot(name);
   if (other !== null) return other;
-  const isItsModule = robotNamed(name)?.modules.includes(name) === true;
-  const robot = isItsModule ? null : robotNamed(name);
-  if (robot !== null) return { key: 'error.makeCodeRobot', values: { name, ...ways(robot) } };
   if (!NAMESPACES.includes(name) && (!MARK.test(text) || IMPORT.test(text))) return null;
   const driven = Array.from(text.matchAll(/\b([A-Za-z]\w*)\./g), ([, word = '']) => robotNamed(word)).find(Boolean);
   return driven
