@@ -183,3 +183,13 @@ sleep(300)`;
     expect(ahead).toBeLessThan(300);
   });
 });
+
+describe('mbrobot_plusV3 and the lidar, which answers 3 s after the robot is switched on', () => {
+  it('waits for it when a program asks sooner', () => {
+    const { lines } = drive(
+      'from mbrobot_plusV3 import *\nprint(getDistanceAt(3, 3), running_time() // 1000)',
+      wallAhead(300),
+    );
+    expect(lines).toEqual(['30 3']);
+  });
+});

@@ -288,9 +288,20 @@ _MODE_TEXT = "Switching Lidar Mode to {0}x{0}.\nPlease wait up to 10 seconds."
 _cells = 8  # per row
 
 
+def _tell_lidar(request):
+    # It starts 3 s after the robot is switched on; a program that asks sooner waits for it.
+    while True:
+        try:
+            return i2c.write(_LIDAR, request)
+        except OSError:
+            if running_time() > 4000:
+                raise
+            sleep(50)
+
+
 def _ask_lidar(command, arguments=b''):
     """Data of the lidar's reply, or None if it does not reply within a second or cannot do it."""
-    i2c.write(_LIDAR, bytes((0x55, 0, len(arguments) + 1, command)) + arguments)
+    _tell_lidar(bytes((0x55, 0, len(arguments) + 1, command)) + arguments)
     until = running_time() + 1000
     status = 0xff
     while status == 0xff:
