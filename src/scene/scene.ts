@@ -311,7 +311,7 @@ export const sceneLimits = {
   placeMm: { min: -20_000, max: 20_000 },
   thicknessMm: { min: 2, max: 500 },
   blockMm: { min: 5, max: 5_000 },
-  /** Of what stands on the floor: flat enough that every sensor looks over it, up to higher than any sees. */
+  /** Tops of what stands on the floor: from what every sensor looks over to more than any sees. */
   heightMm: { min: 5, max: 1_000 },
   angleDeg: { min: 0, max: 360 },
   corners: { min: 3, max: 60 },

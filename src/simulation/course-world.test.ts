@@ -146,7 +146,7 @@ describe('heights of things', () => {
   it('are no help to a robot: it runs into a wall of 5 mm as into any other', () => {
     const arena = new CourseWorld(courseOf({ ...things[0], height: 5 } as SceneObject));
     const robot = arena.world.addChassis(testChassis(), { xMm: 150, yMm: 450, headingRad: 0 });
-    for (const wheel of [0, 1]) robot.setDuty(wheel, 0.8);
+    for (const wheel of [0, 1] as const) robot.setDuty(wheel, 0.8);
     for (let step = 0; step < 500; step++) arena.world.step();
     expect(robot.pose().xMm).toBeLessThan(300 - 59 + 1);
   });

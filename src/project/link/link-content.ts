@@ -7,6 +7,7 @@ import type { Scene, SceneObject, TaskRule } from '#scene/scene';
 import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
 import { handCodec } from './hand-codec';
+import { heightsCodec, type PlacedHeight } from './heights-codec';
 import { pathCodec } from './path-codec';
 import { MOST_DEVICES } from '../devices';
 import {
@@ -21,7 +22,6 @@ import {
   additionsCodec,
   dictionary,
   firstRobotCodec,
-  heightsCodec,
   sceneCodec,
   sharedCodecs,
   sharingCodec,
@@ -30,7 +30,6 @@ import {
   type FirstRobot,
   type PathCodec,
   type PlacedAdditions,
-  type PlacedHeight,
   type PlacedStart,
   type SharedCodecs,
   type TaskExtras,

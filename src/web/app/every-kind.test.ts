@@ -76,7 +76,7 @@ const inEditor: EditorKind<Puddle> = {
   handles: () => [],
   fields: (puddle) => [
     {
-      ...{ kind: 'number', name: 'width', value: puddle.radius, min: 1, max: 500, step: 1, unit: 'mm' },
+      ...{ kind: 'number', name: 'length', value: puddle.radius, min: 1, max: 500, step: 1, unit: 'mm' },
       with: (radius: number) => ({ ...puddle, radius }),
     },
   ],
