@@ -4,12 +4,12 @@ import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
 import { boundsOf } from '#scene/kinds/index';
 import type { Bounds, Outline } from '#scene/outline';
+import { placeInside } from '#scene/placement';
 import { sceneLimits, type Point, type Scene, type SceneObject } from '#scene/scene';
 import { boundsAll } from './bounds';
 import { changing, combined, startingAt } from './edits';
 import { kindOf, middleOf, movedBy } from './kinds/index';
 import { middleBetween, toPoint, toVec, turnedAbout, within } from './plane';
-import { placeInside } from './robot-place';
 import { freeObjects } from './selection';
 import type { Selection } from './tools/tool';
 

@@ -1,9 +1,9 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
+import { placeInside } from '#scene/placement';
 import { sceneLimits, type Point, type Scene } from '#scene/scene';
 import { combined, startingAt } from './edits';
 import { within } from './plane';
-import { placeInside } from './robot-place';
 
 /** Gives the course a name; spaces around it are dropped. `null` when it is called so already. */
 export function named(scene: Scene, name: string): SceneEdit | null {

@@ -2,7 +2,7 @@ import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
 import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, type Outline } from '#scene/outline';
-import { robotOutlines } from '#scene/placement';
+import { placeInside, robotOutlines } from '#scene/placement';
 import type { Point, Scene, SceneObject, Zone } from '#scene/scene';
 import type { Pasted } from './clipboard';
 import { adding, changing, startingAt } from './edits';
@@ -10,7 +10,6 @@ import { fieldsOf, movedBy, newObject } from './kinds/index';
 import { oneLine } from './kinds/label';
 import { robotFields, type Field, type FieldName, type FieldValue } from './object-fields';
 import { rotationDeg, within } from './plane';
-import { placeInside } from './robot-place';
 import type { ToolOptions } from './tools/tool';
 
 /**

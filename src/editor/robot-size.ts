@@ -1,8 +1,8 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
+import { placeInside } from '#scene/placement';
 import type { Scene } from '#scene/scene';
 import { startingAt } from './edits';
-import { placeInside } from './robot-place';
 
 /** Sizes of the robot relative to the real one that − and + lead through. */
 export const robotSizes: readonly number[] = [0.5, 0.75, 1, 1.25, 1.5, 2, 2.5, 3];

@@ -2,9 +2,9 @@ import { radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { kindOf, solidParts } from './kinds/index';
-import { movedOutline, overlapMm, type Outline } from './outline';
+import { boundsOfOutline, movedOutline, overlapMm, type Outline } from './outline';
 import type { SceneProblem } from './problem';
-import type { RobotStart, Scene, SceneObject } from './scene';
+import type { Point, RobotStart, Scene, SceneObject } from './scene';
 
 /** Bodies may overlap by this much without a complaint: the numbers of a scene are whole mm. */
 const TOLERANCE_MM = 1;
@@ -39,6 +39,31 @@ export function robotOutlines(
     return movedOutline(scaled, { x: at[0], y: at[1] }, direction);
   });
 }
+
+/**
+ * The place nearest to the robot's that has all of its body inside the arena, in whole mm; in an arena that is too small
+ * for it, the place where it sticks out as little as can be.
+ *
+ * @param footprint convex parts of the robot at scale 1 in its own frame; empty: only its origin is kept inside
+ */
+export function placeInside(robot: RobotStart, arena: Point, footprint: readonly Outline[]): Point {
+  const parts = robotOutlines({ ...robot, at: [0, 0] }, footprint);
+  const body = boundsOfOutline(parts.length === 0 ? [{ x: 0, y: 0 }] : parts.flat());
+  return [
+    coordinateInside(robot.at[0], body.minX, body.maxX, arena[0]),
+    coordinateInside(robot.at[1], body.minY, body.maxY, arena[1]),
+  ];
+}
+
+function coordinateInside(at: number, min: number, max: number, length: number): number {
+  const least = Math.ceil(-min - ROUNDING_MM);
+  const most = Math.floor(length - max + ROUNDING_MM);
+  if (least > most) return Math.round((length - max - min) / 2) + 0;
+  return Math.min(most, Math.max(least, Math.round(at))) + 0;
+}
+
+/** Rounding errors of a rotation are smaller than this. */
+const ROUNDING_MM = 1e-6;
 
 function outsideProblem(scene: Scene, parts: readonly Outline[]): SceneProblem | null {
   const [width, height] = scene.size;

@@ -1,10 +1,10 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
+import { placeInside } from '#scene/placement';
 import type { Scene } from '#scene/scene';
 import { changing, combined, startingAt } from '../edits';
 import { kindOf } from '../kinds/index';
 import { mirroredDeg, mirroredPoint, type Axis } from '../kinds/kind';
-import { placeInside } from '../robot-place';
 import { boundsOfSelection, freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 

@@ -1,11 +1,11 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import type { Bounds, Outline } from '#scene/outline';
+import { placeInside } from '#scene/placement';
 import type { Point, Scene } from '#scene/scene';
 import { changing, combined, startingAt } from '../edits';
 import { kindOf } from '../kinds/index';
 import { scaledPoint } from '../kinds/kind';
-import { placeInside } from '../robot-place';
 import { boundsOfSelection, freeObjects } from '../selection';
 import { snappedPlace } from '../snap';
 import type { Drag, Selection, ToolContext } from '../tools/tool';

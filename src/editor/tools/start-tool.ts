@@ -1,8 +1,8 @@
+import { placeInside } from '#scene/placement';
 import { endOf, isTap, startOf } from '../drag';
 import { startingAt } from '../edits';
 import { handleAt } from '../handles';
 import { directionDeg, steppedDeg, toPoint } from '../plane';
-import { placeInside } from '../robot-place';
 import { thingsAt } from '../selection';
 import { isInArena, onGrid } from '../snap';
 import { selectTool } from './select-tool';
