@@ -38,6 +38,7 @@ const files: Readonly<Record<string, readonly [run: string, task: string, handIn
   'anna.parcours.json': ['Hall: forward()', 'Hall', 'anna forward()'],
   'without-ending': ['Hall: forward()', 'Hall', 'without-ending forward()'],
   'hall.json': ['is a course without a program', 'Hall', 'hall course'],
+  'mylevel.json': ['is a course without a program', 'the course has no goals', 'mylevel course'],
   'week.json': ['is a series of tasks', 'is a series. Say which', 'week project'],
   'anna.run.json': ['is a recorded run', 'neither a project nor a course', 'anna forward()'],
   'class.zip': ['is not text', 'is not text', 'Anna forward(), Ben '],
@@ -62,6 +63,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
 
 const links: Readonly<Record<string, readonly [run: string, task: string, handIn: string]>> = {
   program: [': forward()', 'is a program', 'link 1 forward()'],
+  course: ['is a course without a program', 'the course has no goals', 'link 1 course'],
   project: ['Hall: forward()', 'Hall', 'link 1 forward()'],
   recording: ['is a recorded run', 'is a recorded run', 'link 1 forward()'],
   'series-link': ['neither a project nor a program', 'is a series. Say which', 'link 1 no-work'],

@@ -118,6 +118,7 @@ async function readScene(word: string): Promise<Scene> {
   const text = readText(word, limits.json);
   const document = documentOfText(text, () => null);
   if (document.kind === 'project') return document.project.scene;
+  if (document.kind === 'course') return document.scene;
   const parsed = parseScene(text);
   if ('scene' in parsed) return parsed.scene;
   // The problems inside a project are reported, instead of "not a project".
@@ -128,7 +129,9 @@ async function readScene(word: string): Promise<Scene> {
 async function sceneOfAddress(address: string): Promise<Scene> {
   const document = await documentAt(address);
   if (document.kind === 'project') return document.project.scene;
+  if (document.kind === 'course') return document.scene;
   const isProgram = document.kind === 'program';
+  if (isProgram && document.scene !== null) return document.scene;
   return refuse(shortened(address), isProgram ? 'is a program without a course.' : addressProblem(document));
 }
 

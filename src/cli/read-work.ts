@@ -5,6 +5,7 @@ import { documentOfText } from '#intake/text';
 import { isProjectLink } from '#project/link/link';
 import { runFilesOf } from '#project/devices';
 import { filesByName, type Project, type ProjectSettings } from '#project/project';
+import { noteText } from '#project/webtigerpython/say';
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
 
@@ -18,6 +19,8 @@ export interface Work {
   readonly firstName: string | null;
   /** The devices after the first. */
   readonly devices: readonly DeviceWork[];
+  /** Sentences on what of a link could not be taken over, or was changed. */
+  readonly notes: readonly string[];
 }
 
 /** A device after the first, as a project has it. */
@@ -30,7 +33,7 @@ export interface DeviceWork extends Pick<FurtherWish, 'robot' | 'board' | 'robot
 /** A program alone. */
 export const onlyProgram = (files: Work['files'], settings: Work['settings']): Work => ({
   ...{ files, settings },
-  ...{ scene: null, firstName: null, devices: [] },
+  ...{ scene: null, firstName: null, devices: [], notes: [] },
 });
 
 type Read = Work | { readonly problem: string };
@@ -55,14 +58,18 @@ export function addressProblem(document: AddressDocument): string {
     : 'The address holds neither a project nor a program. Copy the whole link.';
 }
 
-/** A project in a link, or a program in a link of WebTigerPython. */
+/** A project in a link, or a program in a link of WebTigerPython, perhaps with its world. */
 export async function workOfAddress(address: string): Promise<Read> {
   const document = await documentAt(address);
   if (document.kind === 'project') return workOfProject(document.project);
+  if (document.kind === 'course') return { problem: COURSE_ALONE };
   if (document.kind !== 'program') return { problem: addressProblem(document) };
-  return onlyProgram(filesByName(document.files), document.device === null ? {} : { device: document.device });
+  const { files, scene, device, notes } = document;
+  const work = onlyProgram(filesByName(files), device === null ? {} : { device });
+  return { ...work, scene, notes: notes.map((note) => noteText(note, 'en')) };
 }
 
+const COURSE_ALONE = 'is a course without a program. Give it with --scene, and name a program.';
 const RECORDED = 'is a recorded run. Run it again with parcours replay.';
 
 /** A project from the text of its file. */
@@ -72,7 +79,7 @@ export function workOfJson(text: string): Read {
     case 'project':
       return workOfProject(document.project);
     case 'course':
-      return { problem: 'is a course without a program. Give it with --scene, and name a program.' };
+      return { problem: COURSE_ALONE };
     case 'series':
       return { problem: 'is a series of tasks. Open it on the page, or name one of them for parcours check.' };
     case 'recording':
@@ -88,7 +95,14 @@ function workOfProject(project: Project): Work {
     const files = runFilesOf(project, index + 1);
     return { name, files, firmware, robot, board: boardOf(device), robotOptions };
   });
-  return { files: runFilesOf(project, 0), scene, settings, firstName: devices?.first ?? null, devices: others };
+  return {
+    files: runFilesOf(project, 0),
+    scene,
+    settings,
+    firstName: devices?.first ?? null,
+    devices: others,
+    notes: [],
+  };
 }
 
 /** The advice to reload is for people with the page open. */

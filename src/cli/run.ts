@@ -51,6 +51,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   const results = openResults(options);
   if ('problem' in results) return refuse(results.problem, terminal);
   const { trace, log, record } = results;
+  for (const note of read.notes) terminal.message(`parcours: ${note}`);
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {

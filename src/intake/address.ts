@@ -1,14 +1,15 @@
 import { unread } from '#check/hand-in/unread';
 import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
 import { DAMAGED_LINK, isProjectLink, projectOfLink, type LinkProblem, type ReadyCourses } from '#project/link/link';
-import { hasProgram, programOfLink, type ProgramLinkProblem } from '#project/webtigerpython/program-link';
+import { isProgramLink, type ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import { isRunLink, readRunLink } from '#tape/link';
 import { unreadable, type AddressDocument, type ReadyDocument, type SeriesDocument, type Unreadable } from './document';
 import { seriesDocument } from './text';
+import { documentOfProgramLink } from './webtigerpython';
 
 /**
  * Reads an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a program, perhaps
- * in a ready course, a ready course alone, or where a series is. Never throws.
+ * with its world or in a ready course, a world or a ready course alone, or where a series is. Never throws.
  */
 export function documentOfAddress(text: string, courses: ReadyCourses): AddressDocument {
   const address = text.trim();
@@ -26,9 +27,9 @@ export function documentOfAddress(text: string, courses: ReadyCourses): AddressD
   const [, place] = /^#?series=(.+)$/.exec(fragment) ?? [];
   if (place !== undefined) return { kind: 'series-place', place };
   const ready = readyIn(address);
-  if (hasProgram(address)) {
-    const read = programOfLink(address);
-    return 'problem' in read ? badLink(read.problem) : { kind: 'program', ...read, course: ready?.course ?? null };
+  if (isProgramLink(address)) {
+    const read = documentOfProgramLink(address, ready?.course ?? null);
+    return 'problem' in read ? badLink(read.problem) : read;
   }
   return ready ?? unreadable(unread('no-work').problem);
 }

@@ -4,6 +4,8 @@ import type { Series } from '#check/series/series';
 import type { LinkProblem } from '#project/link/link';
 import type { Project, SourceFile } from '#project/project';
 import type { ProjectProblem } from '#project/problem';
+import type { RewrittenLine as Rewritten } from '#advice/repeat';
+import type { Note } from '#project/webtigerpython/note';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { Scene } from '#scene/scene';
 import type { SceneProblem } from '#scene/problem';
@@ -36,6 +38,7 @@ export type TextDocument = ProjectDocument | CourseDocument | SeriesDocument | R
 export type AddressDocument =
   | ProgramDocument
   | ProjectDocument
+  | CourseDocument
   | RecordingDocument
   /** The link of a series, from `s=` on; `seriesOfLink` reads it. */
   | { readonly kind: 'series-link'; readonly link: string }
@@ -44,7 +47,7 @@ export type AddressDocument =
   | ReadyDocument
   | Unreadable;
 
-/** A program without a course. */
+/** A program, perhaps with the world of a link of WebTigerPython. */
 export interface ProgramDocument {
   readonly kind: 'program';
   /** main.py first in an address; in a file the one program, under the file's name. */
@@ -53,6 +56,17 @@ export interface ProgramDocument {
   readonly device: string | null;
   /** Id of the ready course that the address also names; `null`: none. */
   readonly course: string | null;
+  /** The course of its link; `null`: none. */
+  readonly scene: Scene | null;
+  /** Tell of everything in a link that could not be taken over, or was changed. */
+  readonly notes: readonly Note[];
+  /** Lines that were written in Python: `files` has them as they are now. */
+  readonly rewritten: readonly RewrittenLine[];
+}
+
+/** A line of a file that was written otherwise. */
+export interface RewrittenLine extends Rewritten {
+  readonly file: string;
 }
 
 /** A ready course. */
@@ -74,6 +88,10 @@ export interface ProjectDocument {
 export interface CourseDocument {
   readonly kind: 'course';
   readonly scene: Scene;
+  /** Id of the microcomputer that its link names; `null`: not said. */
+  readonly device: string | null;
+  /** Tell of everything in a world of WebTigerPython that could not be taken over, or was changed. */
+  readonly notes: readonly Note[];
 }
 
 /** A series; tasks in files beside it are not read yet (`readTasks`). */

@@ -24,7 +24,15 @@ export function documentOf(path: string, bytes: Uint8Array, courses: ReadyCourse
     return text === null ? unreadable(unread('not-text').problem) : documentOfText(text, courses);
   if (format === 'other') return unreadable(unread('kind').problem);
   if (text === null) return unreadable(unread('not-text').problem);
-  return { kind: 'program', files: [{ name, text }], device: null, course: null };
+  return {
+    kind: 'program',
+    files: [{ name, text }],
+    device: null,
+    course: null,
+    scene: null,
+    notes: [],
+    rewritten: [],
+  };
 }
 
 /** Reads a file of at most `most` bytes; left out: as many as its name allows (`mostBytes`). Never rejects. */

@@ -60,7 +60,7 @@ function addressesIn(
     address: match[0].slice(0, lengthWithout(match[0], AFTER_ADDRESS)),
     start: match.index,
     end: match.index + match[0].length,
-  })).filter(({ address }) => /[#?&]([pr]=\d|code=)/.test(address));
+  })).filter(({ address }) => /[#?&]([pr]=\d|(code|fs)=)/.test(address));
 }
 
 /** The name in the words before a link, without the signs around it; empty if it is too long for a name. */

@@ -28,7 +28,10 @@ describe('a JSON file', () => {
       ...{ kind: 'project', isCourseChanged: false },
       project: fullProject(),
     });
-    expect(read(`\ufeff${serializeScene(defaultScene())}`)).toEqual({ kind: 'course', scene: defaultScene() });
+    expect(read(`\ufeff${serializeScene(defaultScene())}`)).toEqual({
+      ...{ kind: 'course', device: null, notes: [] },
+      scene: defaultScene(),
+    });
     const old = readFileSync(new URL('../../courses/closed-line/scene.json', import.meta.url), 'utf8');
     expect(read(old).kind).toBe('course');
     for (const value of [null, 7, 'x', {}, [], [1, 2], { version: 1 }, [{ x: 1 }], { files: [] }])

@@ -1,16 +1,18 @@
 import { unread } from '#check/hand-in/unread';
 import { looksLikeSeries, parseSeries, type ReadSeries } from '#check/series/read-series';
 import { parseSceneValue } from '#scene/parse';
-import { SCENE_FORMAT } from '#scene/scene';
+import { SCENE_FORMAT, type Scene } from '#scene/scene';
 import { looksLikeEarlierLevel, sceneOfEarlierLevel } from '#project/earlier-levels';
 import { formatOf, isProjectFile, parseProject, parseProjectValue } from '#project/file';
 import type { ReadyCourses } from '#project/link/link';
 import { MAIN, projectLimits, type Project } from '#project/project';
 import { isTapeFile } from '#tape/tape';
-import type { Document, FileProblem, SeriesDocument, TextDocument, Unreadable } from './document';
+import type { CourseDocument, Document, FileProblem, SeriesDocument, TextDocument, Unreadable } from './document';
+import { documentOfWorld } from './webtigerpython';
 
 /**
- * Reads a text of JSON of any known kind: a project, a course, a level of an earlier simulator, a series, a recorded run.
+ * Reads a text of JSON of any known kind: a project, a course, a world of WebTigerPython, a level of an earlier simulator, a
+ * series, a recorded run.
  * Never throws.
  */
 export function documentOfText(text: string, courses: ReadyCourses): TextDocument {
@@ -20,16 +22,18 @@ export function documentOfText(text: string, courses: ReadyCourses): TextDocumen
   // A text that is not JSON, or far too long, gets the messages of a project file.
   if (value === undefined || isProjectFile(value)) return projectDocument(value, text);
   const format = formatOf(value);
+  const world = format === undefined ? documentOfWorld(value) : null;
+  if (world !== null) return world;
   if (format !== SCENE_FORMAT && looksLikeEarlierLevel(value)) {
     const level = sceneOfEarlierLevel(value);
-    if ('scene' in level) return { kind: 'course', scene: level.scene };
+    if ('scene' in level) return courseDocument(level.scene);
     const { problem, place } = level;
     const params = {};
     return wrongInside(problem, [{ code: 'not-a-level', path: place, value: '', params, message: problem }]);
   }
   if (format !== SCENE_FORMAT) return NEITHER;
   const parsed = parseSceneValue(value);
-  return 'scene' in parsed ? { kind: 'course', scene: parsed.scene } : wrongInside(parsed.problem, parsed.problems);
+  return 'scene' in parsed ? courseDocument(parsed.scene) : wrongInside(parsed.problem, parsed.problems);
 }
 
 /** True if a text begins as our files do. */
@@ -56,6 +60,8 @@ function projectDocument(value: unknown, text: string): TextDocument {
   if ('problem' in parsed) return wrongInside(parsed.problem, parsed.problems);
   return { kind: 'project', project: parsed.project, isCourseChanged: false };
 }
+
+const courseDocument = (scene: Scene): CourseDocument => ({ kind: 'course', scene, device: null, notes: [] });
 
 function wrongInside(message: string, problems: readonly FileProblem[]): Unreadable {
   const code = problems[0]?.code === 'newer-version' ? 'newer' : 'project';

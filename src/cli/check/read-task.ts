@@ -60,6 +60,8 @@ async function taskOfAddress(address: string): Promise<OpenedTask | Problem> {
     return { problem: `${word}: The series lies on a web server. Save its file, and name that.` };
   const document = await documentAt(address);
   if (document.kind === 'project') return { project: document.project, name: document.project.scene.name || 'link' };
+  const task = document.kind === 'course' ? taskIn(document) : null;
+  if (task !== null && 'project' in task) return { project: task.project, name: 'link' };
   const isProgram = document.kind === 'program';
   return { problem: `${word}: ${isProgram ? 'is a program, and no task.' : addressProblem(document)}` };
 }

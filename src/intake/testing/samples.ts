@@ -25,6 +25,10 @@ const run = tapeToText({
 const changedRun = run.replace('"seed":1', '"seed":2');
 const projectLink = linkOf(project, { courses: readyCourses, program: true })?.fragment ?? '';
 
+/** A program with a world, and a world alone, as WebTigerPython packs them. */
+const packed = (value: unknown): string => LZString.compressToBase64(JSON.stringify(value)).replaceAll('+', '-').replaceAll('/', '_'); // prettier-ignore
+const world = { StartBox: [400, 400, 0], Wallobjects: [[660, 976, 557, 6]], playgroundSize: [2000, 1500] };
+
 const zipOf = (files: Readonly<Record<string, string>>): Uint8Array =>
   zipSync(Object.fromEntries(Object.entries(files).map(([path, text]) => [path, strToU8(text)])));
 const seriesFolder = () => seriesToFolder(aSeries(), ({ title }) => title || 'task');
@@ -47,6 +51,7 @@ export const samples: readonly Sample[] = [
   sample('project', 'anna.parcours.json', projectToText(project)),
   sample('project', 'without-ending', projectToText(project)),
   sample('course', 'hall.json', serializeScene(scene)),
+  sample('course', 'mylevel.json', JSON.stringify(world)),
   sample('series', 'week.json', seriesToText(seriesForPupils(aSeries()))),
   sample('recording', 'anna.run.json', changedRun),
   sample('zip', 'class.zip', zipOf({ 'Anna/main.py': 'forward()\n', 'Ben/main.py': '' })),
@@ -64,7 +69,8 @@ export const samples: readonly Sample[] = [
 
 /** An address of each kind. */
 export const addresses: Readonly<Record<AddressDocument['kind'], string>> = {
-  program: `https://webtigerpython.ethz.ch/?code=${LZString.compressToBase64(JSON.stringify([{ name: 'main.py', data: 'forward()\n' }])).replaceAll('+', '-').replaceAll('/', '_')}`, // prettier-ignore
+  program: `https://webtigerpython.ethz.ch/?code=${packed([{ name: 'main.py', data: 'forward()\n' }])}&playground=${packed(world)}`, // prettier-ignore
+  course: `https://webtigerpython.ethz.ch/#?device=micro%3Abit&playground=${packed(world)}`,
   project: `https://parcours.example/#${projectLink}`,
   recording: `https://parcours.example/#${runLinkOf(changedRun, 0)}`,
   'series-link': `https://parcours.example/#${seriesLinkOf(seriesForPupils(aSeries()), readyCourses)?.fragment ?? ''}`,

@@ -3,7 +3,9 @@ import { describe, expect, it } from 'vitest';
 
 import { packed, unpacked } from '#core/deflate';
 import { createRng, type Rng } from '#core/rng';
-import { mutatedText } from '#scene/testing/mutate';
+import { parseScene } from '#scene/parse';
+import { serializeScene } from '#scene/serialize';
+import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 
 import { fromBase64Url } from '#core/base64-url';
 import { fuzzRuns } from '#core/testing/fuzz-runs';
@@ -21,7 +23,8 @@ import {
   shapesProject,
   startsProject,
 } from '../testing/projects';
-import { programOfLink } from '../webtigerpython/program-link';
+import { programOfLink, type ProgramLink } from '../webtigerpython/program-link';
+import { noteText } from '../webtigerpython/say';
 
 /** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
@@ -113,17 +116,49 @@ describe('randomly changed links', () => {
 });
 
 describe('randomly changed links of WebTigerPython', () => {
+  const lz = (value: unknown): string => LZString.compressToBase64(JSON.stringify(value));
+  const files = [{ name: 'main.py', data: 'print("hallo")\n'.repeat(9) }, { name: 'fahren.py', data: 'ü = 1' }]; // prettier-ignore
+  const world = {
+    StartBox: [787.5, 1188.8, 0],
+    Blockobjects: [[1643.9, 1139.3, false, 0], [300, 200, true, 3]],
+    Wallobjects: [[660, 976, 557, 6], [528, 718, 225, 4], [433, 1035, 570, 2]],
+    playgroundSize: [2000, 2000],
+  }; // prettier-ignore
+
   it(
     `open as valid files or give a message, never an exception (${String(fuzzRuns)} links)`,
     () => {
-      const files = [{ name: 'main.py', data: 'print("hallo")\n'.repeat(9) }, { name: 'fahren.py', data: 'ü = 1' }]; // prettier-ignore
-      const link = `?code=${LZString.compressToBase64(JSON.stringify(files))}&device=micro:bit`;
+      const link = `?code=${lz(files)}&device=micro:bit&playground=${encodeURIComponent(lz(world))}`;
       for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const read = programOfLink(mutatedText(link, createRng(seed)));
         if ('problem' in read) expect(read.problem.message).not.toBe('');
-        else expect(read.files[0]?.name).toBe('main.py');
+        else expectValid(read);
       }
     },
     TIME_LIMIT_MS,
   );
+
+  it(
+    `open with whatever their world says, and what is left out is told (${String(fuzzRuns)} worlds)`,
+    () => {
+      const codes = new Set<string>();
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
+        const value = mutatedTree(world, createRng(seed), false);
+        const read = programOfLink(`?code=${lz(files)}&playground=${encodeURIComponent(LZString.compressToBase64(JSON.stringify(value) ?? ''))}`); // prettier-ignore
+        if ('problem' in read) throw new Error(`seed ${String(seed)}: ${read.problem.message}`);
+        expectValid(read);
+        for (const { code } of [...read.notes, ...(read.world?.notes ?? [])]) codes.add(code);
+        expect(read.world === null, `seed ${String(seed)}`).toBe(read.notes.length > 0);
+      }
+      for (const code of ['worldUnknown', 'keys', 'startAngle', 'wallsUnread', 'blocksMovable', 'sizeUnread', 'far'])
+        expect(codes, code).toContain(code);
+    },
+    TIME_LIMIT_MS,
+  );
+
+  function expectValid({ files: read, world: found, notes }: ProgramLink): void {
+    expect(read[0]?.name ?? (found === null ? '' : 'main.py')).toBe('main.py');
+    for (const one of [...notes, ...(found?.notes ?? [])]) expect(noteText(one, 'en')).not.toMatch(/^$|[{}]\w+[{}]/);
+    if (found !== null) expect(parseScene(serializeScene(found.scene))).toEqual({ scene: found.scene });
+  }
 });

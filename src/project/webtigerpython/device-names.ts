@@ -8,3 +8,7 @@ const DEVICES: Readonly<Record<string, string>> = {
 
 /** Id of the microcomputer with this name in WebTigerPython; `null` for one that we do not have. */
 export const deviceCalled = (name: string): string | null => (Object.hasOwn(DEVICES, name) && DEVICES[name]) || null;
+
+/** WebTigerPython's name of the microcomputer with this id; `null` for one that it does not have. */
+export const deviceNameOf = (id: string): string | null =>
+  Object.entries(DEVICES).find(([, own]) => own === id)?.[0] ?? null;

@@ -27,7 +27,13 @@ export function textOfLzBase64(base64: string, maxCharacters: number): { readonl
 }
 
 const SIGNS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-const values = new Map([...Array.from(SIGNS, (sign, value) => [sign, value] as const), ['-', 62], ['_', 63]]);
+/** Both alphabets; a space was a `+` before something decoded it as in a form. */
+const values = new Map([
+  ...Array.from(SIGNS, (sign, value) => [sign, value] as const),
+  ['-', 62],
+  ['_', 63],
+  [' ', 62],
+]);
 
 /** The six bits of each character. */
 function sixesOf(base64: string): Uint8Array | null {

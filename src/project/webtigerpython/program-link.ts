@@ -1,8 +1,10 @@
 /**
  * Opens the links that WebTigerPython shares: `code` is the list of files `[{ "name": "main.py", "data": "…" }]` as
- * JSON, packed with LZ-String into base64 in the alphabet of addresses; `device` is the microcomputer's name. Both
- * stand in the query (`?code=…`) or, in newer links, in the fragment (`#?code=…`). Its pages with several files have
- * `fs` instead of `code`: see `files-in-link.ts`.
+ * JSON, packed with LZ-String into base64 in the alphabet of addresses; `device` is the microcomputer's name;
+ * `playground` is the world of the simulated robot, packed in the same way (`world.ts`). They stand in the query
+ * (`?code=…`) or, in newer links, in the fragment (`#?code=…`). Its pages with several files have `fs` instead of `code`:
+ * see `files-in-link.ts`. Whatever happens to base64 on its way is understood: no padding, `%2B`, a `+` that became a space,
+ * the alphabet of addresses.
  */
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION } from '#scene/scene';
 
@@ -12,19 +14,31 @@ import type { ProjectProblem } from '../problem';
 import { FILE_BYTES, type SourceFile } from '../project';
 import { deviceCalled } from './device-names';
 import { filesOfList, filesOfTree } from './files-in-link';
+import { note, type Note } from './note';
+import { notesOfParameters, parametersOf, type Parameters } from './parameters';
+import { readWorld, type World } from './read-world';
 
-/** The maximum number of characters that a link may unpack to. */
+/** The maximum number of characters that a program, and a world, may unpack to. */
 const MAX_CHARACTERS = 4_000_000;
+/** Chosen: more than ten times a world with as many things as a course may hold. */
+const MAX_WORLD_CHARACTERS = 1_000_000;
 
-/** Longest link that is read. */
-const MAX_LINK = 500_000;
+/** Longest packed program, and longest packed world, that is unpacked, in characters. */
+export const MAX_PACKED = 500_000;
 
-/** The program in a link. */
+/** Longest link that is looked at. Chosen: twice what it can hold. */
+const MAX_LINK = 2_000_000;
+
+/** A link's program, its world, or both. */
 export interface ProgramLink {
-  /** main.py first. */
+  /** main.py first; none: the link has a world alone. */
   readonly files: readonly SourceFile[];
   /** Id of the microcomputer it is for; `null` if the link does not say, or if we do not have it. */
   readonly device: string | null;
+  /** `null`: the link has none, or none that can be read; then a note says so. */
+  readonly world: World | null;
+  /** Tell of everything that could not be taken over; those of its world are in `world`. */
+  readonly notes: readonly Note[];
 }
 
 /** Why a link opens nothing. */
@@ -37,55 +51,70 @@ export interface ProgramLinkProblem {
   readonly problems: readonly ProjectProblem[];
 }
 
-/** True if an address, or a part of one, has a program of WebTigerPython in it. */
-export const hasProgram = (address: string): boolean => /[?&](code|fs)=/.test(address);
+type Failed = { readonly problem: ProgramLinkProblem };
+
+/** True if an address, or a part of one, has a program or a world of WebTigerPython in it. */
+export const isProgramLink = (address: string): boolean => /[?&](code|fs|playground)=/.test(address);
 
 /** Reads a whole address, or its query or fragment. Never throws; a link with a problem opens nothing. */
-export function programOfLink(address: string): ProgramLink | { readonly problem: ProgramLinkProblem } {
-  if (address.length > MAX_LINK) {
-    const params = { length: address.length, max: MAX_LINK };
-    return failed(
-      'too-long',
-      `The link has ${String(address.length)} characters; the limit is ${String(MAX_LINK)}.`,
-      params,
-    );
-  }
-  const files = filesIn(address);
+export function programOfLink(address: string): ProgramLink | Failed {
+  if (address.length > MAX_LINK) return tooLong(address.length, MAX_LINK);
+  const parameters = parametersOf(address);
+  const { world, problem } = worldIn(parameters);
+  const packed = parameters.get('code') === '' ? undefined : parameters.get('code');
+  const hasFiles = packed !== undefined || (parameters.get('fs') ?? '') !== '';
+  const files = hasFiles ? filesIn(parameters) : { files: [] };
   if ('problem' in files) return files;
-  // Read like a project: the same rules judge the files of a link.
-  const parsed = parseProjectValue({
-    format: PROJECT_FORMAT,
-    version: PROJECT_VERSION,
-    files: files.files,
-    scene: { format: SCENE_FORMAT, version: SCENE_VERSION, ...defaultScene() },
-  });
-  if ('problems' in parsed) {
-    const what = `The program in the link cannot be opened: ${parsed.problem}`;
-    return failed('invalid', what, { max: FILE_BYTES }, parsed.problems);
-  }
-  return { files: parsed.project.files, device: deviceCalled(parameter(address, 'device') ?? '') };
+  if (!hasFiles && world === null) return problem === 'worldTooLarge' ? tooLarge(MAX_WORLD_CHARACTERS) : damaged();
+  const notes = [...(problem === null ? [] : [note(problem)]), ...notesOfParameters(parameters)];
+  return { files: files.files, device: deviceCalled(parameters.get('device') ?? ''), world, notes };
 }
 
+/** The world, or the note that it cannot be read; neither: there is none. */
+function worldIn(parameters: Parameters): { world: World | null; problem: WorldProblem | null } {
+  const packed = parameters.get('playground');
+  if (packed === undefined || packed === '') return { world: null, problem: null };
+  const unpacked = packed === null ? 'damaged' : valueOfPacked(packed, MAX_WORLD_CHARACTERS);
+  if (unpacked === 'damaged') return { world: null, problem: 'worldDamaged' };
+  if (typeof unpacked === 'string') return { world: null, problem: 'worldTooLarge' };
+  const world = readWorld(unpacked.value);
+  return { world, problem: world === null ? 'worldUnknown' : null };
+}
+
+type WorldProblem = 'worldDamaged' | 'worldTooLarge' | 'worldUnknown';
+
 /** The files as the link has them, main.py first. */
-function filesIn(address: string): Pick<ProgramLink, 'files'> | { readonly problem: ProgramLinkProblem } {
-  const code = parameter(address, 'code');
-  const packed = code ?? parameter(address, 'fs');
-  if (packed === null || packed === '') return damaged();
-  const unpacked = valueOfPacked(packed);
-  if (unpacked === 'too-large') {
-    const what = `The link unpacks to more than ${String(MAX_CHARACTERS)} characters. It is not opened.`;
-    return failed('too-large', what, { max: MAX_CHARACTERS });
-  }
+function filesIn(parameters: Parameters): Pick<ProgramLink, 'files'> | Failed {
+  const code = parameters.get('code') === '' ? undefined : parameters.get('code');
+  const packed = code === undefined ? parameters.get('fs') : code;
+  if (packed === null || packed === undefined) return damaged();
+  const unpacked = valueOfPacked(packed, MAX_CHARACTERS);
+  if (unpacked === 'too-long') return tooLong(packed.length, MAX_PACKED);
+  if (unpacked === 'too-large') return tooLarge(MAX_CHARACTERS);
   if (unpacked === 'damaged') return damaged();
-  const files = (code === null ? filesOfTree : filesOfList)(unpacked.value);
-  if (files !== null) return { files };
-  return code === null
+  const files = (code === undefined ? filesOfTree : filesOfList)(unpacked.value);
+  if (files !== null) return checked(files);
+  return code === undefined
     ? failed('unknown-form', 'The link has its files in a form that we do not know. It is not opened.', {})
     : damaged();
 }
 
-function valueOfPacked(packed: string): { readonly value: unknown } | LzProblem {
-  const unpacked = textOfLzBase64(packed, MAX_CHARACTERS);
+/** Read like a project: the same rules judge the files of a link. */
+function checked(files: readonly SourceFile[]): Pick<ProgramLink, 'files'> | Failed {
+  const parsed = parseProjectValue({
+    format: PROJECT_FORMAT,
+    version: PROJECT_VERSION,
+    files,
+    scene: { format: SCENE_FORMAT, version: SCENE_VERSION, ...defaultScene() },
+  });
+  if (!('problems' in parsed)) return { files: parsed.project.files };
+  const what = `The program in the link cannot be opened: ${parsed.problem}`;
+  return failed('invalid', what, { max: FILE_BYTES }, parsed.problems);
+}
+
+function valueOfPacked(packed: string, maxCharacters: number): { readonly value: unknown } | LzProblem | 'too-long' {
+  if (packed.length > MAX_PACKED) return 'too-long';
+  const unpacked = textOfLzBase64(packed, maxCharacters);
   if (typeof unpacked === 'string') return unpacked;
   try {
     return { value: JSON.parse(unpacked.text) as unknown };
@@ -99,22 +128,15 @@ function failed(
   message: string,
   params: ProgramLinkProblem['params'],
   problems: readonly ProjectProblem[] = [],
-): { readonly problem: ProgramLinkProblem } {
+): Failed {
   return { problem: { code, message, params, problems } };
 }
 
-const damaged = (): { readonly problem: ProgramLinkProblem } =>
+const damaged = (): Failed =>
   failed('damaged', 'The link is damaged: a part of it is missing or changed. Copy it again, whole.', {});
 
-/** A parameter of the query or of the fragment, decoded; `null` if it is missing or cannot be decoded. */
-function parameter(address: string, name: string): string | null {
-  for (const part of address.split(/[?&#]/)) {
-    if (!part.startsWith(`${name}=`)) continue;
-    try {
-      return decodeURIComponent(part.slice(name.length + 1));
-    } catch {
-      return null;
-    }
-  }
-  return null;
-}
+const tooLarge = (max: number): Failed =>
+  failed('too-large', `The link unpacks to more than ${String(max)} characters. It is not opened.`, { max });
+
+const tooLong = (length: number, max: number): Failed =>
+  failed('too-long', `The link has ${String(length)} characters; the limit is ${String(max)}.`, { length, max });

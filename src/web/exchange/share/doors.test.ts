@@ -55,6 +55,7 @@ const files: Readonly<Record<string, readonly [page: string, class_: string, mak
   'anna.parcours.json': ['Hall: main.py forward()', 'anna forward()', 'task', 'Hall'],
   'without-ending': ['Hall: main.py forward()', 'without-ending forward()', 'refused', 'Hall'],
   'hall.json': ['Hall: main.py ', 'hall course', 'task', 'Hall'],
+  'mylevel.json': [': main.py ', 'mylevel course', 'task', ''],
   'week.json': ['#series/woch', 'series', 'series', 'series'],
   'anna.run.json': ['Hall: main.py forward()', 'anna forward()', 'refused', 'is no task'],
   'class.zip': ['cannot be opened here', 'Anna forward(), Ben ', 'nothing', 'is no task'],
@@ -124,6 +125,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
 /** The effect of each address at each door where addresses are taken. */
 const links: Readonly<Record<string, readonly [page: string, class_: string, maker: string]>> = {
   program: ['main.py forward()', 'forward()', 'refused'],
+  course: [': main.py ', 'nothing', 'refused'],
   project: ['Hall: main.py forward()', 'forward()', 'task'],
   recording: ['Hall: main.py forward()', 'forward()', 'refused'],
   'series-link': ['#s=1.', 'series', 'series'],

@@ -1,2 +1,2 @@
 /** Parameters that carry work: a program (WebTigerPython's, or one in a course of ours), or a course. */
-export const LINK_PARAMETERS = ['code', 'fs', 'world', 'task'] as const;
+export const LINK_PARAMETERS = ['code', 'fs', 'playground', 'world', 'task'] as const;

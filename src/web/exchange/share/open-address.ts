@@ -1,5 +1,5 @@
 import { documentOfAddress } from '#intake/address';
-import type { ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';
+import type { CourseDocument, ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';
 import { defaultProjectSettings, type Project } from '#project/project';
 
 import type { Workplace } from '../../session/work/model/parts';
@@ -9,6 +9,7 @@ import { useOpenings } from '../../session/work/use-openings';
 import { urlOf } from '../../session/visit/address';
 import { t } from '../../kit/i18n';
 import { readyCourse, readyScene } from '../../session/work/catalogue/ready-courses';
+import { isReadyArena } from '../../session/work/catalogue/examples';
 import { courseName } from '../../session/work/catalogue/first-course';
 import { isSameWork } from '../../session/work/storage/history';
 import { openRun } from './open-run';
@@ -18,7 +19,7 @@ import words from './words';
 
 /**
  * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a
- * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs
+ * ready course (`task`: with its program, `world`: the arena alone), a course, a program, or a program in a course. Never runs
  * it; a recorded run alone is repeated, silently, before it is looked at.
  *
  * @param wish `held`: the other settings in the address hold for this visit; `brought`: a program brings its
@@ -34,6 +35,8 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
       return openRun(app, { ...document, file: t(words.openField) });
     case 'program':
       return openProgram(app, document, wish);
+    case 'course':
+      return openCourse(app, document);
     case 'ready':
       return openReady(app, document);
     // A series has an address of this page, which shows it.
@@ -52,6 +55,12 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
 function placeSeenFrom(address: string, place: string): string {
   const base = urlOf(address.replace(/#.*/, ''), location.href) ?? location.href;
   return urlOf(decodeURIComponent(place), String(base))?.href ?? place;
+}
+
+/** The program stays. */
+function openCourse(app: Workplace, { scene }: CourseDocument): null {
+  useOpenings(app).openScene({ scene, course: null }, t(words.shared), isReadyArena(app.work.scene.value));
+  return null;
 }
 
 function openReady(app: Workplace, { course: id, isWhole }: ReadyDocument): string | null {
@@ -75,20 +84,22 @@ function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocumen
   return null;
 }
 
-/** The program of a link in the course it names, else in the arena that is open. */
+/** The program of a link in the course it names, else in its own, else in the arena that is open. */
 function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | 'brought'): string | null {
-  const { files, device, course: id } = document;
+  const { files, device, course: id, scene } = document;
   const course = id === null ? null : readyCourse(id);
   if (id !== null && course === null) return t(words.problems.unknownCourse, { course: id });
   const open = app.work.work.value.project;
   const project: Project =
-    course === null
-      ? { files, scene: open.scene, course: open.course }
-      : { files, scene: course.scene, course: course.id };
+    course !== null
+      ? { files, scene: course.scene, course: course.id }
+      : scene !== null
+        ? { files, scene, course: null }
+        : { files, scene: open.scene, course: open.course };
   const settings = { ...defaultProjectSettings, device: device ?? defaultProjectSettings.device };
   const brings = device !== null && wish === 'brought';
   openProject(app, brings ? { ...project, settings } : project, t(words.sharedProgram));
-  if (course !== null) {
+  if (course !== null || scene !== null) {
     const { allowRobot, setUpForCourse } = useDevice(app);
     allowRobot();
     setUpForCourse();
