@@ -2,6 +2,7 @@ import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
 import { checkTexts, parseCheck, type CheckOptions } from './check/check-arguments';
+import { convertTexts, parseConvert, type ConvertOptions } from './convert/convert-arguments';
 import { parseDevice, type DeviceOption } from './device-option';
 import { parseDuration } from '#core/duration';
 
@@ -73,6 +74,7 @@ export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
   | { readonly type: 'replay'; readonly options: ReplayOptions }
   | { readonly type: 'check'; readonly options: CheckOptions }
+  | { readonly type: 'convert'; readonly options: ConvertOptions }
   | { readonly type: 'probe'; readonly options: ProbeOptions }
   | { readonly type: 'help' }
   | { readonly type: 'version' }
@@ -101,6 +103,7 @@ const texts = [
   'line',
   'hit',
   ...checkTexts,
+  ...convertTexts,
 ] as const;
 const flags = ['until-verdict', 'strict', 'json', 'quiet', 'help', 'version'] as const;
 
@@ -157,12 +160,19 @@ function commandOf(
     const options = parseCheck(words, given, set, process.env);
     return 'problem' in options ? bad(options.problem) : { type: 'check', options };
   }
+  if (command === 'convert') {
+    const options = parseConvert(positionals.slice(1), given, set);
+    return 'problem' in options ? bad(options.problem) : { type: 'convert', options };
+  }
   const ofCheck = checkTexts.find((name) => name !== 'lang' && given.has(name));
   if (ofCheck !== undefined)
     return bad(`--${ofCheck} is for hand-ins: parcours check closed-line class/ --${ofCheck} …`);
   const [ofReplay] = ['at', 'line', 'hit'].filter((name) => isText(name) && given.has(name));
   if (ofReplay !== undefined)
     return bad(`--${ofReplay} is for a recorded run: parcours replay run.json --${ofReplay} …`);
+  const ofConvert = convertTexts.find((name) => given.has(name));
+  if (ofConvert !== undefined)
+    return bad(`--${ofConvert} is for another form of your work: parcours convert main.py --${ofConvert} …`);
   if (command !== 'run') return bad(`Unknown command "${command}". For example: parcours run main.py`);
   if (program === undefined) return bad('Which program? For example: parcours run main.py');
   if (more.length > 0) return bad(`One program at a time: what is "${more[0] ?? ''}"? Further files come with --file.`);

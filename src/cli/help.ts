@@ -16,6 +16,7 @@ export const help = `Parcours runs a micro:bit program with a simulated robot, w
                      [--csv R.csv] [--json] [--lang NAME] [--shard I/N] [--resume DIR]
   npx parcours check --merge DIR [--report …] [--junit …] [--csv …] [--json]
   npx parcours replay RUN.json [--at TIME | --line FILE:LINE [--hit N]] [--device NAME] [--json]
+  npx parcours convert IN [--out PATH] [--as project|course|program|link|webtigerpython] [--json]
   npx parcours probe compare BOARD.csv [OTHER.csv]
 
 A project or a link brings its program, course, robot and settings; options win over them.
@@ -107,6 +108,14 @@ stack, variables and robot, with --json as one line; --device names one of sever
 Exit code: 0 the same run, or the moment; 1 another run, or the line does not come so often;
 2 no recording.
 
+convert: turns one form of work into another, or says what it is. IN is a program (.py), a project or
+a course, a link of Parcours or of WebTigerPython (also in a file), a course file of
+WebTigerPython, the id of a ready course. What cannot be taken over is told.
+  --out PATH          where it goes (default: here); .json: a project, .py: a program
+  --as FORM           what it shall be: project, course, program, link, webtigerpython (its link)
+  --json              one line: kind, program, robot, board, scene and notes
+Exit code: 0 done; 2 it is none of these, or cannot be had in that form.
+
 probe compare: what a real board printed under the programs of docs/hardware/probe, beside
 what the simulated one prints, or beside another board's; exit code 1 when rows differ.
 
@@ -118,5 +127,6 @@ Examples
   npx parcours run main.py --file my_driver.py --for 20s --trace way.csv
   npx parcours run main.py --record run.json
   npx parcours replay run.json --line main.py:14 --hit 3
+  npx parcours convert "https://webtigerpython.ethz.ch/#?code=…" --out anna.json
   npx parcours check closed-line class.zip --report report.html --lang de
 `;

@@ -2,6 +2,7 @@
 import { version } from '../../package.json';
 import { parseCommand } from './arguments';
 import { checkHandIns } from './check/check-command';
+import { convert } from './convert/convert-command';
 import { help } from './help';
 import { compareProbes } from './probe/compare-command';
 import { replay } from './replay/replay';
@@ -43,6 +44,11 @@ switch (command.type) {
     process.exitCode = await checkHandIns(
       command.options,
       createTerminal(process.stdout, process.stderr, command.options.quiet),
+    );
+    break;
+  case 'convert':
+    process.exitCode = await convert(command.options, createTerminal(process.stdout, process.stderr, false), (text) =>
+      process.stdout.write(text),
     );
     break;
   case 'probe':

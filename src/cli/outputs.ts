@@ -33,6 +33,12 @@ export function outputProblem(outputs: readonly Output[], reads: readonly string
   return null;
 }
 
+/** True if two names mean one file, also through links. */
+export function isSameFile(one: string, other: string): boolean {
+  const own = identities(one);
+  return identities(other).some((identity) => own.includes(identity));
+}
+
 /** Identities of a file, equal for two names of one file: its path behind links, and its number on its disk. */
 function identities(path: string): readonly string[] {
   try {

@@ -34,8 +34,7 @@ describe('a link for WebTigerPython', () => {
     if ('problem' in read || read.world === null) throw new Error('This is a world.');
     const again = made({ files: read.files, scene: read.world.scene });
     expect(again?.notes).toEqual([]);
-    const { files: programs } = read;
-    if (programs.length > 0) expect(programOfLink(again?.link ?? '')).toEqual(read);
+    expect(programOfLink(again?.link ?? '')).toEqual(read);
   }); // prettier-ignore
 
   it('is not made when it would be longer than one that is read', () => {

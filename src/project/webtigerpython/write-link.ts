@@ -16,7 +16,7 @@ const HOST = 'https://webtigerpython.ethz.ch/';
 /** Its name for no microcomputer. */
 const NO_DEVICE = '-';
 
-/** A project, or a program without a course. */
+/** A project, a program without a course, or a course without files. */
 export interface Linked extends Omit<Project, 'scene' | 'course'> {
   readonly scene: Scene | null;
 }
@@ -50,7 +50,7 @@ export function programLinkOf(project: Linked, hardware: LinkedHardware): Writte
   const device = deviceNameOf(hardware.device);
   const parameters = [
     // The share button's alphabet for the program; the public links have the plain one for the world.
-    `code=${code.replaceAll('+', '-').replaceAll('/', '_')}`,
+    ...(files.length === 0 ? [] : [`code=${code.replaceAll('+', '-').replaceAll('/', '_')}`]),
     `device=${encodeURIComponent(device ?? NO_DEVICE)}`,
     ...(written === null ? [] : [`playground=${encodeURIComponent(playground)}`]),
   ];

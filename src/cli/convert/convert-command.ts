@@ -1,0 +1,98 @@
+import { writeFileSync } from 'node:fs';
+import { hardwareOf } from '#intake/webtigerpython';
+import { filesByName, MAIN } from '#project/project';
+import type { Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+import { NO_ROBOT, type Hardware } from '#simulation/hardware';
+import { isSameFile } from '../outputs';
+import { shortened } from '../read-work';
+import { reasonOf } from '../reason-of';
+import type { Terminal } from '../terminal';
+import type { ConvertOptions } from './convert-arguments';
+import { makeForm } from './make-form';
+import { readInput, type Input } from './read-input';
+
+/**
+ * Carries out `parcours convert`.
+ *
+ * @param write puts text on stdout as it is
+ * @returns the exit code: 0 success, 2 something that cannot be read, made or written
+ */
+export async function convert(
+  { input: word, as, out, json }: ConvertOptions,
+  terminal: Terminal,
+  write: (text: string) => void,
+): Promise<0 | 2> {
+  const input = await readInput(word);
+  if ('problem' in input) return refuse(input.problem, terminal);
+  const made = as === null ? null : await makeForm(input, as);
+  if (made !== null && 'problem' in made) return refuse(`${shortened(word)}: ${made.problem}`, terminal);
+  if (made !== null && out !== null) {
+    const failed = writeOut(out, made.text, word);
+    if (failed !== null) return refuse(`--out: ${out}: ${failed}`, terminal);
+  }
+  const hardware = hardwareOf(input.work);
+  const unfit = 'problem' in hardware ? [`It cannot run as it is: ${hardware.problem}`] : [];
+  const notes = [...input.notes, ...(made?.notes ?? []), ...unfit];
+  if (json) {
+    const text = made !== null && out === null ? { text: made.text } : {};
+    terminal.line(JSON.stringify({ ...asJson(input, hardware), notes, ...text }));
+    return 0;
+  }
+  for (const note of notes) terminal.message(`parcours: ${note}`);
+  if (made === null) for (const line of summaryOf(input, hardware)) terminal.line(line);
+  else if (out === null) write(made.text);
+  return 0;
+}
+
+function refuse(problem: string, terminal: Terminal): 2 {
+  terminal.message(`parcours: ${problem}`);
+  return 2;
+}
+
+/** @returns why it was not written; `null`: it was */
+function writeOut(out: string, text: string, word: string): string | null {
+  if (isSameFile(out, word)) return 'is the file that is read. Choose another name.';
+  try {
+    writeFileSync(out, text);
+    return null;
+  } catch (error) {
+    return reasonOf(error);
+  }
+}
+
+type Chosen = Hardware | { readonly problem: string };
+
+/** The ids of robot and board; `null`: there is none. */
+const idsOf = (hardware: Chosen): { readonly robot: string | null; readonly board: string | null } =>
+  'problem' in hardware
+    ? { robot: null, board: null }
+    : { robot: hardware.robot?.id ?? null, board: hardware.board.id };
+
+const asJson = ({ kind, work: { files, scene } }: Input, hardware: Chosen) => ({
+  kind,
+  program: files.length === 0 ? { [MAIN]: '' } : filesByName(files),
+  ...idsOf(hardware),
+  scene: scene === null ? null : (JSON.parse(serializeScene(scene)) as unknown),
+});
+
+/** Lines for people. */
+function summaryOf({ kind, work: { files, scene } }: Input, hardware: Chosen): readonly string[] {
+  const linesOf = (text: string): number => text.replace(/\n$/, '').split('\n').length;
+  const programs = files.map(({ name, text }) => `${name} (${linesOf(text)} lines)`);
+  const { robot, board } = idsOf(hardware);
+  return [
+    `This is a ${kind}.`,
+    ...(programs.length > 0 ? [`Program: ${programs.join(', ')}`] : []),
+    ...(board === null ? [] : [`Hardware: robot ${robot ?? NO_ROBOT}, board ${board}`]),
+    ...(scene === null ? [] : [`Course: ${courseText(scene)}`]),
+    'Say --as project, course, program, link or webtigerpython to get it in that form, and --out FILE to save it.',
+  ];
+}
+
+function courseText({ name, size, objects }: Scene): string {
+  const counts = new Map<string, number>();
+  for (const { type } of objects) counts.set(type, (counts.get(type) ?? 0) + 1);
+  const things = Array.from(counts, ([type, count]) => `${count} × ${type}`);
+  return [...(name === '' ? [] : [name]), `${size[0]} × ${size[1]} mm`, ...things].join(', ');
+}

@@ -1,0 +1,105 @@
+import { basename } from 'node:path';
+import type { AddressDocument, Document, ProgramDocument } from '#intake/document';
+import { documentOf } from '#intake/file';
+import { formatOf, limits } from '#intake/formats';
+import { documentOfText } from '#intake/text';
+import { defaultProjectSettings, MAIN, type SourceFile } from '#project/project';
+import { noteText } from '#project/webtigerpython/say';
+import type { Note } from '#project/webtigerpython/note';
+import type { Linked } from '#project/webtigerpython/write-link';
+import { withoutReload } from '../check/series-task';
+import { isNoFile, readLimited } from '../read-files';
+import { documentAt, isAddress, shortened } from '../read-work';
+
+/** Work that was read, whatever it came as. */
+export interface Input {
+  readonly kind: 'program' | 'project' | 'course';
+  /** Without files: a course alone. */
+  readonly work: Linked;
+  /** Id of the ready course that it has; `null`: none. */
+  readonly course: string | null;
+  /** Sentences on what could not be taken over, or was changed. */
+  readonly notes: readonly string[];
+}
+
+type Problem = { readonly problem: string };
+
+/** Reads a file, an address, the text of a course or the id of a ready course; or one sentence on why it is none of these. */
+export async function readInput(word: string): Promise<Input | Problem> {
+  const read = await documentOfWord(word);
+  const input = 'problem' in read && !('kind' in read) ? read : await inputOf(read);
+  return 'problem' in input ? { problem: `${shortened(word)}: ${input.problem}` } : input;
+}
+
+async function documentOfWord(word: string): Promise<Document | AddressDocument | Problem> {
+  if (isLink(word)) return documentAt(word);
+  if (word.trimStart().startsWith('{')) return documentOfText(word, await readyCourses());
+  if (isNoFile(word)) {
+    const isReady = (await readyCourses())(word) !== null;
+    if (isReady) return { kind: 'ready', course: word, isWhole: false };
+  }
+  const file = readLimited(word, formatOf(word) === 'program' ? limits.program : limits.json);
+  if ('problem' in file) return { problem: file.problem.replace(`${word}: `, '') };
+  if (isLink(file.text.trim())) return documentAt(file.text);
+  const document = documentOf(basename(word), new TextEncoder().encode(file.text), await readyCourses());
+  if (document.kind !== 'links') return document;
+  const [first, second] = new Set(document.links.map(({ address }) => address));
+  return first === undefined || second !== undefined
+    ? { problem: 'has several links. Give one of them.' }
+    : documentAt(first);
+}
+
+const isLink = (text: string): boolean => !text.includes('\n') && (isAddress(text) || /^[?#]/.test(text));
+const readyCourses = async () => (await import('../ready-courses')).readyCourse;
+
+async function inputOf(document: Document | AddressDocument): Promise<Input | Problem> {
+  switch (document.kind) {
+    case 'program':
+      return inputOfProgram(document);
+    case 'project': {
+      const { course, ...work } = document.project;
+      const changed = 'The ready course that the link names has changed since the link was made.';
+      return { kind: 'project', work, course, notes: document.isCourseChanged ? [changed] : [] };
+    }
+    case 'course':
+      return { kind: 'course', work: { files: [], scene: document.scene, ...settingsFor(document.device) }, course: null, notes: said(document.notes) }; // prettier-ignore
+    case 'ready':
+      return inputOfReady(document.course, document.isWhole);
+    case 'recording':
+      return { problem: 'is a recorded run. Run it again with parcours replay.' };
+    case 'series':
+    case 'series-link':
+    case 'series-place':
+      return { problem: 'is a series of tasks. Open it on the page, and save one of them.' };
+    case 'unreadable':
+      return { problem: document.message === '' ? NONE : withoutReload(document.message) };
+    default:
+      return { problem: NONE };
+  }
+}
+
+const NONE = 'is no program (.py), no project, no course and no link to one of them.';
+
+async function inputOfProgram({ files, scene, device, course, notes }: ProgramDocument): Promise<Input | Problem> {
+  const ready = course === null ? null : (await readyCourses())(course);
+  if (course !== null && ready === null) return { problem: `there is no ready course "${course}".` };
+  const work: Linked = { files: withMain(files), scene: ready ?? scene, ...settingsFor(device) };
+  return { kind: 'program', work, course, notes: said(notes) };
+}
+
+async function inputOfReady(id: string, isWhole: boolean): Promise<Input | Problem> {
+  const { readyCourse, readyProject } = await import('../ready-courses');
+  const [scene, project] = [readyCourse(id), isWhole ? readyProject(id) : null];
+  if (scene === null) return { problem: `there is no ready course "${id}".` };
+  if (project !== null) return { kind: 'project', work: project, course: id, notes: [] };
+  return { kind: 'course', work: { files: [], scene }, course: id, notes: [] };
+}
+
+/** A file alone is main.py, whatever it is called. */
+const withMain = (files: readonly SourceFile[]): readonly SourceFile[] =>
+  files.map(({ name, text }) => ({ name: files.length === 1 ? MAIN : name, text: text.replaceAll('\r\n', '\n') }));
+
+const settingsFor = (device: string | null): Pick<Linked, 'settings'> =>
+  device === null ? {} : { settings: { ...defaultProjectSettings, device } };
+
+const said = (notes: readonly Note[]): readonly string[] => notes.map((note) => noteText(note, 'en'));
