@@ -8,7 +8,8 @@ import { defaultScene, type Scene } from '#scene/scene';
 import { documentOfAddress } from './address';
 import type { CourseDocument, ProgramDocument } from './document';
 import { documentOfText } from './text';
-import { hardwareOf, linkForWebTigerPython } from './webtigerpython';
+import { linkForWebTigerPython } from './link-for-webtigerpython';
+import { hardwareOf } from './webtigerpython';
 
 const none = () => null;
 const packed = (value: unknown): string => encodeURIComponent(LZString.compressToBase64(JSON.stringify(value)));

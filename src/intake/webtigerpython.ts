@@ -5,9 +5,9 @@ import { defaultProjectSettings, filesByName, type SourceFile } from '#project/p
 import { namesTogether, note } from '#project/webtigerpython/note';
 import { programOfLink, type ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import { readWorld, withStartInside, type World } from '#project/webtigerpython/read-world';
-import { programLinkOf, type Linked, type LinkedHardware, type WrittenLink } from '#project/webtigerpython/write-link';
-import { defaultScene, type Scene } from '#scene/scene';
-import { AUTO, chooseHardware, hardwareIds, type Hardware } from '#simulation/hardware';
+import type { Linked } from '#project/webtigerpython/write-link';
+import { defaultScene } from '#scene/scene';
+import { AUTO, chooseHardware, type Hardware } from '#simulation/hardware';
 import type { CourseDocument, ProgramDocument, RewrittenLine } from './document';
 
 /**
@@ -69,18 +69,4 @@ export function hardwareOf({
   const { device, firmware, robot } = settings;
   const imports = modulesImportedBy(filesByName(files));
   return chooseHardware({ scene: scene ?? defaultScene(), imports, robot, board: boardOf(device), firmware });
-}
-
-/** The link of a project for WebTigerPython, and what it cannot hold; `null`: it would be too long. */
-export function linkForWebTigerPython(project: Linked): WrittenLink | null {
-  return programLinkOf(project, linkedHardware(project));
-}
-
-function linkedHardware({ files, scene, settings = defaultProjectSettings }: Linked): LinkedHardware {
-  const hardware = hardwareOf({ files, scene, settings });
-  const free: Scene = defaultScene();
-  const meant = hardwareOf({ files, scene: free, settings: { ...settings, robot: AUTO } });
-  if ('problem' in hardware || 'problem' in meant) return { device: settings.device, robot: '', meant: '' };
-  const { board, robot } = hardwareIds(hardware);
-  return { device: settings.device === AUTO ? board : settings.device, robot, meant: hardwareIds(meant).robot };
 }

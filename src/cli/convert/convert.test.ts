@@ -80,6 +80,11 @@ describe('parcours convert --json', () => {
     expect(await lineOf(sample('links.txt'))).toMatchObject({ kind: 'project' });
   });
 
+  it('takes a program for a program, whatever it begins with', async () => {
+    const program = { 'main.py': '#p=2.abc' };
+    expect(await lineOf(file('comment.py', '#p=2.abc'))).toMatchObject({ kind: 'program', program });
+  });
+
   it('has what was made, if no file takes it', async () => {
     const { text = '', notes } = await lineOf(full, '--as', 'webtigerpython');
     expect(text).toMatch(/^https:\/\/webtigerpython\.ethz\.ch\/#\?code=/);

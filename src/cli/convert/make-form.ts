@@ -1,4 +1,4 @@
-import { linkForWebTigerPython } from '#intake/webtigerpython';
+import { linkForWebTigerPython } from '#intake/link-for-webtigerpython';
 import { projectToText } from '#project/file';
 import { linkOf, type Omitted } from '#project/link/link';
 import { MAIN, type Project } from '#project/project';

@@ -32,7 +32,7 @@ export async function readInput(word: string): Promise<Input | Problem> {
 }
 
 async function documentOfWord(word: string): Promise<Document | AddressDocument | Problem> {
-  if (isLink(word)) return documentAt(word);
+  if (isAddress(word) || /^[?#]/.test(word)) return documentAt(word);
   if (word.trimStart().startsWith('{')) return documentOfText(word, await readyCourses());
   if (isNoFile(word)) {
     const isReady = (await readyCourses())(word) !== null;
@@ -40,7 +40,9 @@ async function documentOfWord(word: string): Promise<Document | AddressDocument 
   }
   const file = readLimited(word, formatOf(word) === 'program' ? limits.program : limits.json);
   if ('problem' in file) return { problem: file.problem.replace(`${word}: `, '') };
-  if (isLink(file.text.trim())) return documentAt(file.text);
+  const text = file.text.trim();
+  // Also a world alone, which is no link of a hand-in.
+  if (formatOf(word) !== 'program' && isAddress(text) && !text.includes('\n')) return documentAt(text);
   const document = documentOf(basename(word), new TextEncoder().encode(file.text), await readyCourses());
   if (document.kind !== 'links') return document;
   const [first, second] = new Set(document.links.map(({ address }) => address));
@@ -49,7 +51,6 @@ async function documentOfWord(word: string): Promise<Document | AddressDocument 
     : documentAt(first);
 }
 
-const isLink = (text: string): boolean => !text.includes('\n') && (isAddress(text) || /^[?#]/.test(text));
 const readyCourses = async () => (await import('../ready-courses')).readyCourse;
 
 async function inputOf(document: Document | AddressDocument): Promise<Input | Problem> {
