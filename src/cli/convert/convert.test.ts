@@ -117,7 +117,7 @@ describe('parcours convert', () => {
     const [{ link }] = [linkSamples[1]!];
     expect((await converted(link, '--as', 'program')).out).toBe(repeated(linkSamples[1]!.program));
     expect(parseScene((await converted(link, '--as', 'course')).out)).toHaveProperty('scene.objects.length', 8);
-    expect(parseProject((await converted(anna, '--as', 'project')).out)).toHaveProperty('project.scene.size', [1200, 900]); // prettier-ignore
+    expect(parseProject((await converted(anna, '--as', 'project')).out)).toMatchObject({ project: { scene: { size: [1200, 900] }, settings: { arenaSenses: true } } }); // prettier-ignore
     const own = (await converted(link, '--as', 'link')).out.trim();
     expect(documentOfAddress(own, () => null)).toMatchObject({ kind: 'project', project: { scene: { size: [2000, 2000] } } }); // prettier-ignore
     const back = (await converted(own, '--as', 'webtigerpython')).out.trim();

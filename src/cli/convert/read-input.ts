@@ -3,7 +3,7 @@ import type { AddressDocument, Document, ProgramDocument } from '#intake/documen
 import { documentOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText } from '#intake/text';
-import { defaultProjectSettings, MAIN, type SourceFile } from '#project/project';
+import { defaultProjectSettings, MAIN, newWork, type SourceFile } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import type { Note } from '#project/webtigerpython/note';
 import type { Linked } from '#project/webtigerpython/write-link';
@@ -28,7 +28,11 @@ type Problem = { readonly problem: string };
 export async function readInput(word: string): Promise<Input | Problem> {
   const read = await documentOfWord(word);
   const input = 'problem' in read && !('kind' in read) ? read : await inputOf(read);
-  return 'problem' in input ? { problem: `${shortened(word)}: ${input.problem}` } : input;
+  if ('problem' in input) return { problem: `${shortened(word)}: ${input.problem}` };
+  // A program alone is new work, as parcours run has it.
+  const isNew = input.kind === 'program' && formatOf(word) === 'program' && !isAddress(word);
+  const settings = { ...defaultProjectSettings, ...newWork };
+  return isNew ? { ...input, work: { ...input.work, settings } } : input;
 }
 
 async function documentOfWord(word: string): Promise<Document | AddressDocument | Problem> {

@@ -12,7 +12,7 @@ export const noteCodes = [
   ...(['device', 'parameters', 'repeat'] as const),
   // a project that says more than a link can hold
   ...(['strokes', 'zones', 'spikes', 'movers', 'labels', 'starts', 'otherObjects'] as const),
-  ...(['wallAngles', 'wallThickness', 'blockAngles', 'blockSizes', 'blockShapes', 'editing'] as const),
+  ...(['wallAngles', 'wallThickness', 'blockAngles', 'blockSizes', 'blockShapes', 'heights', 'editing'] as const),
   ...(['robotHeading', 'robotSize', 'robotType', 'robotOptions', 'robotLooks'] as const),
   ...(['task', 'background', 'texts', 'devices', 'board', 'settings'] as const),
 ] as const;

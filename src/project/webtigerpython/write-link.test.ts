@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { createRng } from '#core/rng';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 
-import { defaultProjectSettings, type SourceFile } from '../project';
+import { defaultProjectSettings, newWork, type SourceFile } from '../project';
 import { programOfLink } from './program-link';
 import { noteText } from './say';
 import { linkSamples } from './testing/links';
@@ -59,6 +59,7 @@ describe('what a link for WebTigerPython cannot hold', () => {
     ['blocks of another size', scene([{ ...box, type: 'fixed-block', size: [50, 60] }]), 'Blocks lose their size: there all have the same, here 50 × 50 mm (1).'],
     ['round blocks', scene([{ ...box, type: 'block', round: true }]), 'Round blocks and polygons become squares (1).'],
     ['polygons', scene([{ ...box, type: 'block', corners: [[0, 0], [9, 0], [0, 9]] }]), 'Round blocks and polygons become squares (1).'],
+    ['heights', scene([{ ...wall, height: 30 }]), 'Heights are left out (1).'],
     ['locks', scene([{ ...wall, lock: true }]), 'Locks and groups of the editor are left out (1).'],
     ['a slanting start', scene([], { robot: { ...defaultScene().robot, heading: 100 } }), 'The robot starts at 90° instead of 100°: there these are multiples of 45°.'],
     ['a large robot', scene([], { robot: { ...defaultScene().robot, scale: 1.5 } }), 'The robot’s size is left out (1.5 times the real one’s).'],
@@ -69,13 +70,15 @@ describe('what a link for WebTigerPython cannot hold', () => {
     ['a picture on the floor', scene([], { background: { at: [0, 0], size: [9, 9], cells: [1, 1], levels: '', picture: '' } }), 'The picture on the floor is left out.'],
     ['a name', scene([], { name: 'Hall' }), 'Name and description of the course are left out.'],
     ['several devices', { devices: { first: 'a', others: [{ name: 'b', sameAs: '', files, device: 'auto', firmware: '', robot: 'auto', robotOptions: {} }] } }, 'Only the first of the 2 devices comes along.'],
-    ['settings of the run', { settings: { ...defaultProjectSettings, reality: 1 } }, 'Settings of the run are left out: reality, chance, firmware, own robot.'],
+    ['settings of the run', { settings: { ...defaultProjectSettings, ...newWork, reality: 1 } }, 'Settings of the run are left out: reality, chance, firmware, own robot.'],
   ])('%s: told before', (_, project, sentence) => expect(said(project)).toEqual([sentence])); // prettier-ignore
 
   it('a robot that the imports do not mean, and a strange microcomputer: told before', () => {
     expect(said({}, { robot: 'callibot' })).toEqual(['There the program’s imports decide which robot drives, and they do not mean callibot.']); // prettier-ignore
     expect(said({}, { device: 'xy' })).toEqual(['WebTigerPython has no microcomputer xy: the link names none.']);
-    expect(said({ settings: { ...defaultProjectSettings, device: 'microbit-v2', robot: 'maqueen-lite' } })).toEqual([]);
+    expect(
+      said({ settings: { ...defaultProjectSettings, ...newWork, device: 'microbit-v2', robot: 'maqueen-lite' } }),
+    ).toEqual([]);
   });
 
   it('is the nearest that it can: a slanting wall keeps middle and length', () => {

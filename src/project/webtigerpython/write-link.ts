@@ -90,8 +90,8 @@ function notesOfProject(project: Linked, { robot, meant }: LinkedHardware): read
   ];
 }
 
-/** Settings without the hardware that a link names or means. */
+/** Settings without the hardware that a link names or means, and without what is usual in new work. */
 const ofRun = (settings: ProjectSettings): ProjectSettings => ({
   ...settings,
-  ...{ ...anyHardware, firmware: settings.firmware },
+  ...{ ...anyHardware, firmware: settings.firmware, arenaSenses: false },
 });

@@ -34,10 +34,15 @@ export function writeWorld(scene: Scene): WrittenWorld {
     ...(walls.length > 0 ? { Wallobjects: walls.map((wall) => wallEntry(wall, scene)) } : {}),
     playgroundSize: [size[0] / UNIT_MM, size[1] / UNIT_MM],
   };
+  const high = [...walls, ...blocks].filter(({ height }) => height !== undefined);
+  const heights = counted('heights', high);
   const turned = (headingOfStart(eighths) - robot.heading) % 360 !== 0;
   const from = robot.heading;
   const start = turned ? [note('robotHeading', { from, to: headingOfStart(eighths) })] : [];
-  return { world, notes: [...leftOut(objects), ...changedWalls(walls), ...changedBlocks(blocks), ...start] };
+  return {
+    world,
+    notes: [...leftOut(objects), ...changedWalls(walls), ...changedBlocks(blocks), ...heights, ...start],
+  };
 }
 
 const isBlock = (object: SceneObject): object is Block => object.type === 'block' || object.type === 'fixed-block';
