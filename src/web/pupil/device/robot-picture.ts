@@ -23,6 +23,7 @@ export interface Light {
 // Chosen by eye: one colour for each colour light, in the order of their numbers; a fifth one begins anew.
 const COLORS = ['#00b4ff', '#5b5bff', '#ff3d9a', '#18c964'];
 const RED = '#ff2d2d';
+const LAMP = '#38e0ff';
 const UNDERGLOW_REACH = 1.75; // as in the arena
 const LED_REACH = 3;
 const MARGIN_MM = 8; // room for the light around the body; what reaches farther fades away
@@ -44,7 +45,10 @@ export function robotPicture(svg: string, lit: boolean): RobotPortrait {
   const leds = [drawing.leds.left, drawing.leds.right]
     .filter((spot) => spot !== null)
     .map((spot) => ({ ...spot, radius: spot.radius * LED_REACH, color: RED, below: false }));
-  const lights = lit ? [...colours, ...leds] : [];
+  const lamps = [drawing.lamps.left, drawing.lamps.right]
+    .filter((spot) => spot !== null)
+    .map((spot) => ({ ...spot, radius: spot.radius * LED_REACH, color: LAMP, below: false }));
+  const lights = lit ? [...colours, ...leds, ...lamps] : [];
   return {
     box: {
       x: body.x - margin,

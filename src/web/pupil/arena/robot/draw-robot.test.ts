@@ -35,6 +35,16 @@ describe("the kept picture of a robot's body", () => {
     ['the left light goes on', { leds: { left: 1, right: 0 } }, dark],
     ['the right light goes on', { leds: { left: 0, right: 1 } }, dark],
     ['a light on the floor goes on', { rgb: [[255, 0, 0]] }, dark],
+    [
+      'a colour lamp goes on',
+      {
+        lamps: [
+          [0, 255, 255],
+          [0, 0, 0],
+        ],
+      },
+      dark,
+    ],
     ['the display shows something', {}, dark.with(12, 9)],
   ] as const)('is another one when %s', (_, state, display) =>
     expect(keptBy(state as unknown as Partial<ArenaRobot['state']>, [...display])).not.toEqual(keptBy({})),

@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
 import type { RobotState } from '#robots/robot';
 import type { ArenaRobot, RobotLook } from '../model/arena-model';
 import { attachmentPainter } from './draw-attachments';
@@ -83,6 +84,7 @@ const HERE: Vec = { x: 0, y: 0 };
 /** Everything that shines: glows cost as much as the rest of a robot, so they are cached with its body. */
 const lightsOf = ({ state }: ArenaRobot, display: ArrayLike<number>): readonly unknown[] => [
   ...state.rgb.flat(),
+  ...state.lamps.flat(),
   ...state.lineSensors.map(({ bright }) => bright),
   state.leds.left,
   state.leds.right,
@@ -119,6 +121,8 @@ function drawLights(
   drawDisplay(context, drawing.display, display);
   drawRedLight(context, drawing.leds.left, state.leds.left);
   drawRedLight(context, drawing.leds.right, state.leds.right);
+  drawLamp(context, drawing.lamps.left, state.lamps[0]);
+  drawLamp(context, drawing.lamps.right, state.lamps[1]);
 }
 
 function drawTreads(
@@ -170,6 +174,16 @@ function drawRedLight(context: CanvasRenderingContext2D, spot: Spot | null, brig
   disc(context, spot, spot.radius * 1.24, '#ffd9d3');
   disc(context, spot, spot.radius, '#ff4a3d');
   disc(context, { x: spot.x - spot.radius * 0.25, y: spot.y - spot.radius * 0.3 }, spot.radius * 0.42, '#ffe3de');
+}
+
+function drawLamp(context: CanvasRenderingContext2D, spot: Spot | null, color: Rgb | undefined): void {
+  if (spot === null || color === undefined) return;
+  const light = floorLight(color);
+  if (light.alpha === 0) return;
+  drawGlow(context, { x: spot.x, y: spot.y - 1 }, spot.radius * 5.4, light.color, light.alpha);
+  disc(context, spot, spot.radius * 1.24, '#ffffff');
+  disc(context, spot, spot.radius, `rgb(${light.color.join()})`);
+  disc(context, { x: spot.x - spot.radius * 0.25, y: spot.y - spot.radius * 0.3 }, spot.radius * 0.42, '#ffffffcc');
 }
 
 function drawDisplay(context: CanvasRenderingContext2D, lights: readonly Box[], levels: ArrayLike<number>): void {

@@ -14,6 +14,7 @@ const svg = `<!-- a <g id="led-left"> in a comment -->
   </g>
   <circle id="line-left" cx="-7" cy="-35" r="3.6"/><circle id="line-right" cx="7" cy="-35" r="3.6"/>
   <g id="led-right"><circle class="glow" cx="27" cy="-50" r="9"/><circle cx="27" cy="-49" r="3.1"/><circle class="lit" cx="27" cy="-49" r="2.5"/></g>
+  <g id="lamp-left"><circle class="glow" cx="-27" cy="-66" r="9"/><circle class="lit" cx="-27" cy="-65" r="2.6"/></g>
   <g id="display"><rect x="-9" y="-25" width="2" height="1.5"/><rect x="-5" y="-25" width="2" height="1.5"/></g>
   <circle id="screw" cx="1" cy="2" r="3"/>
 </svg>`;
@@ -26,9 +27,10 @@ describe('a robot drawing', () => {
     expect(drawing.wheels.right).toBeNull();
   });
 
-  it('knows 2 lights under the body, 1 red light, 2 line sensors by name and the lights of the display', () => {
+  it('knows 2 lights under the body, 1 red light, 1 colour lamp, 2 line sensors by name and the lights of the display', () => {
     expect(drawing.rgb.map((light) => light.radius)).toEqual([18, 17]);
     expect(drawing.leds).toEqual({ left: null, right: { x: 27, y: -49, radius: 2.5 } });
+    expect(drawing.lamps).toEqual({ left: { x: -27, y: -65, radius: 2.6 }, right: null });
     expect([...drawing.line].map(([name, light]) => [name, light.x])).toEqual([
       ['left', -7],
       ['right', 7],

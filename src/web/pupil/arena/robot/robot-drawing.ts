@@ -12,6 +12,7 @@ import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
  *   is not drawn. Under the body: its light falls on the floor around it, from the circle up to 1.75 times as far. With
  *   the class `top` the light is on top of the body: it fills the circle and shines three times as far.
  * - `led-left`, `led-right`: a `<circle>` per red light.
+ * - `lamp-left`, `lamp-right`: a `<circle>` per colour lamp, drawn unlit as the red lights are.
  * - `line-NAME`: a `<circle>` per line sensor's light, NAME as in the robot's state.
  * - `display`: a group of 25 `<rect>`, row by row.
  * - `bumper`: a group with two groups `bumper-left` and `bumper-right`. Drawn below everything else, and only while the
@@ -28,6 +29,8 @@ export interface RobotDrawing {
   readonly wheels: { readonly left: Box | null; readonly right: Box | null };
   readonly rgb: readonly ColourLight[];
   readonly leds: { readonly left: Spot | null; readonly right: Spot | null };
+  /** Colour lamps. */
+  readonly lamps: { readonly left: Spot | null; readonly right: Spot | null };
   /** By the name of the sensor. */
   readonly line: ReadonlyMap<string, Spot>;
   /** The lights of the display, row by row; empty without a display. */
@@ -73,6 +76,7 @@ export function readRobotDrawing(svg: string): RobotDrawing {
     wheels: { left: wheel('wheel-left'), right: wheel('wheel-right') },
     rgb: colourLights(parts),
     leds: { left: spotOf(parts.get('led-left')), right: spotOf(parts.get('led-right')) },
+    lamps: { left: spotOf(parts.get('lamp-left')), right: spotOf(parts.get('lamp-right')) },
     line,
     display: boxesOf(parts.get('display')).slice(0, 25),
     bumper: bumperOf(svg, root, parts),

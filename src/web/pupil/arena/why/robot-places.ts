@@ -4,7 +4,7 @@ import { toLocal } from '../hand/hit-test';
 import type { Box, RobotDrawing, Spot } from '../robot/robot-drawing';
 
 /** The parts of a drawing that a program sets. */
-export type DrawnParts = Pick<RobotDrawing, 'wheels' | 'leds' | 'rgb' | 'display'>;
+export type DrawnParts = Pick<RobotDrawing, 'wheels' | 'leds' | 'lamps' | 'rgb' | 'display'>;
 
 /** A robot in the arena. */
 export interface DrawnRobot {
@@ -32,7 +32,7 @@ export function partAt(pointMm: Vec, robot: DrawnRobot, reachMm: number): Output
 }
 
 /** @param at in the drawing's frame */
-function drawnAt(at: Vec, { wheels, leds, rgb, display }: DrawnParts, reach: number): Output | null {
+function drawnAt(at: Vec, { wheels, leds, lamps, rgb, display }: DrawnParts, reach: number): Output | null {
   const colours = ({ onTop }: { readonly onTop: boolean }): readonly (readonly [Output, number])[] =>
     spots(
       rgb.map((light) => (light.isOnTop === onTop ? light : null)),
@@ -40,7 +40,7 @@ function drawnAt(at: Vec, { wheels, leds, rgb, display }: DrawnParts, reach: num
       at,
     );
   const parts: readonly (readonly [Output, number])[] = [
-    ...spots([leds.left, leds.right], ['light-left', 'light-right'], at),
+    ...spots([leds.left ?? lamps.left, leds.right ?? lamps.right], ['light-left', 'light-right'], at),
     ...colours({ onTop: true }),
     ...[wheels.left, wheels.right].flatMap((box, side): readonly (readonly [Output, number])[] =>
       box === null ? [] : [[side === 0 ? 'wheel-left' : 'wheel-right', awayFrom(at, box)]],
