@@ -2,7 +2,7 @@ import type { PlacedBlock } from '../model/arena-model';
 import { liesStill } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/draw-bodies';
 import { sightPx } from '../picture/draw-floor';
-import { clipTo } from './draw-moving';
+import { clipTo } from '../view/clip-to';
 import { spriteSquare } from './sprite-square';
 import { boxAround, roomyWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';

@@ -10,6 +10,7 @@ import { drawHeldPose, drawRing, type Ring } from '../hand/draw-hand';
 import { drawRobot, paintedRadiusMm } from '../robot/draw-robot';
 import { ringRadiusPx, type Hand } from '../hand/hand';
 import type { OverlayPicture } from './overlays';
+import { clipTo } from '../view/clip-to';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import { shiftToWholePixels } from '../view/whole-pixels';
 import type { Palette } from '../model/palette';
@@ -157,11 +158,4 @@ export function movingBox(scene: MovingScene, view: View): PxBox {
   if (held !== undefined)
     boxes.push(boxAround(at(held.pose), Math.hypot(held.sizeMm.x, held.sizeMm.y) * 0.55 * view.pxPerMm + 12));
   return unionOf(boxes);
-}
-
-/** Lets nothing be drawn outside of a box until the next `restore`. */
-export function clipTo(context: CanvasRenderingContext2D, box: PxBox): void {
-  context.beginPath();
-  context.rect(box.left, box.top, box.width, box.height);
-  context.clip();
 }

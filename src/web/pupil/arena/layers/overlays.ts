@@ -1,19 +1,23 @@
 /**
- * Overlays of the arena: the robot's trail, the readings of its line sensors, its centre of rotation, and chains of
- * lights on it. Loaded when the first of these is wanted.
+ * Overlays of the arena: the robot's trail, the fan of its lidar, the readings of its line sensors, its centre of rotation, and
+ * chains of lights on it. Loaded when the first of these is wanted.
  */
 import type { Pose, Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
+import type { Scene } from '#scene/scene';
 import { createCache } from '../../../kit/drawing/shelf';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
 import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../../session/work/settings/light-wish';
-import type { ArenaOptions, ArenaRobot, RobotLook } from '../model/arena-model';
+import type { ArenaOptions, ArenaRobot, PlacedBlock, RobotLook } from '../model/arena-model';
 import { centreBox, drawCentre } from '../robot/draw-centre';
 import { attachmentFrontMm } from '../robot/draw-attachments';
-import { sightPx } from '../picture/draw-floor';
+import { floorPx, sightPx } from '../picture/draw-floor';
+import { drawFan, drawFanHits, fanBoxes, placeFan } from '../robot/draw-fan';
+import { drawLow, lowBoxes, lowThingsOf, lowUnder } from '../robot/low-things';
 import { drawSpots, spotLabels, spotsBoxes, type LabelRow } from '../robot/draw-spots';
 import { createTrailLayer, drawTail } from '../robot/draw-trail';
+import { clipTo } from '../view/clip-to';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { resolutionStep } from '../robot/robot-sprite';
@@ -40,6 +44,9 @@ export interface OverlayParts {
   readonly trail: Trail;
   readonly trailCanvas: HTMLCanvasElement | null;
   readonly arena: ArenaSize;
+  /** The things of the course, and where its blocks are now. */
+  readonly objects: Scene['objects'];
+  readonly blocks: readonly PlacedBlock[];
   readonly view: View;
   readonly canvas: CanvasSize;
   /** Canvas pixels per CSS px. */
@@ -85,8 +92,10 @@ export function createOverlays(): Overlays {
       const centre = options.centre && !robot.held ? turns.centre() : null;
       const spots = options.spots ? robot.now.state.lineSensors : [];
       const hitMm = options.cone ? robot.now.state.ultrasonic?.hitMm : null;
-      const hit = hitMm ? toPx(view, hitMm) : null;
-      const row: LabelRow = { ...lengthOf(robot), sight: sightPx(view, parts.arena, canvas), hit };
+      const sight = sightPx(view, parts.arena, canvas);
+      const fan = fanPicture(parts, robot, sight);
+      const hit = fan?.nearest ?? (hitMm ? toPx(view, hitMm) : null);
+      const row: LabelRow = { ...lengthOf(robot), sight, hit };
       const labels = spotLabels(view, pose, robot.scale, row, spots);
       const chains = parts.lights.map(({ form, colors }) => ({
         ...placeOf(form, colors.length, robot),
@@ -96,11 +105,15 @@ export function createOverlays(): Overlays {
       return {
         boxes: [
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
+          ...(fan?.boxes ?? []),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
           ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, labels)),
           ...chains.map(({ atMm, reachMm }) => boxAround(toPx(view, atMm), reachMm * view.pxPerMm)),
         ],
-        under: (context) => drawTail(context, tail, palette),
+        under(context) {
+          drawTail(context, tail, palette);
+          fan?.under(context);
+        },
         over(context) {
           for (const { atMm, unitMm, colors, form } of chains) {
             const board = boards.at(form, colors.length, unitMm * view.pxPerMm * parts.ratio);
@@ -108,6 +121,7 @@ export function createOverlays(): Overlays {
           }
           if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, labels, palette);
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
+          fan?.over(context);
         },
       };
     },
@@ -115,6 +129,30 @@ export function createOverlays(): Overlays {
 }
 
 const NOTHING: OverlayPicture = { boxes: [], under: () => undefined, over: () => undefined };
+
+/** The fan of a lidar with what lies under it, and the place of its nearest hit, px; `null`: none is shown. */
+function fanPicture(
+  { options, view, arena, canvas, palette, objects, blocks }: OverlayParts,
+  { now, held }: ShownRobot,
+  sight: PxBox,
+): (OverlayPicture & { readonly nearest: Vec | null }) | null {
+  const { lidar } = now.state;
+  if (lidar === null || !options.cone || held) return null;
+  const fan = placeFan(lidar, view, sight);
+  const low = lowUnder(lidar, lowThingsOf(objects), blocks);
+  return {
+    nearest: fan.nearest,
+    boxes: [...fanBoxes(fan), ...lowBoxes(low, view)],
+    under(context) {
+      drawLow(context, view, low, canvas, palette);
+      context.save();
+      clipTo(context, floorPx(view, arena));
+      drawFan(context, fan, palette);
+      context.restore();
+    },
+    over: (context) => drawFanHits(context, fan, canvas, palette),
+  };
+}
 
 /** Extent of the robot ahead of and behind its axle, with its attachments, in mm. */
 function lengthOf({ now, look, scale }: ShownRobot): Pick<LabelRow, 'frontMm' | 'backMm'> {

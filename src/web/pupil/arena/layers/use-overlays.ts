@@ -1,4 +1,5 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
+import type { Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import type { ArenaOptions } from '../model/arena-model';
 import type { MovingScene } from './draw-moving';
@@ -9,6 +10,7 @@ import type { Trail } from '../../../session/run/trail';
 export interface OverlaySources {
   readonly options: () => ArenaOptions;
   readonly newest: () => Snapshot | null;
+  readonly course: () => Scene;
   readonly trail: () => Trail;
   /** `null` while the trail is hidden. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
@@ -23,9 +25,10 @@ export type AroundRobot = (overlay: OverlayPicture | null) => OverlayPicture | n
 /** The overlays of a scene. Their code is loaded when the first one is wanted. */
 export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
   const overlays = shallowRef<Overlays | null>(null);
+  const hasLidar = (): boolean => Boolean(sources.newest()?.robot?.state.lidar);
   const isWanted = (): boolean => {
-    const { spots, centre, trace, lights } = sources.options();
-    return spots || centre || trace || Object.keys(lights).length > 0;
+    const { cone, spots, centre, trace, lights } = sources.options();
+    return spots || centre || trace || Object.keys(lights).length > 0 || (cone && hasLidar());
   };
   const fetch = (): void => {
     import('./overlays').then(
@@ -36,8 +39,8 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
       () => undefined, // no connection at the moment: fetched with the next switch
     );
   };
-  watch(sources.options, () => isWanted() && overlays.value === null && fetch(), { immediate: true });
-  return ({ arena, robot, robotHeld }) => {
+  watch([sources.options, hasLidar], () => isWanted() && overlays.value === null && fetch(), { immediate: true });
+  return ({ arena, robot, robotHeld, blocks }) => {
     if (!isWanted() || overlays.value === null) return null;
     const options = sources.options();
     const snapshot = sources.newest();
@@ -45,6 +48,8 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
       ...sources.place(),
       options,
       arena,
+      blocks,
+      objects: sources.course().objects,
       timeUs: snapshot?.timeUs ?? null,
       robot: robot && { now: robot.now, look: robot.painting.look, scale: robot.scale, held: robotHeld },
       lights: (snapshot?.lights ?? []).flatMap(({ pin, colors }) => {

@@ -19,7 +19,7 @@ export interface PlacedBlock extends Form {
 
 /** The overlays that are switched on. */
 export interface ArenaOptions {
-  /** The ultrasonic cone with its hit point and distance. */
+  /** The ultrasonic cone with its hit point and distance; the fan of a lidar with those of its rays. */
   readonly cone: boolean;
   /** The spot of floor that each line sensor sees, and its reading. */
   readonly spots: boolean;
