@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene } from '#scene/scene';
-import { arranged, bumperAtStart, lieStill, summaryOf } from './arranged';
+import { lidarOf } from '#robots/testing/lidar-of';
+import { arranged, bumperAtStart, lieStill, robotAtStart, summaryOf } from './arranged';
 
 describe('the arena before and during a run', () => {
   const scene: Scene = {
@@ -39,5 +40,11 @@ describe('the arena before and during a run', () => {
     const { robot } = arranged(scene, null);
     expect(summaryOf(robot)).toEqual({ xCm: 60, yCm: 45, headingDeg: -90, distanceCm: null });
     expect(summaryOf(null)).toBeNull();
+  });
+
+  it('has the nearest distance that a lidar sees where there is no ultrasonic sensor', () => {
+    const robot = robotAtStart(scene);
+    const seen = { ...robot, state: { ...robot.state, lidar: lidarOf({ row: [420, 440, null, null, 470, 320, 230, 181] }) } }; // prettier-ignore
+    expect(summaryOf(seen)?.distanceCm).toBe(18);
   });
 });

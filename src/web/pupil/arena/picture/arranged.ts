@@ -1,5 +1,6 @@
 import { radOf } from '#core/angle';
 import type { OptionValues } from '#core/option';
+import { nearestOfFan } from '#robots/lidar-fan';
 import { bareState, type RobotState } from '#robots/robot';
 import type { Block, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
@@ -94,14 +95,15 @@ export interface ArenaSummary {
   readonly yCm: number;
   /** Whole degrees counter-clockwise from +x, −179 … 180. */
   readonly headingDeg: number;
-  /** The distance that the ultrasonic sensor measures, or `null`: nothing in range, or no such sensor. */
+  /** The distance that the ultrasonic sensor measures, else the nearest that a lidar sees; `null`: nothing in range, or neither. */
   readonly distanceCm: number | null;
 }
 
 /** The figures of a summary, or `null` without a robot. */
 export function summaryOf(robot: ArenaRobot | null): ArenaSummary | null {
   if (robot === null) return null;
-  const distanceMm = robot.state.ultrasonic?.distanceMm ?? null;
+  const { ultrasonic, lidar } = robot.state;
+  const distanceMm = (ultrasonic ? ultrasonic.distanceMm : lidar && nearestOfFan(lidar)?.depthMm) ?? null;
   return {
     xCm: Math.round(robot.pose.xMm / 10),
     yCm: Math.round(robot.pose.yMm / 10),
