@@ -1,4 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
+import { nearestOfFan } from '#robots/lidar-fan';
+import type { RobotState } from '#robots/robot';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 
@@ -10,7 +12,7 @@ export interface Moment {
   /** Rotation and path since the start. */
   readonly turnedRad: number;
   readonly pathMm: number;
-  /** The distance sensor's hit; `null`: nothing in range, `undefined`: the robot has no such sensor. */
+  /** The hit of the distance sensor, else the nearest of a lidar; `null`: nothing in range, `undefined`: the robot has neither. */
   readonly ahead: { readonly mm: number; readonly hitMm: Vec | null } | null | undefined;
   /** From left to right. */
   readonly lineSensors: readonly { readonly name: string; readonly isDark: boolean }[];
@@ -25,13 +27,13 @@ export interface Moment {
 export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
   const { robot, verdict, blocks, movers } = snapshot;
   if (robot === null) return null;
-  const { ultrasonic, lineSensors } = robot.state;
+  const { lineSensors } = robot.state;
   return {
     atMs,
     pose: robot.pose,
     turnedRad: robot.turnedRad,
     pathMm: robot.pathMm,
-    ahead: ultrasonic === null ? undefined : aheadOf(ultrasonic),
+    ahead: aheadOf(robot.state),
     lineSensors: [...lineSensors]
       .sort((one, other) => other.atMm.y - one.atMm.y)
       .map(({ name, bright }) => ({ name, isDark: !bright })),
@@ -41,5 +43,9 @@ export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
   };
 }
 
-const aheadOf = ({ distanceMm: mm, hitMm }: { distanceMm: number | null; hitMm: Vec | null }): Moment['ahead'] =>
-  mm === null ? null : { mm, hitMm };
+function aheadOf({ ultrasonic, lidar }: Pick<RobotState, 'ultrasonic' | 'lidar'>): Moment['ahead'] {
+  if (ultrasonic !== null) return ultrasonic.distanceMm === null ? null : { mm: ultrasonic.distanceMm, hitMm: ultrasonic.hitMm }; // prettier-ignore
+  if (lidar === null) return undefined;
+  const nearest = nearestOfFan(lidar);
+  return nearest && { mm: nearest.depthMm, hitMm: nearest.hitMm };
+}

@@ -21,6 +21,24 @@ describe('what is told of a drive', () => {
     ]);
   });
 
+  it('is the nearest that a lidar sees at eye level where there is no distance sensor, and that on the right by its place', () => {
+    const lidarMm = [900, 900, 900, 900, 900, 320, 230, 180];
+    const seen = { aheadMm: undefined, lidarMm };
+    const block = { type: 'block', id: 'b', at: [470, 350], size: [60, 60], angle: 0 } as const;
+    expect(
+      told(
+        courseWith(wall, block),
+        [
+          [0, { aheadMm: undefined }],
+          [2500, seen],
+        ],
+        3000,
+      ),
+    ).toEqual([START]);
+    const before = { aheadMm: undefined, lidarMm: lidarMm.map(() => null) };
+    expect(told(courseWith(wall, block), [[0, before], [2500, seen]], 3000)).toEqual([START, '2500 Block 18 cm voraus.']); // prettier-ignore
+  });
+
   it('says where the robot is when it is switched on in the middle of a run', () => {
     expect(told(courseWith(), [[0, { timeUs: 9_000_000 }]], 0)).toEqual([
       '0 Der Roboter ist bei x 20, y 45 cm, Richtung 0 Grad.',

@@ -1,5 +1,6 @@
 import type { BoardSnapshot, DeviceSnapshot } from '#simulation/snapshot';
-import type { RobotType } from '#robots/robot';
+import { eyeLevelCells } from '#robots/lidar-fan';
+import type { LidarState, RobotType } from '#robots/robot';
 import type { Key, Leaf } from '#tape/rows/leaves';
 
 import { t } from '../../../kit/i18n';
@@ -68,6 +69,12 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
     ...(state.ultrasonic === null
       ? []
       : [of(t('arena.distance'), at('ultrasonic', 'distanceMm'), { unit: 'cm', times: 0.1 })]),
+    ...(state.lidar === null
+      ? []
+      : [
+          lidarLeast(t('arena.lidar'), LIDAR_ID, at('lidar'), (size) => eyeLevelCells(size)),
+          lidarLeast(t(words.lidarMiddle), `${LIDAR_ID}/middle`, at('lidar'), middleCells),
+        ]),
     ...state.lineSensors.flatMap(({ name, reading }, place) => [
       onOff(t(words.line, { name: sideName(name) }), at('lineSensors', place, 'bright')),
       ...(reading === undefined
@@ -85,14 +92,42 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
     of('y', ['robot', 'pose', 'yMm'], { unit: 'cm', times: 0.1 }),
     of(t(words.way), ['robot', 'pathMm'], { unit: 'cm', times: 0.1 }),
     of(t(words.touches), ['robot', 'collisions']),
-    onOff(t(words.lightLeft), at('leds', 'left')),
-    onOff(t(words.lightRight), at('leds', 'right')),
+    ...(state.lamps.length === 0
+      ? [onOff(t(words.lightLeft), at('leds', 'left')), onOff(t(words.lightRight), at('leds', 'right'))]
+      : [colourLight(t(words.lightLeft), at('lamps', 0)), colourLight(t(words.lightRight), at('lamps', 1))]),
     ...state.rgb.map((_, place) => colourLight(t(words.colourLight, { number: place + 1 }), at('rgb', place))),
     ...Object.keys(state.servos).map((port) => of(`Servo ${port}`, at('servos', port), { unit: '°' })),
     ...(state.bumper === null
       ? []
       : [onOff(t(words.bumperLeft), at('bumper', 'left')), onOff(t(words.bumperRight), at('bumper', 'right'))]),
   ];
+}
+
+const LIDAR_ID = 'robot/state/lidar/depthMm';
+
+/** The four cells around the middle, whose least depth `getDistance` of the V3's library gives. */
+const middleCells = (size: LidarState['size']): readonly number[] => {
+  const [from, to] = [size / 2 - 1, size / 2];
+  return [from * size + from, from * size + to, to * size + from, to * size + to];
+};
+
+/** The least depth in some cells of a lidar, which may look with 8 × 8 cells now and with 4 × 4 at another moment. */
+function lidarLeast(
+  name: string,
+  id: string,
+  path: readonly Key[],
+  cellsOf: (size: LidarState['size']) => readonly number[],
+): Reading {
+  const [few, many] = [cellsOf(4), cellsOf(8)];
+  return {
+    ...{ id, name, unit: 'cm', isStepped: false, isRate: false },
+    paths: [[...path, 'size'], ...[...few, ...many].map((cell) => [...path, 'depthMm', cell])],
+    value([size, ...depths]) {
+      const own = size === 4 ? depths.slice(0, few.length) : depths.slice(few.length);
+      const seen = own.map(numberOf).filter((depth) => depth !== null);
+      return seen.length === 0 ? null : Math.min(...seen) / 10;
+    },
+  };
 }
 
 /** A colour light, by the brightest of its three colours in per cent. */
@@ -142,7 +177,7 @@ function boardReadings(board: BoardSnapshot): readonly Reading[] {
 
 /** The curves drawn by default: ids in their order, as far as they exist. */
 const USUAL: readonly (readonly string[])[] = [
-  ['robot/state/ultrasonic/distanceMm', 'rate robot/pathMm'],
+  ['robot/state/ultrasonic/distanceMm', LIDAR_ID, 'rate robot/pathMm'],
   ['sensors/accelerometerX', 'sensors/accelerometerY'],
 ];
 

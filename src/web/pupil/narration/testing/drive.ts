@@ -2,6 +2,7 @@ import type { RobotSnapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { bareState } from '#robots/robot';
+import { lidarOf } from '#robots/testing/lidar-of';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 
 import { pictureOf } from '../../../app/testing/run';
@@ -16,6 +17,8 @@ export interface Changes {
   readonly turnedDeg?: number;
   /** `null`: nothing in range, `undefined`: no such sensor. */
   readonly aheadMm?: number | null | undefined;
+  /** Depths in the row at eye level of a lidar that it has besides, from the left. */
+  readonly lidarMm?: readonly (number | null)[];
   /** Its line sensors from left to right, 1 = dark. */
   readonly line?: readonly (0 | 1)[];
   readonly touches?: number;
@@ -35,7 +38,7 @@ const NAMES: Readonly<Record<number, readonly string[]>> = { 2: ['left', 'right'
 
 /** A robot as a run shows it. */
 export function robotOf(changes: Changes): RobotSnapshot {
-  const { xMm = 200, yMm = 450, headingDeg = 0, pathMm = 0, turnedDeg = 0, line = [0, 0], touches = 0 } = changes;
+  const { xMm = 200, yMm = 450, headingDeg = 0, pathMm = 0, turnedDeg = 0, line = [0, 0], touches = 0, lidarMm } = changes; // prettier-ignore
   const aheadMm = 'aheadMm' in changes ? changes.aheadMm : null;
   const headingRad = (headingDeg * Math.PI) / 180;
   const hitMm = (mm: number) => ({ x: xMm + 58 + mm * Math.cos(headingRad), y: yMm + mm * Math.sin(headingRad) });
@@ -53,6 +56,7 @@ export function robotOf(changes: Changes): RobotSnapshot {
         bright: dark === 0,
       })),
       ultrasonic,
+      lidar: lidarMm === undefined ? null : { ...lidarOf({ row: lidarMm, headingRad }), fromMm: beam.fromMm },
     },
   };
 }
