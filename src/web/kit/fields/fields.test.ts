@@ -7,6 +7,7 @@ import { controls } from '../controls/controls';
 import AddSelect from './AddSelect.vue';
 import CheckField from './CheckField.vue';
 import NumberField from './NumberField.vue';
+import SegmentField from './SegmentField.vue';
 import SelectField from './SelectField.vue';
 import TextField from './TextField.vue';
 
@@ -117,5 +118,20 @@ describe('a box to tick', () => {
       attrs: { name: 'paper', value: 'a4' },
     });
     expect(field.get('input').attributes()).toMatchObject({ type: 'radio', name: 'paper', value: 'a4' });
+  });
+});
+
+describe('a choice of a few words side by side', () => {
+  it('is a group of radio buttons with a name, and gives away what is chosen', async () => {
+    const choices = ['cm', 'mm'].map((id) => ({ id, label: id }));
+    const field = mount(SegmentField, { props: { legend: 'Einheit', value: 'cm', choices, testId: 'unit' }, global });
+    expect(field.get('legend').text()).toBe('Einheit');
+    const radios = field.findAll<HTMLInputElement>('input[type=radio]');
+    expect(radios.map(({ element }) => [element.value, element.checked, element.name])).toEqual([
+      ['cm', true, radios[1]?.element.name],
+      ['mm', false, radios[0]?.element.name],
+    ]);
+    await radios[1]?.setValue();
+    expect(field.emitted('choose')).toEqual([['mm']]);
   });
 });
