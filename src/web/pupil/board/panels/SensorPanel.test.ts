@@ -3,11 +3,14 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { noLocks } from '#check/task/task';
+import type { LidarState } from '#robots/robot';
+import { lidarOf } from '#robots/testing/lidar-of';
 
 import { mountOn, named, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
 import { inputsOf, show, startRun } from '../../../app/testing/run';
 import type { TaskLocks } from '../../../session/work/model/task-locks';
+import { robotOf } from '../../narration/testing/drive';
 import { newBoard } from '../../several-devices/new-device';
 import SensorPanel from './SensorPanel.vue';
 
@@ -234,5 +237,45 @@ describe('what the arena tells the board', () => {
     await mounted.get('[role="switch"]').trigger('click');
     const reached = page.sent.flatMap((message) => (message.type === 'input' ? [message.device] : []));
     expect(reached).toEqual([undefined, 'Zwei']);
+  });
+});
+
+describe('the picture of a lidar', () => {
+  beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
+  afterEach(() => void vi.useRealTimers());
+
+  /** The panel in a run whose robot sees this. */
+  async function seeing(lidar: LidarState | null) {
+    const { page, mounted } = panel('maqueen-lite');
+    await startRun(page);
+    const robot = robotOf({});
+    await show(page, { robot: { ...robot, state: { ...robot.state, lidar } } });
+    await vi.dynamicImportSettled();
+    return { page, cells: () => mounted.findAll('[role="cell"]').map((cell) => cell.text()) };
+  }
+  const row = [420, 440, 450, 460, 470, 320, 230, 180];
+
+  it('is not there for a robot without one', async () => {
+    const { cells } = await seeing(null);
+    expect(cells()).toEqual([]);
+  });
+
+  it('is in cm, and in mm where that was chosen, also later', async () => {
+    const { page, cells } = await seeing(lidarOf({ row }));
+    expect(cells().slice(24, 32)).toEqual(['42', '44', '45', '46', '47', '32', '23', '18']);
+    document.querySelector<HTMLInputElement>('[data-testid="lidar-unit-mm"]')?.click();
+    await nextTick();
+    expect(cells()[31]).toBe('180');
+    expect(page.settings.current.value.lidarUnit).toBe('mm');
+  });
+
+  it('is renewed ten times a second at most', async () => {
+    const { page, cells } = await seeing(lidarOf({ row }));
+    const robot = robotOf({});
+    await show(page, { robot: { ...robot, state: { ...robot.state, lidar: lidarOf({ row: row.map(() => 100) }) } } });
+    expect(cells()[31]).toBe('18');
+    vi.advanceTimersByTime(100);
+    await nextTick();
+    expect(cells()[31]).toBe('10');
   });
 });

@@ -18,6 +18,10 @@ export type Theme = (typeof THEMES)[number];
 export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
 export type BoardPanel = (typeof BOARD_PANELS)[number];
 
+/** The units in which a lidar's picture is shown. */
+export const LIDAR_UNITS = ['cm', 'mm'] as const;
+export type LidarUnit = (typeof LIDAR_UNITS)[number];
+
 /** The look of the app and its way of running, for the person who uses it. Sizes in CSS pixels. */
 export interface Settings {
   readonly language: Language;
@@ -54,6 +58,7 @@ export interface Settings {
   readonly deviceCheck: boolean;
   /** The open panel below the board, or `null`. */
   readonly panel: BoardPanel | null;
+  readonly lidarUnit: LidarUnit;
   /** True if the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
   /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
@@ -118,6 +123,7 @@ export function defaultSettings(language: Language): Settings {
     myRobot: null,
     deviceCheck: true,
     panel: null,
+    lidarUnit: 'cm',
     ...newWork,
     showTools: null,
     showCommands: false,
@@ -193,6 +199,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     myRobot: myRobotFrom(read.myRobot),
     deviceCheck: flag('deviceCheck'),
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
+    lidarUnit: LIDAR_UNITS.find((unit) => unit === read.lidarUnit) ?? fallback.lidarUnit,
     arenaSenses: flag('arenaSenses'),
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
     showCommands: flag('showCommands'),
