@@ -6,7 +6,7 @@ import { debugSubject } from './page/debug';
 import { whySubject } from './page/why';
 import { downloadSubject } from './page/download';
 import { editingSubject, movingSubject, slowMovingSubject } from './page/editing';
-import { fourRobotsSubject, framesSubject } from './page/frames';
+import { fanSubject, fourRobotsSubject, framesSubject } from './page/frames';
 import { eightDevicesMemorySubject, memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
@@ -19,6 +19,7 @@ const pageSubjects = [
   startSubject,
   downloadSubject,
   framesSubject,
+  fanSubject,
   fourRobotsSubject,
   editingSubject,
   movingSubject,

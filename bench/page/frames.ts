@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { Subject } from '../subject';
-import { closedLine, fourRobots } from './kept-work';
+import { closedLine, fourRobots, lidarRobot } from './kept-work';
 import { untilKept, untilMoving, withPage, type Stage } from './stage';
 import { smoothness } from './stretch';
 
@@ -31,6 +31,25 @@ export const framesSubject: Subject<Stage> = {
         const { text, longest, pictures, met } = frames;
         return [{ text: `${text} (${pictures.toFixed(0)} new pictures, ${longest})`, met }, thread];
       });
+    }),
+};
+
+const FAN = 'driving with the fan of a lidar shown, no GPU, throttled 4x';
+
+/** How smoothly a robot drives whose lidar's fan is shown, with a number at each ray. */
+export const fanSubject: Subject<Stage> = {
+  budgets: [
+    { what: `${FAN}: frames`, budget: '60 a second' },
+    { what: `${FAN}: the page's thread per frame`, budget: '<= 10 ms' },
+  ],
+  measure: (stage) =>
+    withPage(stage, { throttle: 4, pressRun: true, work: lidarRobot() }, async (opened) => {
+      const { page, tools } = opened;
+      await untilMoving(page);
+      await tools.send('Performance.enable');
+      await page.waitForTimeout(WARM_UP_MS);
+      const { frames, thread } = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS));
+      return [{ text: `${frames.text} (${frames.longest})`, met: frames.met }, thread];
     }),
 };
 

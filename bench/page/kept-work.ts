@@ -3,8 +3,8 @@ import { openedCourse } from '../../e2e/opened-course';
 /** The closed line with its solution: the robot drives as long as one looks. */
 export const closedLine = (): string => openedCourse('closed-line');
 
-/** Drives to and fro, and turns a little, on and on. */
-const TO_AND_FRO = `from mbrobot import *
+/** Drives to and fro, and turns a little, on and on: the robot of this module. */
+const toAndFro = (module: string): string => `from ${module} import *
 setSpeed(30)
 while True:
     forward()
@@ -35,7 +35,14 @@ while True:
 export const eightDevices = (): string => robots('ABCDEFGH', TALKING);
 
 /** Four Maqueen Lite beside each other on an empty floor, each with a device of its own. */
-export const fourRobots = (): string => robots('ABCD', TO_AND_FRO);
+export const fourRobots = (): string => robots('ABCD', toAndFro('mbrobot'));
+
+/** A Maqueen Plus V3 with its lidar in an empty arena, whose fan the page shows. */
+export function lidarRobot(): string {
+  const work = JSON.parse(openedCourse('empty')) as { project: object };
+  const files = [{ name: 'main.py', text: toAndFro('mbrobot_plusV3') }];
+  return JSON.stringify({ ...work, project: { ...work.project, files } });
+}
 
 function robots(letters: string, text: string): string {
   const work = JSON.parse(openedCourse('empty')) as { project: object };
