@@ -107,7 +107,7 @@ function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
 /** Sensors that tremble; each line sensor sees up to `mostOffset` lighter or darker than the others. */
 function trembling(amount: number, salt: number, nowUs: () => number, mostOffset: number): Senses {
   const moment = (): number => Math.floor(nowUs() / STEP_US);
-  const tremble = (channel: number): number => 2 * unitOf(salt, moment(), channel) - 1;
+  const tremble = (channel: number, at = moment()): number => 2 * unitOf(salt, at, channel) - 1;
   return {
     reflectance: (seen, spot) => {
       const channel = channelOf(spot);
@@ -120,20 +120,24 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
       const noiseMm = (ECHO_NOISE_MM + ECHO_NOISE_SHARE * hit.distanceMm) * tremble(ECHO);
       return { ...hit, distanceMm: Math.max(hit.distanceMm + amount * noiseMm, 0) };
     },
-    depths: (cells) =>
-      cells.map((cell, place) => {
+    depths: (cells) => {
+      const picture = Math.floor(nowUs() / LIDAR_PICTURE_US);
+      return cells.map((cell, place) => {
         const channel = DEPTHS + 2 * place;
         if (cell.depthMm === Infinity) return cell;
-        if (cell.isFloor && unitOf(salt, moment(), channel + 1) < amount * MISSED_FLOOR) return LOST;
-        const noiseMm = Math.max(DEPTH_NOISE.leastMm, DEPTH_NOISE.share * cell.depthMm) * tremble(channel);
+        if (cell.isFloor && unitOf(salt, picture, channel + 1) < amount * MISSED_FLOOR) return LOST;
+        const noiseMm = Math.max(DEPTH_NOISE.leastMm, DEPTH_NOISE.share * cell.depthMm) * tremble(channel, picture);
         return { ...cell, depthMm: Math.max(cell.depthMm + amount * noiseMm, 0) };
-      }),
+      });
+    },
     miss: () => amount * bellOf((draw) => unitOf(salt, moment(), MISS + draw)),
   };
 }
 
 const ECHO = 1;
 const ECHO_MISSED = 2;
+/** A lidar trembles anew with each picture that it takes: 15 a second (DFRobot SEN0628 with 8 × 8 cells). */
+const LIDAR_PICTURE_US = 66_667;
 /** The first of those of the lidar's cells; channels of line sensors are whole numbers that never come near it. */
 const DEPTHS = 0x40000000;
 
