@@ -26,10 +26,25 @@ async function taped(setup: RunSetup, seconds: number): Promise<{ rows: Rows<Sna
   return { rows, last: simulation.snapshot() };
 }
 
+/** Drives on and on in an empty arena, past walls that its 64 cells see. */
+const LIDAR_PROGRAM = `from mbrobot_plusV3 import *
+sleep(3500)
+setSpeed(60)
+while True:
+    if getDistance() < 25:
+        left()
+        sleep(300)
+    else:
+        forward()
+    sleep(50)
+`;
+const lidarRun = { ...courseRun('empty', 1), devices: [{ name: '1', files: { 'main.py': LIDAR_PROGRAM }, robot: 'maqueen-plus-v3', board: 'auto' }] }; // prettier-ignore
+
 describe('what a run shows, 50 times a second,', () => {
   it.each([
     ['a line follower', courseRun('closed-line', 1), 1],
     ['a robot that pushes blocks', courseRun('clear-the-ring', 1), 1],
+    ['a robot with a lidar that drives about', lidarRun, 1],
     ['four devices that talk, drive and push', convoyOf(4), 4],
   ])('takes less than 1 MB for ten minutes and device: %s', async (_, setup, devices) => {
     const { rows, last } = await taped(setup, 20);
