@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { OnSet } from '../robot';
-import { putOnFloor, type FloorSetup } from '../testing/floor';
+import { nothingAround, putOnFloor, type FloorSetup } from '../testing/floor';
 import { bitbotXlBuild, EEPROM_ADDRESS, LINE_ADDRESS } from './robot';
 
 let firmware: WebAssembly.Module;
@@ -48,14 +48,7 @@ describe('bit:bot XL, its motors (4T select_model; GMC BitBotXL_info)', () => {
     const onSet: OnSet = (output, value) => told.push([output, value]);
     const { board, chassis, robot, ...rest } = stand();
     robot.detach();
-    const context = { ...rest, board, chassis, onSet, options: {}, scale: 1, lineReadings: {} };
-    const again = bitbotXlBuild.attach({
-      ...context,
-      ground: () => 1,
-      distance: () => ({ distanceMm: Infinity, hitMm: null }),
-      depths: () => [],
-      supplyMv: () => 4500,
-    });
+    const again = bitbotXlBuild.attach({ ...rest, ...nothingAround, board, chassis, onSet });
     told.length = 0;
     board.wire('P14').connect('test').drivePwm(half);
     board.wire('P8').connect('test').drivePwm(half);

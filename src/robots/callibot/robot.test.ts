@@ -6,7 +6,7 @@ import { Clock } from '#core/clock';
 import { completeOptions, type OptionValues } from '#core/option';
 import type { StrokeShape, WallShape } from '#world/shapes';
 import { createWorld, type World } from '#world/world';
-import { putOnFloor, type Floor } from '../testing/floor';
+import { nothingAround, putOnFloor, type Floor } from '../testing/floor';
 import { callibotBuild } from './robot';
 
 let firmware: WebAssembly.Module;
@@ -234,15 +234,8 @@ describe('Calli:bot, ultrasonic', () => {
     const world = createWorld({ widthMm: 12_000, heightMm: 4000 });
     const chassis = world.addChassis(callibotBuild.type.body, { xMm: 1000, yMm: 2000, headingRad: 0 });
     callibotBuild.attach({
-      clock: board.clock,
-      board,
-      chassis,
-      ground: () => 1,
-      distance: (from, headingRad, cone) => world.distanceCone(chassis.toWorld(from), headingRad, cone, chassis),
-      supplyMv: () => 4800,
-      lineReadings: {},
+      ...{ ...nothingAround, clock: board.clock, board, chassis },
       options: completeOptions(callibotBuild.type.options, { echo }),
-      scale: 1,
     });
     expect([...board.i2c.read(0x21, 3).bytes].slice(1)).toEqual([mm >> 8, mm & 255]);
   });

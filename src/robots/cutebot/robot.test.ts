@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Rgb } from '#core/rgb';
-import { putOnFloor, type FloorSetup } from '../testing/floor';
+import { nothingAround, putOnFloor, type FloorSetup } from '../testing/floor';
 import { CONTROLLER_ADDRESS } from './controller';
 import { cutebotBuild } from './robot';
 
@@ -100,13 +100,7 @@ describe('Cutebot: what it tells of a program’s doings', () => {
     robot.detach();
     const told: string[] = [];
     cutebotBuild.attach({
-      ...{ board, clock, chassis, options: {}, scale: 1, lineReadings: {} },
-      ...{
-        ground: () => 1,
-        distance: () => ({ distanceMm: Infinity, hitMm: null }),
-        supplyMv: () => 4500,
-        depths: () => [],
-      },
+      ...{ ...nothingAround, board, clock, chassis },
       onSet: (output, value) => void told.push(`${output} ${value}`),
     });
     send(2, 1, 30, 0);

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Rgb } from '#core/rgb';
 import type { World } from '#world/world';
-import { putOnFloor, type Floor, type FloorSetup } from '../testing/floor';
+import { nothingAround, putOnFloor, type Floor, type FloorSetup } from '../testing/floor';
 import type { RobotContext, RobotOutput } from '../robot';
 import { motionkit2Build } from './robot';
 
@@ -41,15 +41,7 @@ function attachedWith(context: Partial<RobotContext>): Floor {
   const floor = onTheFloor();
   floor.robot.detach();
   const { clock, board, chassis } = floor;
-  const nothing = { distanceMm: Infinity, hitMm: null };
-  const surroundings = {
-    ground: () => 1,
-    distance: () => nothing,
-    depths: () => [],
-    supplyMv: () => 4800,
-    lineReadings: {},
-  };
-  motionkit2Build.attach({ clock, board, chassis, ...surroundings, options: {}, scale: 1, ...context });
+  motionkit2Build.attach({ clock, board, chassis, ...nothingAround, ...context });
   return floor;
 }
 

@@ -7,7 +7,19 @@ import { createVm } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/step';
 import { createWorld, type World } from '#world/world';
-import { bodyOf, type OnSet, type Robot, type RobotBuild } from '../robot';
+import { bodyOf, type OnSet, type Robot, type RobotBuild, type RobotContext } from '../robot';
+
+/** Surroundings without anything: a bare floor without end under an ideal robot of its usual size and options. */
+export const nothingAround = {
+  ground: () => 1,
+  distance: () => ({ distanceMm: Infinity, hitMm: null }),
+  depths: () => [],
+  miss: () => 0,
+  supplyMv: () => 4800,
+  options: {},
+  scale: 1,
+  lineReadings: {},
+} satisfies Partial<RobotContext>;
 
 /** A robot in an arena of 3 m × 3 m, its board controlled by a test. */
 export interface Floor {

@@ -38,7 +38,7 @@ while True:
         forward()
     sleep(50)
 `;
-const lidarRun = { ...courseRun('empty', 1), devices: [{ name: '1', files: { 'main.py': LIDAR_PROGRAM }, robot: 'maqueen-plus-v3', board: 'auto' }] }; // prettier-ignore
+const lidarRun: RunSetup = { ...courseRun('empty', 1), devices: [{ name: '1', files: { 'main.py': LIDAR_PROGRAM }, robot: 'maqueen-plus-v3', board: 'auto' }] }; // prettier-ignore
 
 describe('what a run shows, 50 times a second,', () => {
   it.each([

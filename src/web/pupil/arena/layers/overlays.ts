@@ -4,17 +4,15 @@
  */
 import type { Pose, Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
-import type { Scene } from '#scene/scene';
 import { createCache } from '../../../kit/drawing/shelf';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
 import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../../session/work/settings/light-wish';
-import type { ArenaOptions, ArenaRobot, PlacedBlock, RobotLook } from '../model/arena-model';
+import type { ArenaOptions, ArenaRobot, RobotLook } from '../model/arena-model';
 import { centreBox, drawCentre } from '../robot/draw-centre';
 import { attachmentFrontMm } from '../robot/draw-attachments';
 import { floorPx, sightPx } from '../picture/draw-floor';
 import { drawFan, drawFanHits, fanBoxes, placeFan } from '../robot/draw-fan';
-import { drawLow, lowBoxes, lowThingsOf, lowUnder } from '../robot/low-things';
 import { drawSpots, spotLabels, spotsBoxes, type LabelRow } from '../robot/draw-spots';
 import { createTrailLayer, drawTail } from '../robot/draw-trail';
 import { clipTo } from '../view/clip-to';
@@ -44,9 +42,6 @@ export interface OverlayParts {
   readonly trail: Trail;
   readonly trailCanvas: HTMLCanvasElement | null;
   readonly arena: ArenaSize;
-  /** The things of the course, and where its blocks are now. */
-  readonly objects: Scene['objects'];
-  readonly blocks: readonly PlacedBlock[];
   readonly view: View;
   readonly canvas: CanvasSize;
   /** Canvas pixels per CSS px. */
@@ -130,21 +125,19 @@ export function createOverlays(): Overlays {
 
 const NOTHING: OverlayPicture = { boxes: [], under: () => undefined, over: () => undefined };
 
-/** The fan of a lidar with what lies under it, and the place of its nearest hit, px; `null`: none is shown. */
+/** The fan of a lidar, and the place of its nearest hit, px; `null`: none is shown. */
 function fanPicture(
-  { options, view, arena, canvas, palette, objects, blocks }: OverlayParts,
+  { options, view, arena, canvas, palette }: OverlayParts,
   { now, held }: ShownRobot,
   sight: PxBox,
 ): (OverlayPicture & { readonly nearest: Vec | null }) | null {
   const { lidar } = now.state;
   if (lidar === null || !options.cone || held) return null;
   const fan = placeFan(lidar, view, sight);
-  const low = lowUnder(lidar, lowThingsOf(objects), blocks);
   return {
     nearest: fan.nearest,
-    boxes: [...fanBoxes(fan), ...lowBoxes(low, view)],
+    boxes: fanBoxes(fan),
     under(context) {
-      drawLow(context, view, low, canvas, palette);
       context.save();
       clipTo(context, floorPx(view, arena));
       drawFan(context, fan, palette);

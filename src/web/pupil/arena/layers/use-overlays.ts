@@ -1,5 +1,4 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
-import type { Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import type { ArenaOptions } from '../model/arena-model';
 import type { MovingScene } from './draw-moving';
@@ -10,7 +9,6 @@ import type { Trail } from '../../../session/run/trail';
 export interface OverlaySources {
   readonly options: () => ArenaOptions;
   readonly newest: () => Snapshot | null;
-  readonly course: () => Scene;
   readonly trail: () => Trail;
   /** `null` while the trail is hidden. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
@@ -40,7 +38,7 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
     );
   };
   watch([sources.options, hasLidar], () => isWanted() && overlays.value === null && fetch(), { immediate: true });
-  return ({ arena, robot, robotHeld, blocks }) => {
+  return ({ arena, robot, robotHeld }) => {
     if (!isWanted() || overlays.value === null) return null;
     const options = sources.options();
     const snapshot = sources.newest();
@@ -48,8 +46,6 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
       ...sources.place(),
       options,
       arena,
-      blocks,
-      objects: sources.course().objects,
       timeUs: snapshot?.timeUs ?? null,
       robot: robot && { now: robot.now, look: robot.painting.look, scale: robot.scale, held: robotHeld },
       lights: (snapshot?.lights ?? []).flatMap(({ pin, colors }) => {
