@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { completeOptions, optionProblem, type Option } from './option';
+import { completeOptions, isShownWith, optionProblem, type Option } from './option';
 
 const title = { de: 'Titel', fr: 'titre', it: 'titolo', en: 'title' };
 const options: readonly Option[] = [
@@ -24,5 +24,17 @@ describe('options of a robot', () => {
     expect(optionProblem(options, { tail: 'long' })).toBe('there is no option "tail". Known: S1, bumper.');
     expect(optionProblem(options, { S1: 'laser' })).toBe('"laser" is no choice of S1. Known: none, claw.');
     expect(optionProblem([], { S1: 'claw' })).toBe('there is no option "S1". Known: none.');
+  });
+
+  it('may matter only while another one has a certain choice', () => {
+    const height = {
+      id: 'height',
+      title,
+      onlyWith: { option: 'S1', choices: ['claw'] },
+      choices: [{ id: 'low', title }],
+    };
+    expect(['none', 'claw'].map((S1) => isShownWith(height, { S1 }))).toEqual([false, true]);
+    expect(isShownWith(height, {})).toBe(false);
+    expect(options.every((option) => isShownWith(option, {}))).toBe(true);
   });
 });

@@ -9,6 +9,8 @@ export interface Option {
   readonly about?: Texts;
   /** For people who know the robot's series: shown where they look for it, not to all pupils. */
   readonly isExpert?: boolean;
+  /** Shown only while another option has one of these choices; it may be set all the same. */
+  readonly onlyWith?: { readonly option: string; readonly choices: readonly string[] };
   /** At least two; the first is the default. */
   readonly choices: readonly OptionChoice[];
 }
@@ -21,6 +23,10 @@ export interface OptionChoice {
 
 /** Chosen values: id of an option → id of a choice. */
 export type OptionValues = Readonly<Record<string, string>>;
+
+/** True if an option matters with these values. */
+export const isShownWith = ({ onlyWith }: Option, values: OptionValues): boolean =>
+  onlyWith === undefined || onlyWith.choices.includes(values[onlyWith.option] ?? '');
 
 /** Every option with its value: the chosen one if it is one of the choices, else the first. */
 export function completeOptions(options: readonly Option[], chosen: OptionValues): OptionValues {

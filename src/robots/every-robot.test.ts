@@ -93,7 +93,9 @@ describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its bod
 
   it('has options with titles in every language and at least two choices, every id once', () => {
     expect(new Set(type.options.map(({ id }) => id)).size).toBe(type.options.length);
-    for (const { id, title, about, choices } of type.options) {
+    for (const { id, title, about, onlyWith, choices } of type.options) {
+      const other = type.options.find((option) => option.id === onlyWith?.option);
+      for (const choice of onlyWith?.choices ?? []) expect(other?.choices.map((one) => one.id)).toContain(choice);
       expect(id).toMatch(/^\w[\w-]*$/);
       expectTexts(title);
       if (about) expectTexts(about);

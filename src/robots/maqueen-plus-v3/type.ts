@@ -7,6 +7,7 @@ import type { OptionValues, Option } from '#core/option';
 import type { Vec } from '#core/geometry';
 import { inEvery } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import words from './words';
@@ -74,6 +75,9 @@ function bodyWith({ motors }: OptionValues): ChassisType {
 
 const LIDAR_ADDRESSES = ['0x33', '0x32', '0x31', '0x30'] as const; // as delivered first: DFRobot SEN0628
 
+const WITH_LIDAR = { option: 'lidar', choices: ['8x8', '4x4'] } as const;
+const WITH_ULTRASONIC = { option: 'ultrasonic', choices: ['yes'] } as const;
+
 const options: readonly Option[] = [
   ...attachmentOptions(SERVO_PORTS),
   {
@@ -108,6 +112,7 @@ const options: readonly Option[] = [
     title: words.lidarAddress.title,
     about: words.lidarAddress.about,
     isExpert: true,
+    onlyWith: WITH_LIDAR,
     choices: LIDAR_ADDRESSES.map((id) => ({ id, title: inEvery(() => id) })),
   },
   {
@@ -115,6 +120,7 @@ const options: readonly Option[] = [
     title: words.lidarEmpty.title,
     about: words.lidarEmpty.about,
     isExpert: true,
+    onlyWith: WITH_LIDAR,
     choices: [
       { id: '4000', title: words.lidarEmpty.choices['4000'] },
       { id: '0', title: words.lidarEmpty.choices['0'] },
@@ -125,12 +131,14 @@ const options: readonly Option[] = [
     title: words.lidarOrder.title,
     about: words.lidarOrder.about,
     isExpert: true,
+    onlyWith: WITH_LIDAR,
     choices: [
       { id: 'maker', title: words.lidarOrder.choices.maker },
       { id: 'transposed', title: words.lidarOrder.choices.transposed },
     ],
   },
-  incidenceOption,
+  { ...echoOption, onlyWith: WITH_ULTRASONIC },
+  { ...incidenceOption, onlyWith: WITH_ULTRASONIC },
 ];
 
 export const maqueenPlusV3: RobotType = {
