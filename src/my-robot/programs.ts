@@ -24,6 +24,7 @@ export const TURN_MS = 2000;
 /** Names of the line sensors that read shades of grey, by the robot's id; the others know only light and dark. */
 const GREY_SENSORS: Readonly<Record<string, readonly string[]>> = {
   'maqueen-plus-v2': ['L2', 'L1', 'M', 'R1', 'R2'],
+  'maqueen-plus-v3': ['L2', 'L1', 'M', 'R1', 'R2'],
 };
 
 /** The line sensors of a robot whose readings a program can ask for, from left to right. */

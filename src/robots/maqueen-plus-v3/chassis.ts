@@ -7,7 +7,8 @@ import type { Touched } from '#devices/i2c-registers';
 import type { LineRow } from '../line-row';
 import { mountMotors } from '../mounting';
 import { bodyOf, type RobotContext, type RobotState } from '../robot';
-import { CONTROLLER_ADDRESS, createController, type ControllerParts, type LineName } from './controller';
+import { CONTROLLER_ADDRESS, createController, type ControllerParts } from './controller';
+import type { LineName } from './line-names';
 import { createMover, type Move } from './moves';
 import { Patrol, type PatrolSettings } from './patrol';
 import { maqueenPlusV3 as type } from './type';
@@ -118,6 +119,7 @@ function ownDrive(context: RobotContext, line: LineRow<LineName>, settings: () =
       tell(nameOf(move));
     },
     stopMove: () => {
+      if (!mover.isMoving()) return;
       mover.stop();
       tell(0);
     },
@@ -128,6 +130,7 @@ function ownDrive(context: RobotContext, line: LineRow<LineName>, settings: () =
       tell(`line ${String(settings().grade)}`);
     },
     stopPatrol: () => {
+      if (!patrol.isOn()) return;
       patrol.stop();
       tell(0);
     },

@@ -108,5 +108,6 @@ describe('Maqueen Plus V3, what it tells of the outputs that a program sets', ()
     expect(after(60, 6)).toEqual(['wheel-left 90°', 'wheel-right 90°']);
     expect(after(60, 5)).toEqual(['wheel-left line 2', 'wheel-right line 2']);
     expect(after(60, 8)).toEqual(['wheel-left 0', 'wheel-right 0']);
+    expect(after(60, 8 | 16)).toEqual([]); // nothing runs
   });
 });

@@ -47,6 +47,7 @@ import {
   type Touched,
 } from '#devices/i2c-registers';
 import { lampColor } from '../lamp-colors';
+import { LINE_NAMES, type LineName } from './line-names';
 import type { Move } from './moves';
 import { USUAL_WAYS, type PatrolSettings } from './patrol';
 
@@ -81,12 +82,6 @@ const BACKWARD = 2;
 const TO_THE_LEFT = 2;
 const USUAL_GRADE = 2; // every driver writes 2
 const RAW_PER_MM_PER_S = 0.5; // raw / 5 = cm/s: jhautbois, sjh5637
-
-/** The line sensors from right to left: the order of their bits and values. */
-export const LINE_NAMES = ['R2', 'R1', 'M', 'L1', 'L2'] as const;
-
-/** A line sensor's name, as printed on the robot. */
-export type LineName = (typeof LINE_NAMES)[number];
 
 /** The calls with which the controller drives its parts and reads its sensors; lengths of a robot of real size. */
 export interface ControllerParts {

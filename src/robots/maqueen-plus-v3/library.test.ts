@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { I2cTarget } from '#board/wires/i2c-bus';
+import { putOnFloor } from '../testing/floor';
 import { runOnWires } from '../testing/wires';
 import { maqueenPlusV3Build } from './robot';
 
@@ -278,6 +279,17 @@ describe('mbrobot_plusV3: the lidar, byte by byte', () => {
     expect(lines).toEqual(['Switching Lidar Mode to 4x4.', 'Please wait up to 10 seconds.', 'True']);
     expect(messages[0]).toEqual([0x55, 0, 5, 1, 0, 0, 0, 4]);
     expect(messages[2]).toEqual([0x55, 0, 3, 3, 1, 1]);
+  });
+
+  it('waits for a lidar that has just been switched on, and gives up 4 s after the start', () => {
+    const floor = putOnFloor(maqueenPlusV3Build);
+    const { lines } = floor.run(
+      firmware,
+      'from mbrobot_plusV3 import *\nprint(getDistanceAt(0, 7), running_time() // 100)',
+    );
+    expect(lines).toEqual(['21 30']);
+    const without = 'try:\n    getDistance()\nexcept OSError as e:\n    print(e, running_time() // 100)';
+    expect(run(without, { isOn: false }).lines).toEqual(['[Errno 19] ENODEV 40']);
   });
 
   it('tries ten times to change the mode', () => {

@@ -9,7 +9,7 @@
  */
 import { STEP_S } from '#world/step';
 import { createLineWalker } from '../line-walking';
-import type { LineName } from './controller';
+import type { LineName } from './line-names';
 import { rimMm } from './moves';
 import type { Wheels } from './wheels';
 
@@ -103,6 +103,10 @@ export class Patrol {
   /** Ends it; the wheels are somebody else's. */
   drop(): void {
     this.phase = null;
+  }
+
+  isOn(): boolean {
+    return this.phase !== null;
   }
 
   /** The junction that it is at, or that it left a moment ago. */

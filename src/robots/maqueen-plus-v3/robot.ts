@@ -10,13 +10,14 @@ import type { Stop } from '#core/stop';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachWs2812 } from '#devices/ws2812';
+import { echoOf } from '../echo';
 import { mountLidar } from '../lidar';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { listenToServos, mountServos, tellColors } from '../mounting';
 import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
 import { mountSonar, SR04_CONE, type Sonar } from '../sonar';
 import { mountChassis } from './chassis';
-import type { LineName } from './controller';
+import type { LineName } from './line-names';
 import mbrobotPlusV3 from './library/mbrobot_plusV3.py?raw';
 import { maqueenPlusV3 as type, SERVO_PORTS } from './type';
 
@@ -85,8 +86,8 @@ function attach(context: RobotContext): Robot {
 }
 
 function plugInSonar(context: RobotContext, turnRad: () => number): Pick<Sonar, 'state'> & { readonly stop: Stop } {
-  const { board, clock } = context;
+  const { board, clock, options } = context;
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad });
   const wires = { trigger: board.wire('P13'), echo: board.wire('P14') };
-  return { state: () => sonar.state(), stop: attachHcSr04(clock, wires, sonar.distanceMm) };
+  return { state: () => sonar.state(), stop: attachHcSr04(clock, wires, sonar.distanceMm, echoOf(options)) };
 }
