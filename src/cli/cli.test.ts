@@ -37,7 +37,7 @@ describe('parcours run', { timeout: 30_000 }, () => {
       ],
     ]);
     expect(Object.keys(report.robot ?? {})).toEqual([
-      ...['type', 'xMm', 'yMm', 'headingDeg', 'turnedDeg', 'pathMm', 'collisions', 'leds', 'rgb', 'servos'],
+      ...['type', 'xMm', 'yMm', 'headingDeg', 'turnedDeg', 'pathMm', 'collisions', 'leds', 'rgb', 'lamps', 'servos'],
     ]);
     expect(report).toMatchObject({ ended: 'finished', exception: null, console: 'half a line' });
     expect(report.robot).toMatchObject({ type: 'maqueen-lite', xMm: 600, yMm: 450, headingDeg: 0 });

@@ -20,6 +20,7 @@ describe('reality 0', () => {
     expect(reality.supply({ left: 1, right: 1 })).toBe(1);
     expect(reality.reflectance(0.3, spot)).toBe(0.3);
     expect(reality.echo(hit)).toBe(hit);
+    expect(reality.miss()).toBe(0);
   });
 
   it('leaves a robot that was measured its motors, its battery and its ultrasonic sensor', () => {
@@ -69,6 +70,24 @@ describe('reality 1', () => {
     expect(seen.size).toBeGreaterThan(190);
     expect(reality.reflectance(1, spot)).toBeLessThanOrEqual(1);
     expect(reality.reflectance(0, spot)).toBeGreaterThanOrEqual(0);
+  });
+
+  it('lets measured moves miss their end by a standard deviation of 1, half of that at reality 0.5, by seed and moment', () => {
+    const misses = (amount: number, seed: number) => {
+      const { time, reality } = realityAt(amount, seed);
+      return Array.from({ length: 2000 }, (_, step) => {
+        time.us = step * 4000;
+        return reality.miss();
+      });
+    };
+    const all = misses(1, 3);
+    const mean = all.reduce((sum, miss) => sum + miss, 0) / all.length;
+    const deviation = Math.sqrt(all.reduce((sum, miss) => sum + (miss - mean) ** 2, 0) / all.length);
+    expect(Math.abs(mean)).toBeLessThan(0.1);
+    expect(Math.abs(deviation - 1)).toBeLessThan(0.05);
+    expect(misses(1, 3)).toEqual(all);
+    expect(misses(0.5, 3)).toEqual(all.map((miss) => miss / 2));
+    expect(misses(1, 4).slice(0, 5)).not.toEqual(all.slice(0, 5));
   });
 
   it('misses about one echo in fifty, and the others are at most 7 mm wrong at 30 cm', () => {
