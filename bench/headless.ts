@@ -28,6 +28,29 @@ while True:
     elif not right_bright:
         rightArc(0.06)
 `;
+const V3_FOLLOWER = `
+from mbrobot_plusV3 import *
+setSpeed(40)
+while True:
+    if irL1.read_digital() == 0:
+        leftArc(0.06)
+    elif irR1.read_digital() == 0:
+        rightArc(0.06)
+    else:
+        forward()
+    delay(10)
+`;
+/** Asks for all cells as often as there is a new picture. */
+const V3_LIDAR = `
+from mbrobot_plusV3 import *
+delay(3000)
+setSpeed(40)
+left()
+while True:
+    began = running_time()
+    getDistanceGrid()
+    delay(max(67 - (running_time() - began), 1))
+`;
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
 /** Line 6, in the midst of the loop, never begins. */
 const BRANCH =
@@ -51,6 +74,12 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
     `headless, line follower with delay(10), ${FULL.objects} objects, ${FULL.points.toLocaleString('en')} stroke points`,
     { atLeast: 100, of: 'real time' },
     () => bestFactor(`${FOLLOWER}    delay(10)\n`, fullCourse(closedLine()), 60),
+  ),
+  speed('headless, V3 line follower with delay(10)', { atLeast: 250, of: 'real time' }, () =>
+    bestOf(soloOf(V3_FOLLOWER, closedLine(), 'maqueen-plus-v3'), 120),
+  ),
+  speed('headless, V3 asking all 64 cells at 15 Hz', { atLeast: 100, of: 'real time' }, () =>
+    bestOf(soloOf(V3_LIDAR, amongWalls(), 'maqueen-plus-v3'), 60),
   ),
   speed('headless, four Maqueen Lite on four lines', { atLeast: 30, of: 'real time' }, () => bestOf(onLines(4), 60)),
   speed('headless, eight Maqueen Lite on eight lines', { atLeast: 15, of: 'real time' }, () => bestOf(onLines(8), 30)),
@@ -102,12 +131,16 @@ function speed(
   };
 }
 
-function closedLine(): Scene {
-  const path = 'courses/closed-line/scene.json';
+const closedLine = (): Scene => sceneAt('courses/closed-line/scene.json');
+
+function sceneAt(path: string): Scene {
   const parsed = parseScene(readFileSync(path, 'utf8'));
   if ('scene' in parsed) return parsed.scene;
   throw new Error(`${path}: ${parsed.problem}`);
 }
+
+/** Three walls and three blocks to look at. */
+const amongWalls = (): Scene => sceneAt('courses/obstacles/scene.json');
 
 /** Robots that each follow a line of their own. */
 function onLines(count: number): RunSetup {
@@ -144,8 +177,8 @@ function bestFactor(program: string, scene: Scene, seconds: number): Promise<num
   return bestOf(soloOf(program, scene), seconds);
 }
 
-const soloOf = (program: string, scene: Scene): RunSetup =>
-  soloRun({ scene, files: { 'main.py': program }, robot: 'auto', board: 'auto', seed: 1, reality: 0 });
+const soloOf = (program: string, scene: Scene, robot = 'auto'): RunSetup =>
+  soloRun({ scene, files: { 'main.py': program }, robot, board: 'auto', seed: 1, reality: 0 });
 
 /** @param prepare what is done to the run before */
 async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: Simulation) => void): Promise<number> {
