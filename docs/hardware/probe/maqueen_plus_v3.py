@@ -61,7 +61,6 @@ row("version", "text", tried(lambda: hexed(read(51, 20))))
 row("registers 0 to 15", "text", tried(lambda: hexed(read(0, 16))))
 row("registers 60 to 73", "text", tried(lambda: hexed(read(60, 14))))
 row("registers 85 to 92", "text", tried(lambda: hexed(read(85, 8))))
-row("light", "text", tried(lambda: hexed(read(78, 4))))
 row("line sensors in the air", "text", tried(lambda: hexed(read(29, 11))))
 
 
@@ -109,6 +108,7 @@ row("lidar, no such command", "text", tried(lambda: asked(0x55, 0, 1, 99)))
 row("lidar, mode", "text", tried(lambda: asked(0x55, 0, 5, 1, 0, 0, 0, 8)))
 print("probe;end;maqueen_plus_v3;%d" % len(rows))
 
+print("Look: light on the left and on the right, high byte first: %s" % hexed(read(78, 4)))
 print("Look: hold a hand at the left edge, 10 cm ahead, at eye level. Which cells are near?")
 sleep(6000)
 i2c.write(0x33, b"\x55\x00\x01\x02")
