@@ -47,6 +47,7 @@ const onLine: Readonly<Record<string, string>> = {
   'maqueen-lite': 'Linker Sensor auf der Linie.',
   'maqueen-plus-v1': 'Auf der Linie: L2, L1.',
   'maqueen-plus-v2': 'Auf der Linie: L1.',
+  'maqueen-plus-v3': 'Auf der Linie: L1.',
   callibot: 'Linker Sensor auf der Linie.',
 };
 

@@ -69,7 +69,15 @@ describe('the colour lights of a robot', () => {
     ];
     const painting = {
       look: { body: { outlineMm: [] } },
-      drawing: { viewBox, rgb: lights, wheels: { left: null, right: null }, line: new Map(), display: [], leds: { left: null, right: null } },
+      drawing: {
+        viewBox,
+        rgb: lights,
+        wheels: { left: null, right: null },
+        line: new Map(),
+        display: [],
+        leds: { left: null, right: null },
+        lamps: { left: null, right: null },
+      },
       sprites: { at: () => ({ body, shadow, shadowBox: viewBox }) },
       turned: { draw: (...[around, , , , still]: readonly ((around: unknown) => void)[]) => still?.(around) },
     } as unknown as RobotPainting;

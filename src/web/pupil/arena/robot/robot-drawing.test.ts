@@ -128,9 +128,10 @@ describe.each(robots)('the drawing of $name', ({ drawing: text, body }) => {
 });
 
 describe.each(robots.filter(({ place }) => place <= 3))('the drawing of $name, which is ours', (type) => {
-  it('marks both wheels, both red lights and the 25 lights of the display', () => {
-    const { wheels, leds, display } = readRobotDrawing(type.drawing);
-    expect([wheels.left, wheels.right, leds.left, leds.right]).not.toContain(null);
+  it('marks both wheels, both red lights or colour lamps, and the 25 lights of the display', () => {
+    const { wheels, leds, lamps, display } = readRobotDrawing(type.drawing);
+    const lights = [leds.left ?? lamps.left, leds.right ?? lamps.right];
+    expect([wheels.left, wheels.right, ...lights]).not.toContain(null);
     expect(display).toHaveLength(25);
   });
 });
