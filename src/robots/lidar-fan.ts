@@ -17,6 +17,13 @@ export interface FanHit {
   readonly hitMm: Vec;
 }
 
+/**
+ * Height of the lens. Chosen: with depths along the axis the lowest row of a level lens then sees the floor at 211 mm, as
+ * on a robot of franc0r/francor-maqueen-plus-microbit (194 … 216 mm). It is not scaled with the robot, as a large one
+ * would look over every block.
+ */
+export const LENS_HEIGHT_MM = 104;
+
 /** A depth in whole cm, rounded down: so the library of the Plus V3 gives it to the program (mbrobot_plusV3, `getDistanceAt`). */
 export const lidarCm = (depthMm: number): number => Math.floor(depthMm / 10);
 

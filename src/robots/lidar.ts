@@ -5,17 +5,11 @@ import { exactTan } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { attachMatrixLidar, LIDAR_RANGE_MM, type LidarSize } from '#devices/matrix-lidar';
 import type { DepthView } from '#world/probes/depth-grid';
+import { LENS_HEIGHT_MM } from './lidar-fan';
 import type { LidarState, RobotContext } from './robot';
 import { scaled } from './sonar';
 
 const OPENING_DEG = 60; // DFRobot SEN0628: 60° across and upright, 90° from corner to corner
-
-/**
- * Height of the lens. Chosen: with depths along the axis the lowest row of a level lens then sees the floor at 211 mm, as
- * on a robot of franc0r/francor-maqueen-plus-microbit (194 … 216 mm). It is not scaled with the robot, as a large one
- * would look over every block.
- */
-const LENS_HEIGHT_MM = 104;
 
 /** Rows that look down less do not see the floor: chosen, of 8 rows the first below the horizon (3.75°). */
 const LEAST_FLOOR_DEG = 5;

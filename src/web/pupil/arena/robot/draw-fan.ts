@@ -9,7 +9,7 @@ import { withAlpha } from './draw-cone';
 import { fanLabels, LABEL_PX, type FanEnd, type FanLabel } from './fan-labels';
 
 /** Length of a ray that meets nothing, in mm of depth. */
-export const OPEN_REACH_MM = 450;
+const OPEN_REACH_MM = 450;
 
 /** Radius of the point at the end of a ray, in px. */
 const POINT_PX = 4;
