@@ -90,6 +90,8 @@ export interface CourseDocument {
   readonly scene: Scene;
   /** Id of the microcomputer that its link names; `null`: not said. */
   readonly device: string | null;
+  /** A world of WebTigerPython: from its link, or from its course file. */
+  readonly isFromWebTigerPython: boolean;
   /** Tell of everything in a world of WebTigerPython that could not be taken over, or was changed. */
   readonly notes: readonly Note[];
 }

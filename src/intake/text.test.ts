@@ -29,7 +29,7 @@ describe('a JSON file', () => {
       project: fullProject(),
     });
     expect(read(`\ufeff${serializeScene(defaultScene())}`)).toEqual({
-      ...{ kind: 'course', device: null, notes: [] },
+      ...{ kind: 'course', device: null, isFromWebTigerPython: false, notes: [] },
       scene: defaultScene(),
     });
     const old = readFileSync(new URL('../../courses/closed-line/scene.json', import.meta.url), 'utf8');

@@ -61,7 +61,10 @@ function projectDocument(value: unknown, text: string): TextDocument {
   return { kind: 'project', project: parsed.project, isCourseChanged: false };
 }
 
-const courseDocument = (scene: Scene): CourseDocument => ({ kind: 'course', scene, device: null, notes: [] });
+const courseDocument = (scene: Scene): CourseDocument => ({
+  ...{ kind: 'course', scene, device: null },
+  ...{ isFromWebTigerPython: false, notes: [] },
+});
 
 function wrongInside(message: string, problems: readonly FileProblem[]): Unreadable {
   const code = problems[0]?.code === 'newer-version' ? 'newer' : 'project';

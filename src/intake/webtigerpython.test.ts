@@ -99,6 +99,13 @@ describe('a project for WebTigerPython', () => {
     expect(documentOfAddress(made?.link ?? '', none)).toMatchObject({ files, scene, device: 'microbit-v2', notes: [] });
   });
 
+  it('tells that there its robot is not simulated', () => {
+    const mine = [{ name: 'main.py', text: 'from callimk import *\n' }];
+    expect(linkForWebTigerPython({ files: mine, scene })?.notes).toEqual([
+      { code: 'robotAbsent', params: { robot: 'motionkit-2' } },
+    ]);
+  });
+
   it('tells that its robot is none that the imports mean', () => {
     const robot = { ...scene.robot, type: 'callibot' };
     expect(linkForWebTigerPython({ files, scene: { ...scene, robot } })?.notes.map(({ code }) => code)).toEqual(['robotType']); // prettier-ignore

@@ -13,7 +13,7 @@ export const noteCodes = [
   // a project that says more than a link can hold
   ...(['strokes', 'zones', 'spikes', 'movers', 'labels', 'starts', 'otherObjects'] as const),
   ...(['wallAngles', 'wallThickness', 'blockAngles', 'blockSizes', 'blockShapes', 'heights', 'editing'] as const),
-  ...(['robotHeading', 'robotSize', 'robotType', 'robotOptions', 'robotLooks'] as const),
+  ...(['robotHeading', 'robotSize', 'robotType', 'robotAbsent', 'robotOptions', 'robotLooks'] as const),
   ...(['task', 'background', 'texts', 'devices', 'board', 'settings'] as const),
 ] as const;
 export type NoteCode = (typeof noteCodes)[number];
