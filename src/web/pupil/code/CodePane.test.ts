@@ -136,6 +136,20 @@ describe('a line that is wrong', () => {
     expect(wrong()).toEqual([]);
   });
 
+  it('is marked as changed, apart from what is wrong, until it is typed in', async () => {
+    const { page, view, wrong, type } = await pane({ 'main.py': three });
+    const changed = () => [...view.dom.querySelectorAll('.cm-changedLine')].map((it) => it.textContent);
+    page.jump.wrong.value = { file: 'main.py', line: 2, device: 0 };
+    page.jump.changed.value = [1, 3].map((line) => ({ file: 'main.py', line, device: 0 }));
+    await nextTick();
+    expect([changed(), wrong()]).toEqual([['eins', 'drei'], ['zwei']]);
+    type(0, '!');
+    expect(changed()).toEqual(['drei']);
+    page.jump.changed.value = [];
+    await nextTick();
+    expect(changed()).toEqual([]);
+  });
+
   it('beyond the end of the file marks nothing', async () => {
     const { page, wrong } = await pane({ 'main.py': three });
     page.jump.wrong.value = { file: 'main.py', line: 99, device: 0 };

@@ -24,8 +24,8 @@ import { deviceMarks } from './device-marks';
 import type { DeviceMarksOptions } from './device-question';
 import type { HelpOptions } from './help/help-options';
 import { helpSlot } from './help-slot';
+import { changedLines, wrongLines } from './line-marks';
 import { wrappedLines } from './wrapped-lines';
-import { wrongLineField } from './wrong-line';
 
 /** Colours come from the page's variables, so one style serves light and dark. */
 const colours = HighlightStyle.define([
@@ -65,6 +65,10 @@ const look = EditorView.theme({
     backgroundColor: 'var(--stop-soft)',
     boxShadow: 'inset 3px 0 0 var(--stop)',
   },
+  '.cm-changedLine, &.cm-focused .cm-activeLine.cm-changedLine': {
+    backgroundColor: 'var(--warn-soft)',
+    boxShadow: 'inset 3px 0 0 var(--warn)',
+  },
   '.cm-specialChar': { color: 'var(--stop)' },
 });
 
@@ -96,7 +100,8 @@ export function editorExtensions(options: {
     syntaxHighlighting(colours),
     indentUnit.of('    '),
     EditorState.tabSize.of(4),
-    wrongLineField,
+    changedLines.field,
+    wrongLines.field,
     wrappedLines,
     tooltips({ parent: options.popups }),
     helpSlot(options.help),

@@ -2,7 +2,7 @@ import { isolateHistory } from '@codemirror/commands';
 import { EditorState, type Extension } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 
-import { markWrongLine } from './wrong-line';
+import type { LineMarks } from './line-marks';
 
 /** The state that the editor should show. */
 export interface Shown {
@@ -57,8 +57,9 @@ export class FileStates {
     this.view.setState(EditorState.create({ doc: text, selection, extensions: this.extensionsFor(this.name) }));
   }
 
-  markWrong(line: number | null): void {
-    this.view.dispatch({ effects: markWrongLine.of(line) });
+  /** Marks lines of the file that is shown, and none of it that were marked so before. */
+  mark({ set }: LineMarks, lines: readonly number[]): void {
+    this.view.dispatch({ effects: set.of(lines) });
   }
 
   /** Puts the cursor into a line and brings it into view. */

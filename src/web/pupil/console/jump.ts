@@ -10,17 +10,25 @@ export interface Mending {
   readonly after: string;
 }
 
-/** Requests to the editor: a line of a file to show, one to mark as wrong, and a correction to write. */
+/** A line of a file of a device, by the device's place. */
+export interface DevicePlace extends ErrorPlace {
+  readonly device: number;
+}
+
+/** Requests to the editor: a line of a file to show, lines to mark as wrong or as changed, and a correction to write. */
 export type Jump = ReturnType<typeof createJump>;
 
 /** Makes the requests; `to` and `mend` show the file, too. */
 export function createJump(work: WorkModel) {
   const target = shallowRef<ErrorPlace | null>(null);
-  const wrong = shallowRef<(ErrorPlace & { readonly device: number }) | null>(null);
+  const wrong = shallowRef<DevicePlace | null>(null);
+  const changed = shallowRef<readonly DevicePlace[]>([]);
   const mending = shallowRef<Mending | null>(null);
   return {
     target,
     wrong,
+    /** Lines that were written otherwise when the program was opened. */
+    changed,
     /** A correction for the editor to write, which then clears it. */
     mending,
     mend: (file: string, before: string, after: string): void => {

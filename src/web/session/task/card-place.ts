@@ -23,6 +23,8 @@ export interface AroundCard {
   readonly arena: Area | null;
   /** The console; `null`: it is not shown. */
   readonly console: Area | null;
+  /** A part beside or above the arena that stays in sight below the card, if there is room for both; `null`: none. */
+  readonly kept: Area | null;
   /** The arena has the whole room to itself. */
   readonly isAlone: boolean;
 }
@@ -39,13 +41,13 @@ const BESIDE_SHARE = 0.46;
 const SHEET_SHARE = 0.6;
 
 /** The place of the card: never over the course. */
-export function cardPlace({ panes, arena, console, isAlone }: AroundCard): CardPlace {
+export function cardPlace({ panes, arena, console, kept, isAlone }: AroundCard): CardPlace {
   if (!isAlone && arena !== null) {
     const reaches = console !== null && console.right > arena.left && console.top >= arena.bottom;
     const beside = { ...panes, right: arena.left - GAP_PX, bottom: reaches ? arena.bottom : panes.bottom };
-    if (isRoomy(beside)) return { kind: 'over', area: beside };
     const above = { ...panes, bottom: arena.top - GAP_PX };
-    if (isRoomy(above)) return { kind: 'over', area: above };
+    for (const area of [beside, above].flatMap((whole) => [endingAt(kept, whole), whole]))
+      if (isRoomy(area)) return { kind: 'over', area };
   }
   const [width, height] = [panes.right - panes.left, panes.bottom - panes.top];
   if (width > height) {
@@ -54,6 +56,10 @@ export function cardPlace({ panes, arena, console, isAlone }: AroundCard): CardP
   }
   return { kind: 'sheet', area: { ...panes, top: panes.bottom - Math.round(SHEET_SHARE * height) } };
 }
+
+/** The part of an area above something that lies in it. */
+const endingAt = (kept: Area | null, area: Area): Area =>
+  kept === null ? area : { ...area, bottom: Math.min(area.bottom, kept.top - GAP_PX) };
 
 const isRoomy = ({ left, top, right, bottom }: Area): boolean =>
   right - left >= LEAST.width && bottom - top >= LEAST.height;

@@ -20,13 +20,15 @@ export function useCardPlace({ layout, alone }: LayoutParts): ShallowRef<CardPla
       panes,
       arena: hasAll ? panes : areaOf('.pane-arena'),
       console: hasAll ? null : areaOf('.pane-console'),
+      kept: areaOf('[data-stays-in-sight]'),
       isAlone: hasAll,
     });
     makeRoom(root, place.value);
   }
   function follow(): void {
     observer.disconnect();
-    for (const pane of document.querySelectorAll('.panes, .pane-arena, .pane-console')) observer.observe(pane);
+    for (const pane of document.querySelectorAll('.panes, .pane-arena, .pane-console, #editor-panel'))
+      observer.observe(pane);
     measure();
   }
   watch([layout.arrangement, layout.isShown, alone.isAlone], () => void nextTick(follow));

@@ -45,6 +45,8 @@ export class WorkModel {
   readonly open: ComputedRef<SourceFile>;
   /** Counts the opened courses: each is a new start, with nothing to undo. */
   readonly openings: ShallowRef<number> = shallowRef(0);
+  /** Counts the opened works, be it another program in the course that is open. */
+  readonly works: ShallowRef<number> = shallowRef(0);
   /** Counts what came with an address, be it the course that is open already. */
   readonly arrivals: ShallowRef<number> = shallowRef(0);
   readonly canUndo: ComputedRef<boolean>;
@@ -243,6 +245,7 @@ export class WorkModel {
 
   private put(project: Project, open: string, nameOfOld: string | null, file?: string): void {
     if (nameOfOld !== null) this.keep(nameOfOld);
+    this.works.value += 1;
     // Another program in the same course takes nothing from its history.
     if (this.history.value.present !== project.scene) {
       this.history.value = historyOf(project.scene);
