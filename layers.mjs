@@ -92,7 +92,8 @@ export const wings = {
     'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
   },
   exchange: {
-    share: ['session', 'course/editor', 'pupil/console', 'pupil/device-log'],
+    elsewhere: ['session', 'pupil/console'],
+    share: ['session', 'course/editor', 'pupil/console', 'pupil/device-log', 'exchange/elsewhere'],
     offline: [],
     host: ['session', 'course/editor', 'pupil/board', 'pupil/console', 'pupil/debug', 'exchange/share'],
   },

@@ -2,6 +2,7 @@ import type { Part } from '#embed/simulator';
 
 import type { VisitParts } from '../../session/visit/parts';
 import type { Workplace } from '../../session/work/model/parts';
+import { elsewhereOf } from '../elsewhere/parts';
 import { LINK_PARAMETERS } from './link-parameters';
 import { openAddress } from './open-address';
 
@@ -20,7 +21,8 @@ export function followLink(app: LinkedPage, { href, hasProgram }: GivenLink): vo
   const problem = openAddress(app, href, 'held');
   app.hold();
   app.work.isBrought ||= problem === null;
-  if (problem === null) app.work.arrivals.value += 1;
+  // A program from elsewhere has nothing to do with the task that is open: its own card is the one to read.
+  if (problem === null && elsewhereOf(app).brought.shown.value === null) app.work.arrivals.value += 1;
   if (problem !== null) {
     app.notices.show({ kind: 'error', key: 'notice.text', values: { text: problem } });
     clearAddress();

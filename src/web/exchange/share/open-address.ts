@@ -1,10 +1,12 @@
 import { documentOfAddress } from '#intake/address';
+import { documentOfText } from '#intake/text';
 import type { CourseDocument, ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';
 import { defaultProjectSettings, type Project } from '#project/project';
 
 import type { Workplace } from '../../session/work/model/parts';
 import { hasNothingOwn, useCourses } from '../../session/work/use-courses';
 import { useDevice } from '../../session/work/hardware/use-device';
+import { AUTO_ROBOT } from '../../session/work/settings/devices';
 import { useOpenings } from '../../session/work/use-openings';
 import { urlOf } from '../../session/visit/address';
 import { t } from '../../kit/i18n';
@@ -12,22 +14,25 @@ import { readyCourse, readyScene } from '../../session/work/catalogue/ready-cour
 import { isReadyArena } from '../../session/work/catalogue/examples';
 import { courseName } from '../../session/work/catalogue/first-course';
 import { isSameWork } from '../../session/work/storage/history';
+import { elsewhereOf } from '../elsewhere/parts';
+import { tellOfCourse } from '../elsewhere/tell-of-course';
 import { openRun } from './open-run';
-import { linkReason } from './problem-words';
+import { linkReason, reasonOf } from './problem-words';
 import { presentProject } from './save-work';
 import words from './words';
 
 /**
  * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a
- * ready course (`task`: with its program, `world`: the arena alone), a course, a program, or a program in a course. Never runs
- * it; a recorded run alone is repeated, silently, before it is looked at.
+ * ready course (`task`: with its program, `world`: the arena alone), a course, a program, or a program in a course; or that of
+ * a file that was pasted as text. Never runs it; a recorded run alone is repeated, silently, before it is looked at.
  *
  * @param wish `held`: the other settings in the address hold for this visit; `brought`: a program brings its
  *   microcomputer along
  * @returns `null` on success, otherwise why it failed; then nothing has changed
  */
 export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
-  const document = documentOfAddress(address, readyScene);
+  const isFile = address.trimStart().startsWith('{');
+  const document = isFile ? documentOfText(address, readyScene) : documentOfAddress(address, readyScene);
   switch (document.kind) {
     case 'project':
       return openLinked(app, document);
@@ -36,7 +41,7 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
     case 'program':
       return openProgram(app, document, wish);
     case 'course':
-      return openCourse(app, document);
+      return openCourse(app, document, !isFile);
     case 'ready':
       return openReady(app, document);
     // A series has an address of this page, which shows it.
@@ -46,8 +51,11 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
     case 'series-place':
       location.hash = `series=${placeSeenFrom(address.trim(), document.place)}`;
       return null;
+    case 'series':
+      return t(words.problems.notALink);
     case 'unreadable':
-      return document.link === undefined ? t(words.problems.notALink) : linkReason(document.link);
+      if (document.link !== undefined) return linkReason(document.link);
+      return document.problems.length > 0 ? reasonOf(document.problems) : t(words.problems.notALink);
   }
 }
 
@@ -58,8 +66,10 @@ function placeSeenFrom(address: string, place: string): string {
 }
 
 /** The program stays. */
-function openCourse(app: Workplace, { scene }: CourseDocument): null {
+function openCourse(app: Workplace, document: CourseDocument, isLink: boolean): null {
+  const { scene } = document;
   useOpenings(app).openScene({ scene, course: null }, t(words.shared), isReadyArena(app.work.scene.value));
+  tellOfCourse(app, document, isLink);
   return null;
 }
 
@@ -86,7 +96,8 @@ function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocumen
 
 /** The program of a link in the course it names, else in its own, else in the arena that is open. */
 function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | 'brought'): string | null {
-  const { files, device, course: id, scene } = document;
+  const { device, course: id, scene } = document;
+  const files = document.files.map(({ name, text }) => ({ name, text: text.replaceAll('\r\n', '\n') }));
   const course = id === null ? null : readyCourse(id);
   if (id !== null && course === null) return t(words.problems.unknownCourse, { course: id });
   const open = app.work.work.value.project;
@@ -102,8 +113,11 @@ function openProgram(app: Workplace, document: ProgramDocument, wish: 'held' | '
   if (course !== null || scene !== null) {
     const { allowRobot, setUpForCourse } = useDevice(app);
     allowRobot();
+    // In a world of WebTigerPython the program's imports say which robot drives.
+    if (scene !== null) app.settings.bring({ robot: AUTO_ROBOT });
     setUpForCourse();
   }
+  elsewhereOf(app).brought.tell({ ...document, files, scene: project.scene === scene ? scene : null, isLink: true });
   return null;
 }
 

@@ -10,6 +10,7 @@ import { isReadyArena } from '../../session/work/catalogue/examples';
 import { courseName } from '../../session/work/catalogue/first-course';
 import { workName } from '../../session/work/work-name';
 import { t } from '../../kit/i18n';
+import { tellOfCourse } from '../elsewhere/tell-of-course';
 import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
 import words from './words';
@@ -74,6 +75,7 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       const { scene } = document;
       const name = scene.name === '' ? file : scene.name;
       useOpenings(app).openScene({ scene, course: null }, name, !isFromFile && isReadyArena(before.scene));
+      tellOfCourse(app, document, false);
       return null;
     }
     case 'unreadable':

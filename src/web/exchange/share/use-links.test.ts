@@ -1,4 +1,5 @@
 // @vitest-environment happy-dom
+import LZString from 'lz-string';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h } from 'vue';
 
@@ -133,6 +134,16 @@ describe('the address with which the page is called', () => {
     expect(page.settings.current.value.speed).toBe(2);
     expect(page.settings.own.value.speed).toBe(1);
     expect(page.host.parts.value).toEqual(['board', 'arena']);
+  });
+
+  it('opens no task over a program of WebTigerPython of which there is something to tell', async () => {
+    const text = 'repeat:\n    pass\n';
+    const code = encodeURIComponent(LZString.compressToBase64(JSON.stringify([{ name: 'main.py', data: text }])));
+    const page = called(`/?code=${code}`);
+    await vi.waitFor(() => expect(program(page)).toBe('while True:\n    pass\n'));
+    await vi.waitFor(() => expect(location.search).toBe(''));
+    expect(page.task.isOpen.value).toBe(false);
+    expect(page.work.arrivals.value).toBe(0);
   });
 
   it('shows a stranger’s program before it can run, although the link hides it', async () => {
