@@ -233,6 +233,32 @@ describe('the dialog for sharing', () => {
     expect(page.notices.current.value?.key).toBe('files.saved');
   });
 
+  it('has a link for WebTigerPython, too, above which stands what is lost on the way there', async () => {
+    const text = 'from mbrobot import *\nforward()\n';
+    const { page } = await share(text);
+    const { robot } = page.work.scene.value;
+    const wall = { type: 'wall', id: 'wall-1', from: [100, 100], to: [300, 100], thickness: 10 } as const;
+    page.work.setScene(
+      { ...defaultScene(), name: 'Halle', robot: { ...robot, type: 'callibot' }, objects: [wall] },
+      null,
+    );
+    await nextTick();
+    expect(isThere('elsewhere-link')).toBe(false);
+    const details = byId('share-elsewhere') as HTMLDetailsElement;
+    details.open = true;
+    details.dispatchEvent(new Event('toggle'));
+    await nextTick();
+    expect([...byId('share-elsewhere-lost').querySelectorAll('li')].map(textOf)).toEqual([
+      'Name und Beschreibung des Parcours fallen weg.',
+      'Welcher Roboter fährt, entscheiden dort die Importe des Programms, und sie meinen nicht Calli:bot.',
+    ]);
+    expect(byId('share-elsewhere-lost').compareDocumentPosition(byId('elsewhere-link'))).toBe(4); // it follows
+    const other = createPage();
+    expect(openAddress(other, fieldById('elsewhere-link').value)).toBeNull();
+    expect(other.work.files.value).toEqual([{ name: 'main.py', text }]);
+    expect(other.work.scene.value.objects).toEqual([wall]);
+  });
+
   it('is closed by its button', async () => {
     const { closed } = await share('print(1)\n');
     await tap('share-close');
