@@ -1,6 +1,6 @@
 import { writeFileSync } from 'node:fs';
 import { hardwareOf } from '#intake/webtigerpython';
-import { filesByName, MAIN } from '#project/project';
+import { filesByName, MAIN, type SourceFile } from '#project/project';
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import { NO_ROBOT, type Hardware } from '#simulation/hardware';
@@ -36,7 +36,8 @@ export async function convert(
   const notes = [...input.notes, ...(made?.notes ?? []), ...unfit];
   if (json) {
     const text = made !== null && out === null ? { text: made.text } : {};
-    terminal.line(JSON.stringify({ ...asJson(input, hardware), notes, ...text }));
+    const asItCame = input.rewritten?.length ? ['The program stands here as it came.'] : [];
+    terminal.line(JSON.stringify({ ...asJson(input, hardware), notes: [...notes, ...asItCame], ...text }));
     return 0;
   }
   for (const note of notes) terminal.message(`parcours: ${note}`);
@@ -69,12 +70,21 @@ const idsOf = (hardware: Chosen): { readonly robot: string | null; readonly boar
     ? { robot: null, board: null }
     : { robot: hardware.robot?.id ?? null, board: hardware.board.id };
 
-const asJson = ({ kind, work: { files, scene } }: Input, hardware: Chosen) => ({
+const asJson = ({ kind, work: { files, scene }, rewritten = [] }: Input, hardware: Chosen) => ({
   kind,
-  program: files.length === 0 ? { [MAIN]: '' } : filesByName(files),
+  program: files.length === 0 ? { [MAIN]: '' } : filesByName(asTheyCame(files, rewritten)),
   ...idsOf(hardware),
   scene: scene === null ? null : (JSON.parse(serializeScene(scene)) as unknown),
 });
+
+/** A program's files with TigerJython's loops, as the link has them. */
+function asTheyCame(files: readonly SourceFile[], rewritten: NonNullable<Input['rewritten']>): readonly SourceFile[] {
+  return files.map(({ name, text }) => {
+    const lines = text.split('\n');
+    for (const { file, line, before } of rewritten) if (file === name) lines[line - 1] = before;
+    return { name, text: lines.join('\n') };
+  });
+}
 
 /** Lines for people. */
 function summaryOf({ kind, work: { files, scene } }: Input, hardware: Chosen): readonly string[] {

@@ -53,14 +53,17 @@ const full = file('full.json', projectToText(fullProject()));
 const repeated = (program: string): string => program.replace('repeat 4:', 'for _ in range(4):').replace('repeat:', 'while True:'); // prettier-ignore
 
 describe('parcours convert --json', () => {
-  it.each(linkSamples)('tells program, course and hardware of a link: $name', async ({ link, program, playground }) => {
-    const line = await lineOf(link);
-    expect(line).toMatchObject({ kind: program === '' ? 'course' : 'program', board: 'microbit-v2' });
-    expect(line.program).toEqual({ 'main.py': repeated(program) });
-    if (playground === null) expect(line.scene).toBeNull();
-    else expect(parseScene(JSON.stringify(line.scene))).toHaveProperty('scene.size', playground['playgroundSize']);
-    expect(line.notes).toHaveLength((program === '' ? 0 : 1) + (playground === null ? 1 : 0));
-  });
+  it.each(linkSamples)(
+    'tells the program of a link as it came, course and hardware: $name',
+    async ({ link, program, playground }) => {
+      const line = await lineOf(link);
+      expect(line).toMatchObject({ kind: program === '' ? 'course' : 'program', board: 'microbit-v2' });
+      expect(line.program).toEqual({ 'main.py': program });
+      if (playground === null) expect(line.scene).toBeNull();
+      else expect(parseScene(JSON.stringify(line.scene))).toHaveProperty('scene.size', playground['playgroundSize']);
+      expect(line.notes).toHaveLength((program === '' ? 0 : 2) + (playground === null ? 1 : 0));
+    },
+  );
 
   it('tells of a program, a project, a course and a ready course', async () => {
     expect(await lineOf(anna)).toEqual({ kind: 'program', program: { 'main.py': 'from callibot2 import *\nforward()\n' }, robot: 'callibot', board: 'calliope-mini-3', scene: null, notes: [] }); // prettier-ignore

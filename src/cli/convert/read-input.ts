@@ -1,5 +1,5 @@
 import { basename } from 'node:path';
-import type { AddressDocument, Document, ProgramDocument } from '#intake/document';
+import type { AddressDocument, Document, ProgramDocument, RewrittenLine } from '#intake/document';
 import { documentOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText } from '#intake/text';
@@ -20,6 +20,8 @@ export interface Input {
   readonly course: string | null;
   /** Sentences on what could not be taken over, or was changed. */
   readonly notes: readonly string[];
+  /** Lines of the program that came otherwise; left out: none. */
+  readonly rewritten?: readonly RewrittenLine[];
 }
 
 type Problem = { readonly problem: string };
@@ -85,11 +87,18 @@ async function inputOf(document: Document | AddressDocument): Promise<Input | Pr
 
 const NONE = 'is no program (.py), no project, no course and no link to one of them.';
 
-async function inputOfProgram({ files, scene, device, course, notes }: ProgramDocument): Promise<Input | Problem> {
+async function inputOfProgram({
+  files,
+  scene,
+  device,
+  course,
+  notes,
+  rewritten,
+}: ProgramDocument): Promise<Input | Problem> {
   const ready = course === null ? null : (await readyCourses())(course);
   if (course !== null && ready === null) return { problem: `there is no ready course "${course}".` };
   const work: Linked = { files: withMain(files), scene: ready ?? scene, ...settingsFor(device) };
-  return { kind: 'program', work, course, notes: said(notes) };
+  return { kind: 'program', work, course, notes: said(notes), rewritten };
 }
 
 async function inputOfReady(id: string, isWhole: boolean): Promise<Input | Problem> {
