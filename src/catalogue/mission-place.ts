@@ -1,5 +1,5 @@
-/** The robots that each mission is for, in the order in which they are offered. */
-export const missionRobots = ['maqueen-lite', 'maqueen-plus-v2', 'callibot'] as const;
+/** The robots that have a ladder of missions, in the order in which they are offered. */
+export const missionRobots = ['maqueen-lite', 'maqueen-plus-v2', 'maqueen-plus-v3', 'callibot'] as const;
 export type MissionRobot = (typeof missionRobots)[number];
 
 /** The place of a course on the ladder of missions. */

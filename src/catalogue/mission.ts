@@ -9,6 +9,7 @@ import { missionId, missionRobots, type Mission, type MissionRobot } from './mis
 const modules: Readonly<Record<MissionRobot, string>> = {
   'maqueen-lite': 'mbrobot',
   'maqueen-plus-v2': 'mbrobot_plusV2',
+  'maqueen-plus-v3': 'mbrobot_plusV3',
   callibot: 'callibot',
 };
 
@@ -31,9 +32,11 @@ export interface MissionFiles {
 interface MissionData {
   readonly new: string;
   readonly robots: Readonly<
-    Record<
-      MissionRobot,
-      { readonly stars: readonly [number, number]; readonly values?: Readonly<Record<string, number>> }
+    Partial<
+      Record<
+        MissionRobot,
+        { readonly stars: readonly [number, number]; readonly values?: Readonly<Record<string, number>> }
+      >
     >
   >;
 }
@@ -56,7 +59,9 @@ function readMission(
   const [, digits = '', name = ''] = /(\d+)-([^/]*)$/.exec(folder) ?? [];
   if (read === undefined || words === undefined || digits === '') return [];
   const facts = JSON.parse(data[`${folder}/mission.json`] ?? '') as MissionData;
-  const { stars, values = {} } = facts.robots[robot];
+  const own = facts.robots[robot];
+  if (own === undefined) return []; // a mission for other robots
+  const { stars, values = {} } = own;
   const filled = (program: ProgramWords['source']) =>
     inEvery((language: Language) => withValues(program[language], { module: modules[robot], ...values }));
   // Which robot drives is said by what the program imports, as in every course.

@@ -1,10 +1,11 @@
 /**
  * The missions: a ladder of small courses for beginners, each with one new thing. Each is a folder in `courses/missions/`,
- * named by its number and its name, and is there for every robot:
+ * named by its number and its name. It is there for the robots that it names; where one needs a mission of its own, two
+ * folders have the same number and each robot is named in one of them:
  *
- * - `scene.json`: the course, the same for every robot.
+ * - `scene.json`: the course, the same for each of these robots.
  * - `mission.json`: `{ "new": "forward()", "robots": { "callibot": { "stars": [9, 6], "values": { "drive": 1700 } }, … } }`: the
- *   piece of Python that it brings, and for each robot the times (s) for two and three stars and what its programs need.
+ *   piece of Python that it brings, and for each of its robots the times (s) for two and three stars and what its programs need.
  * - `main.py`: the program that solves it, in English. `$drive` is replaced by the robot's value of that name,
  *   `$module` by its library.
  * - `start.py`: the program on opening it.

@@ -1,12 +1,19 @@
-import { missionId, missionRobots } from '#catalogue/mission-place';
+import { missionId, missionRobots, type MissionRobot } from '#catalogue/mission-place';
 
 const folders = import.meta.glob('../../../../../courses/*/course.json', { query: '?raw' });
-const missions = import.meta.glob('../../../../../courses/missions/*/mission.json', { query: '?raw' });
-const namesIn = (files: Readonly<Record<string, unknown>>): string[] =>
-  Object.keys(files).flatMap((path) => path.split('/').slice(-2, -1));
+/** Only `robots` of each `mission.json`: short, so that the ids come with the page. */
+const missions = import.meta.glob<Partial<Readonly<Record<MissionRobot, unknown>>>>(
+  '../../../../../courses/missions/*/mission.json',
+  { import: 'robots', eager: true },
+);
+const folderOf = (path: string): string => path.split('/').at(-2) ?? '';
 
 /** Ids of the ready courses, without the courses themselves, which are loaded later. */
 export const courseIds: readonly string[] = [
-  ...namesIn(folders),
-  ...namesIn(missions).flatMap((name) => missionRobots.map((robot) => missionId(name.replace(/^\d+-/, ''), robot))),
+  ...Object.keys(folders).map(folderOf),
+  ...Object.entries(missions).flatMap(([path, robots]) =>
+    missionRobots
+      .filter((robot) => robots[robot] !== undefined)
+      .map((robot) => missionId(folderOf(path).replace(/^\d+-/, ''), robot)),
+  ),
 ];

@@ -27,10 +27,9 @@ async function drive({ scene, mission }: MissionCourse, program: string, seconds
 }
 
 describe('the ladder of missions', () => {
-  it.each(missionRobots)('has at least twelve for %s, each with one new thing', (robot) => {
+  it.each(missionRobots)('has twelve for %s, numbered from 1 on, each with one new thing', (robot) => {
     const ladder = ladderOf(robot);
-    expect(ladder.length).toBeGreaterThanOrEqual(12);
-    expect(ladder.map(({ mission }) => mission.number)).toEqual(ladder.map((_, at) => at + 1));
+    expect(ladder.map(({ mission }) => mission.number)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]);
     const news = ladder.slice(0, -1).map(({ mission }) => mission.news);
     expect(news).not.toContain('');
     expect(new Set(news).size).toBe(news.length);
@@ -74,7 +73,7 @@ describe.each(missions.map((mission) => [mission.id, mission] as const))(
   { timeout: 60_000 },
   (_, mission) => {
     it('is passed by its solution with three stars', async () => {
-      const { verdict, ended } = await drive(mission, mission.solution.en, 30);
+      const { verdict, ended } = await drive(mission, mission.solution.en, 40);
       expect(ended?.exception ?? null).toBeNull();
       expect(verdict).toMatchObject({ state: 'passed', stars: 3 });
     });
