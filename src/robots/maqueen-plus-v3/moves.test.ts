@@ -55,6 +55,15 @@ describe('Maqueen Plus V3, its measured moves', () => {
     expect([Math.round(yMm), deg]).toEqual([1000, 0]);
   });
 
+  it('end as well with motors too weak for the last tenths of a millimetre', () => {
+    for (const strength of [0.6, 0.7, 0.8, 0.9] as const) {
+      const { angle, busy, pose } = mover({ strength: [strength, strength * 0.95] });
+      angle(RIGHT, 20);
+      expect(busy(), String(strength)).toBe(0);
+      expect(Math.abs(pose().deg + 20), String(strength)).toBeLessThan(1.5);
+    }
+  });
+
   it.each([
     [RIGHT, 90, -90],
     [LEFT, 45, 45],
