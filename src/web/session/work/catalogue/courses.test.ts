@@ -121,7 +121,7 @@ describe('the ready courses', () => {
       }
   });
 
-  it('are nineteen or more, of all kinds, of all levels and for three robots', () => {
+  it('are nineteen or more, of all kinds, of all levels and for four robots', () => {
     expect(courses.length).toBeGreaterThanOrEqual(19);
     expect(new Set(courses.map(({ kind }) => kind))).toEqual(new Set(courseKinds));
     expect(new Set(courses.map(({ level }) => level))).toEqual(new Set([1, 2, 3]));
@@ -131,7 +131,7 @@ describe('the ready courses', () => {
       const hardware = guessed(scene, solution.en);
       return 'problem' in hardware ? '' : hardware.robot?.id;
     });
-    expect(new Set(robots)).toEqual(new Set(['maqueen-lite', 'maqueen-plus-v2', 'callibot']));
+    expect(new Set(robots)).toEqual(new Set(['maqueen-lite', 'maqueen-plus-v2', 'maqueen-plus-v3', 'callibot']));
   });
 
   it('have nothing that the editor would find fault with', () => {
