@@ -41,7 +41,7 @@ describe('the words of the gallery of courses', () => {
 describe('every course in the gallery', () => {
   it('names its robot', () => {
     for (const course of courses)
-      expect(robotNameOfCourse(course), course.id).toMatch(/^(Maqueen (Lite|Plus V2)|Calli:bot)$/);
+      expect(robotNameOfCourse(course), course.id).toMatch(/^(Maqueen (Lite|Plus V[23])|Calli:bot)$/);
   });
 });
 
