@@ -222,8 +222,8 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ],
     [
       'a newer course',
-      [hello, '--scene', file('b.json', scene({ version: 7 }))],
-      /Scene version 7 is newer than this app \(6\)/,
+      [hello, '--scene', file('b.json', scene({ version: 8 }))],
+      /Scene version 8 is newer than this app \(7\)/,
     ],
     [
       'a wall of length 0',

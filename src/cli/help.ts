@@ -108,8 +108,8 @@ stack, variables and robot, with --json as one line; --device names one of sever
 Exit code: 0 the same run, or the moment; 1 another run, or the line does not come so often;
 2 no recording.
 
-convert: turns one form of work into another, or says what it is. IN is a program (.py), a project or
-a course, a link of Parcours or of WebTigerPython (also in a file), a course file of
+convert: turns one form of work into another, or says what it is. IN is a program (.py), a project
+or a course, a link of Parcours or of WebTigerPython (also in a file), a course file of
 WebTigerPython, the id of a ready course. What cannot be taken over is told.
   --out PATH          where it goes (default: here); .json: a project, .py: a program
   --as FORM           what it shall be: project, course, program, link, webtigerpython (its link)

@@ -18,6 +18,6 @@ describe('slanted walls', () => {
   });
 
   it('are an option of every robot', () => {
-    for (const { options } of robotTypes) expect(options).toContain(incidenceOption);
+    for (const { options } of robotTypes) expect(options).toContainEqual(expect.objectContaining(incidenceOption));
   });
 });

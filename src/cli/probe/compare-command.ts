@@ -6,6 +6,7 @@ import { createTerminal, type Terminal } from '../terminal';
 import { compareTables, type Comparison, type Difference } from './compare';
 import { keptIn, probes } from './programs';
 import { parseProbe, type ProbeTable } from './table';
+import { feelingInputs } from '#simulation/feeling';
 import { soloRun } from '#simulation/run-setup';
 
 /** Largest file that is read. Chosen: a hundred tables. */
@@ -59,7 +60,9 @@ async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
     if (probe === undefined) continue; // radio needs a second board
     const board = /calliope/i.test(machine) ? 'calliope-mini-3' : 'microbit-v2';
     const files = { 'main.py': probe.source };
-    const setup = soloRun({ scene: defaultScene(), files, robot: probe.robot, board, seed: 1, reality: 0 });
+    const { robot } = probe;
+    const inputs = feelingInputs([{ name: program, robot }]); // as `parcours run` has it
+    const setup = soloRun({ scene: defaultScene(), files, robot, board, seed: 1, reality: 0, inputs });
     const silent = createTerminal({ write: () => undefined }, { write: () => undefined }, true);
     const task = {
       setup,

@@ -41,6 +41,7 @@ async function fail(page: TestPage): Promise<void> {
 describe('a program for another robot, in the console', () => {
   it('is told as it begins; one tap takes its robot and runs it again, and there is nothing to say', async () => {
     const page = await running('callibot');
+    await expect.poll(() => isThere('misplugged')).toBe(true); // it is fetched
     expect(textOf(byId('misplugged'))).toContain(
       'Dieses Programm ist für den Maqueen Lite, gewählt ist der Calli:bot.',
     );
