@@ -1,6 +1,5 @@
-import { NO_ROBOT } from './hardware';
 import type { InputEvent } from './input';
-import type { DeviceSetup } from './run-setup';
+import { NO_ROBOT, type DeviceSetup } from './run-setup';
 
 /**
  * The inputs with which the boards of a run feel the arena from the start: those on a robot, and of several devices all,

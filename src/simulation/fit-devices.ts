@@ -3,8 +3,8 @@ import { exactCos, exactSin } from '#core/exact-math';
 import { robotOutlines, placementProblems } from '#scene/placement';
 import { lengthOf, overlapMm, type Outline } from '#scene/outline';
 import type { RobotStart, Scene } from '#scene/scene';
-import { chooseHardware, NO_ROBOT, type Hardware } from './hardware';
-import { MOST_DEVICES, type DeviceSetup, type RunSetup } from './run-setup';
+import { chooseHardware, type Hardware } from './hardware';
+import { NO_ROBOT, MOST_DEVICES, type DeviceSetup, type RunSetup } from './run-setup';
 import { furtherStart } from './several/starts';
 
 /** A device of a run with its hardware found, and its robot's place. */

@@ -5,9 +5,7 @@ import { bringsOneOf, robotOfDrivers } from '#robots/by-module';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import type { RobotStart, Scene } from '#scene/scene';
-
-/** Stands for the bare board in places where a robot can be named. */
-export const NO_ROBOT = 'none';
+import { NO_ROBOT } from './run-setup';
 
 /** The scene chooses, otherwise the modules that the program imports. */
 export const AUTO = 'auto';

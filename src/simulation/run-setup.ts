@@ -3,6 +3,9 @@ import type { Traits } from '#robots/traits';
 import type { RobotStart, Scene } from '#scene/scene';
 import type { InputEvent } from './input';
 
+/** Stands for the bare board in places where a robot can be named. */
+export const NO_ROBOT = 'none';
+
 /** The most microcomputers of a run. Chosen: pupils work in pairs, and eight real times fit on a tablet. */
 export const MOST_DEVICES = 8;
 

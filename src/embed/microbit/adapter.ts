@@ -3,7 +3,7 @@ import * as v from 'valibot';
 import { LANGUAGES, type Language } from '#core/languages';
 import { filesByName, MAIN, newWork, type SourceFile } from '#project/project';
 import { importsOf } from '#python/imports';
-import { NO_ROBOT } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 import { robotMeant } from '#simulation/robot-fit';

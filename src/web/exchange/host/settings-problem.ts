@@ -1,7 +1,7 @@
 import { LANGUAGES } from '#core/languages';
 import { PARTS, type HostSettings, type Refusal } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
-import { NO_ROBOT } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import { SPEEDS } from '#simulation/pace';
 import { AUTO_DEVICE, AUTO_ROBOT, devices, isDevice, isRobotChoice } from '../../session/work/settings/devices';

@@ -2,7 +2,7 @@ import { freeDeviceName } from '#project/devices';
 import { anyHardware, MAIN, type FurtherDevice } from '#project/project';
 import { findRobot, robotTypes } from '#robots/index';
 import type { Start } from '#scene/scene';
-import { NO_ROBOT } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 import { startsIn } from '#simulation/several/starts';
 
 import { t } from '../../kit/i18n';

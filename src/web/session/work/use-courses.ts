@@ -1,6 +1,7 @@
 import { filesByName, MAIN, newWork, type Project } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
-import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
+import { AUTO, chooseHardware } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 import type { Language } from '../../kit/i18n/texts';
 import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
 import { projectOf, type Course } from '#catalogue/course';

@@ -1,5 +1,5 @@
 import { defaultProjectSettings, type Project } from '#project/project';
-import { NO_ROBOT } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import { leaveProgram } from './programs/own-programs';
 import type { Previous } from './storage/history';

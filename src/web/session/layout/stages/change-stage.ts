@@ -1,4 +1,4 @@
-import { NO_ROBOT } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import { hardwareNow } from '../../work/hardware/use-hardware';
 import type { WorkParts, Workplace } from '../../work/model/parts';

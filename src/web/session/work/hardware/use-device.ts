@@ -4,7 +4,8 @@ import type { OptionValues } from '#core/option';
 import { furtherDevice } from '#project/devices';
 import type { FurtherDevice, HardwareWish } from '#project/project';
 import type { RobotType } from '#robots/robot';
-import { NO_ROBOT, type Hardware } from '#simulation/hardware';
+import type { Hardware } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import { AUTO_ROBOT, deviceName } from '../settings/devices';
 import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';

@@ -2,7 +2,8 @@ import { CALLIOPE_1_2 } from '#board/boards/board-of-device';
 import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { findRobot } from '#robots/index';
-import { AUTO, NO_ROBOT } from '#simulation/hardware';
+import { AUTO } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import type { TextKey } from '../../../kit/i18n/texts';
 
