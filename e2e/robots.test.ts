@@ -124,7 +124,7 @@ test(
     await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
     await expect.poll(() => robotName(app)).toBe('Calli:bot');
 
-    // Where the arena is out of sight, the page says it when the program starts.
+    // Where the arena is out of sight, the console says it.
     await app.evaluate(
       (text) => localStorage.setItem('parcours.settings', text),
       JSON.stringify({ language: 'en', robot: 'callibot', device: 'microbit-v2', showArena: false }),
@@ -133,7 +133,7 @@ test(
     await app.reload();
     await until(app, on('editor'));
     await app.click(on('run'));
-    await expect.poll(() => app.text('.notice')).toContain('The Calli:bot belongs on a Calliope mini 3.');
+    await expect.poll(() => app.text('.pane-console')).toContain('The Calli:bot belongs on a Calliope mini 3.');
   },
 );
 
