@@ -383,6 +383,11 @@ describe('what board and robot show', () => {
     [{ type: 'stop', seconds: 1 }, ahead(500), 'x = 1'],
     [{ type: 'display', image: '09090:99999:99999:09990:00900' }, 'from microbit import *\ndisplay.show(Image.HEART)', 'from microbit import *\ndisplay.show(Image.HAPPY)'], // prettier-ignore
     [{ type: 'light', which: 'left' }, 'from mbrobot import *\nsetLED(1)\n', 'x = 1'],
+    [
+      { type: 'light', which: 'left', color: 'blue' },
+      'from mbrobot_plusV3 import *\nsetLEDLeft(4)\n',
+      'from mbrobot_plusV3 import *\nsetLEDRight(4)\n',
+    ],
     [{ type: 'sound', hz: 440 }, 'import music\nmusic.pitch(440, 100)', 'import music\nmusic.pitch(523, 100)'],
     [{ type: 'sound' }, 'import music\nmusic.pitch(523, 100)', 'x = 1'],
     [{ type: 'console', text: 'hello' }, 'print("hel", end="")\nprint("lo")', 'print("hallo")'],

@@ -39,13 +39,15 @@ export function watchLight(which: LightPlace, color: LightColor | null): Watcher
 
 function isLit({ robot, rgb, lights }: Lights, which: LightPlace, color: LightColor | null): boolean {
   const { left, right } = robot?.leds ?? { left: 0, right: 0 };
-  const robotRgb = robot?.rgb ?? [];
-  // Those on the left come first, whether there are two, four or twelve.
-  const half = robotRgb.length / 2;
+  // Of each kind those on the left come first, whether there are two, four or twelve.
+  const sides = [robot?.rgb ?? [], robot?.lamps ?? []].map((colors) => ({
+    onLeft: colors.slice(0, colors.length / 2),
+    onRight: colors.slice(colors.length / 2),
+  }));
   const shines = (light: Rgb): boolean => (color === null ? light.some((part) => part > 0) : isColor(light, color));
   const red = color === null || color === 'red';
-  const isLeft = (red && left === 1) || robotRgb.slice(0, half).some(shines);
-  const isRight = (red && right === 1) || robotRgb.slice(half).some(shines);
+  const isLeft = (red && left === 1) || sides.some(({ onLeft }) => onLeft.some(shines));
+  const isRight = (red && right === 1) || sides.some(({ onRight }) => onRight.some(shines));
   switch (which) {
     case 'left':
       return isLeft;
