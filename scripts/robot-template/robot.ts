@@ -9,7 +9,15 @@ import { motorsTouched, signedDuty } from '#devices/dc-motor';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { mountMotors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import library from './library/new_robot.py?raw';
 import { newRobot as type } from './type';
@@ -35,12 +43,13 @@ function attach(context: RobotContext): Robot {
   );
   const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), line.stop, motors.stop];
 
+  const lights = (): RobotLights => ({ ...noLights, leds: { left: led.isLit(), right: 0 } });
   const state = (): RobotState => ({
     ...bareState,
-    leds: { left: led.isLit(), right: 0 }, // its only light
+    ...lights(),
     lineSensors: [{ name: 'middle', atMm: LINE_AT, bright: line.isBright() }],
     duty: motors.duty(),
   });
   const wires = { P8: ['light-left'], P13: [] } as const; // its only light counts as the left one
-  return { wires, state, step: () => line.sample(), detach: () => stops.forEach((stop) => stop()) };
+  return { wires, lights, state, step: () => line.sample(), detach: () => stops.forEach((stop) => stop()) };
 }

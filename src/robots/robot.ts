@@ -164,10 +164,13 @@ export type RobotOutput =
 /** Called when the program sets an output, even to the value that it has: `value` is then the same as before. */
 export type OnSet = (output: RobotOutput, value: string | number) => void;
 
+/** The lights of a robot without any, for all that a robot's own leave as it is. */
+export const noLights: RobotLights = { leds: { left: 0, right: 0 }, rgb: [], lamps: [] };
+
 /** The state of a robot without any part, for all that a robot's own state leaves as it is. */
 export const bareState: RobotState = {
-  leds: { left: 0, right: 0 },
-  ...{ rgb: [], lamps: [], lineSensors: [], servos: {}, attachments: [] },
+  ...noLights,
+  ...{ lineSensors: [], servos: {}, attachments: [] },
   duty: { left: 0, right: 0 },
   ...{ ultrasonic: null, lidar: null, bumper: null },
 };
@@ -176,6 +179,8 @@ export const bareState: RobotState = {
 export interface Robot {
   /** Its wires on the board, by name, with the outputs that a program sets by what it writes there, if any. */
   readonly wires: Readonly<Record<string, readonly RobotOutput[]>>;
+  /** Its lights now: a small part of its state, which asks the world for nothing. */
+  lights(): RobotLights;
   /** Its visible state now. Asks the world for the beam of the distance sensor: call it per picture, not per step. */
   state(): RobotState;
   /** Called after each step of the world (every STEP_US), to look at the ground and to move servos. */
@@ -184,14 +189,18 @@ export interface Robot {
   readonly detach: Stop;
 }
 
-/** The visible state of a robot, as plain data. */
-export interface RobotState {
+/** The lights of a robot, as plain data. */
+export interface RobotLights {
   /** The two red lights, 1 = on; on a robot with colour lamps off. */
   readonly leds: { readonly left: 0 | 1; readonly right: 0 | 1 };
   /** Colour lights, any number, the left half first: front left, back left, back right, front right; left, right; two arms. */
   readonly rgb: readonly Rgb[];
   /** Colour lamps in front, left and right, that its controller drives; none on a robot with red lights or `rgb` alone. */
   readonly lamps: readonly Rgb[];
+}
+
+/** The visible state of a robot, as plain data. */
+export interface RobotState extends RobotLights {
   readonly lineSensors: readonly LineSensorState[];
   /** Angle in degrees by port as the program set it, for each servo that was ever set. */
   readonly servos: Readonly<Record<string, number>>;

@@ -181,7 +181,7 @@ export class Device {
 
   /** Its lights now: a small part of a snapshot. */
   shine(): Lights {
-    return { rgb: this.board.rgb, lights: this.lights.chains(), robot: this.mounted?.robot.state() ?? null };
+    return { rgb: this.board.rgb, lights: this.lights.chains(), robot: this.mounted?.robot.lights() ?? null };
   }
 
   snapshot(): DeviceSnapshot {

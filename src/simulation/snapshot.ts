@@ -1,7 +1,7 @@
 import type { Pose } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import type { LedChain } from '#devices/led-chains';
-import type { RobotState } from '#robots/robot';
+import type { RobotLights, RobotState } from '#robots/robot';
 import type { Position } from '#vm/debug/frames';
 import type { Verdict } from './task/verdict';
 
@@ -73,7 +73,7 @@ export interface Snapshot extends DeviceSnapshot {
 /** The lights of a device and its robot. */
 export interface Lights extends Pick<DeviceSnapshot, 'rgb' | 'lights'> {
   /** `null` for the bare board. */
-  readonly robot: RobotState | null;
+  readonly robot: RobotLights | null;
 }
 
 /** The robot at one moment. */

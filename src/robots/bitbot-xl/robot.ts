@@ -20,7 +20,15 @@ import { createPca9557 } from '#devices/pca9557';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { mountMotors, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import mbbitbot from './library/mbbitbot.py?raw';
 import { bitbotXl as type } from './type';
@@ -59,29 +67,30 @@ function attach(context: RobotContext): Robot {
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => 0 });
   const drive = mountDrive(context);
   const arms = attachWs2812(board.wire('P13'), RGB_COUNT, tellColors(context));
-  const lights = [attachLightSensor(context, board.wire('P2')), attachLightSensor(context, board.wire('P1'))];
+  const lightSensors = [attachLightSensor(context, board.wire('P2')), attachLightSensor(context, board.wire('P1'))];
   const sonarWire = board.wire('P15');
   const stops = [
     board.i2c.attach(LINE_ADDRESS, createPca9557(line.levels)),
     board.i2c.attach(EEPROM_ADDRESS, createEeprom()),
     attachHcSr04(clock, { trigger: sonarWire, echo: sonarWire }, sonar.distanceMm, echoOf(context.options)),
     arms.stop,
-    ...lights.map(({ stop }) => stop),
+    ...lightSensors.map(({ stop }) => stop),
     drive.stop,
   ];
 
+  const lights = (): RobotLights => ({ ...noLights, rgb: arms.colors() });
   const state = (): RobotState => ({
     ...bareState,
-    rgb: arms.colors(),
+    ...lights(),
     lineSensors: line.states(),
     duty: drive.duty(),
     ultrasonic: sonar.state(),
   });
   const step = (): void => {
     line.sample();
-    for (const light of lights) light.sample();
+    for (const sensor of lightSensors) sensor.sample();
   };
-  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 /** The two motors, each between two pins. */

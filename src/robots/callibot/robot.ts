@@ -16,7 +16,15 @@ import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import { createRegisterMachine } from '#devices/i2c-registers';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { createBumper } from './bumper';
 import {
@@ -91,10 +99,10 @@ function attach(context: RobotContext): Robot {
   );
   const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), motors.stop];
 
+  const lights = (): RobotLights => ({ ...noLights, leds: { ...leds }, rgb: [...rgb] });
   const state = (): RobotState => ({
     ...bareState,
-    leds: { ...leds },
-    rgb: [...rgb],
+    ...lights(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
@@ -106,7 +114,7 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { wires: {}, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: {}, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 function modelOf(choice: string | undefined): Model {

@@ -16,7 +16,15 @@ import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import library from './library/cutebot.py?raw';
@@ -83,9 +91,10 @@ function attach(context: RobotContext): Robot {
     motors.stop,
   ];
 
+  const lights = (): RobotLights => ({ ...noLights, rgb: [...headlamps, ...underglow.colors()] });
   const state = (): RobotState => ({
     ...bareState,
-    rgb: [...headlamps, ...underglow.colors()],
+    ...lights(),
     lineSensors: [
       { name: 'left', atMm: LINE_LEFT, bright: lineLeft.isBright() },
       { name: 'right', atMm: LINE_RIGHT, bright: lineRight.isBright() },
@@ -100,5 +109,5 @@ function attach(context: RobotContext): Robot {
     lineRight.sample();
     servos.step();
   };
-  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }

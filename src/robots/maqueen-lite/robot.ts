@@ -18,7 +18,15 @@ import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import mbalarm from './library/mbalarm.py?raw';
@@ -85,10 +93,14 @@ function attach(context: RobotContext): Robot {
     motors.stop,
   ];
 
-  const state = (): RobotState => ({
-    ...bareState,
+  const lights = (): RobotLights => ({
+    ...noLights,
     leds: { left: leds.left.isLit() || v5.isLit(0) ? 1 : 0, right: leds.right.isLit() || v5.isLit(1) ? 1 : 0 },
     rgb: underglow.colors(),
+  });
+  const state = (): RobotState => ({
+    ...bareState,
+    ...lights(),
     lineSensors: [
       { name: 'left', atMm: LINE_LEFT, bright: lineLeft.isBright() },
       { name: 'right', atMm: LINE_RIGHT, bright: lineRight.isBright() },
@@ -104,5 +116,5 @@ function attach(context: RobotContext): Robot {
     v5.step();
     servos.step();
   };
-  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }

@@ -12,7 +12,15 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
 import { createDrive } from './drive';
@@ -54,7 +62,7 @@ function attach(context: RobotContext): Robot {
   const servos = mountServos(context, type, SERVO_PORTS);
   const drive = createDrive(context);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
-  let lights: readonly [Rgb, Rgb] = [
+  let lamps: readonly [Rgb, Rgb] = [
     [0, 0, 0],
     [0, 0, 0],
   ];
@@ -67,8 +75,8 @@ function attach(context: RobotContext): Robot {
     isBright: line.isBright,
     brightness: line.reading,
     lights: (left, right, { first, last }) => {
-      lights = [left, right];
-      for (let led = first; led <= last; led++) tell(led, lights[led === 0 ? 0 : 1]);
+      lamps = [left, right];
+      for (let led = first; led <= last; led++) tell(led, lamps[led === 0 ? 0 : 1]);
     },
     servo: (index, angleDeg) => servos.set(SERVO_PORTS[index] ?? '', angleDeg),
   });
@@ -80,9 +88,10 @@ function attach(context: RobotContext): Robot {
     servos.stop,
     drive.stop,
   ];
+  const lights = (): RobotLights => ({ ...noLights, rgb: lamps });
   const state = (): RobotState => ({
     ...bareState,
-    rgb: lights,
+    ...lights(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
@@ -94,5 +103,5 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }

@@ -15,7 +15,15 @@ import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { listenToServos, mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type MotorBytes, type LineName } from './controller';
 import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
@@ -86,10 +94,10 @@ function attach(context: RobotContext): Robot {
     servos.stop,
     motors.stop,
   ];
+  const lights = (): RobotLights => ({ ...noLights, leds: { ...leds }, rgb: underglow.colors() });
   const state = (): RobotState => ({
     ...bareState,
-    leds: { ...leds },
-    rgb: underglow.colors(),
+    ...lights(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
@@ -100,7 +108,7 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 /**

@@ -14,7 +14,15 @@ import { echoOf } from '../echo';
 import { mountLidar } from '../lidar';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { listenToServos, mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, SR04_CONE, type Sonar } from '../sonar';
 import { mountChassis } from './chassis';
 import type { LineName } from './line-names';
@@ -65,10 +73,10 @@ function attach(context: RobotContext): Robot {
     servos.stop,
     chassis.stop,
   ];
+  const lights = (): RobotLights => ({ ...noLights, rgb: underglow.colors(), lamps: chassis.lamps() });
   const state = (): RobotState => ({
     ...bareState,
-    rgb: underglow.colors(),
-    lamps: chassis.lamps(),
+    ...lights(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
@@ -82,7 +90,7 @@ function attach(context: RobotContext): Robot {
     servos.step();
   };
   const wires: Robot['wires'] = { P1: [], P16: [], ...(sonar && { P13: [], P14: [] }) };
-  return { wires, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 function plugInSonar(context: RobotContext, turnRad: () => number): Pick<Sonar, 'state'> & { readonly stop: Stop } {

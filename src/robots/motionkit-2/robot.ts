@@ -14,7 +14,15 @@ import { signedDuty, type Side } from '#devices/dc-motor';
 import { NEAREST_MM } from '#devices/hc-sr04';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
-import { bareState, type Robot, type RobotBuild, type RobotContext, type RobotState } from '../robot';
+import {
+  bareState,
+  noLights,
+  type Robot,
+  type RobotBuild,
+  type RobotContext,
+  type RobotLights,
+  type RobotState,
+} from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, SIDES, type MotorBytes } from './controller';
 import callimk from './library/callimk.py?raw';
@@ -73,10 +81,14 @@ function attach(context: RobotContext): Robot {
   );
   const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), servos.stop, motors.stop];
 
-  const state = (): RobotState => ({
-    ...bareState,
+  const lights = (): RobotLights => ({
+    ...noLights,
     leds: { ...leds },
     rgb: Array.from({ length: COLOR_LIGHTS }, () => shown),
+  });
+  const state = (): RobotState => ({
+    ...bareState,
+    ...lights(),
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
@@ -87,7 +99,7 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { wires: {}, state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: {}, lights, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 const sidesOf = (choice: string | undefined) =>
