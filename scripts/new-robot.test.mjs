@@ -19,7 +19,17 @@ beforeEach(async () => {
   await mkdir('.cache', { recursive: true });
   place = join(await mkdtemp('.cache/new-robot-'), 'robots');
   await mkdir(place);
-  for (const shared of ['maqueen-lite', 'robot.ts', 'mounting.ts', 'echo.ts', 'incidence.ts', 'words', 'testing'])
+  for (const shared of [
+    'maqueen-lite',
+    'robot.ts',
+    'mounting.ts',
+    'wheels.ts',
+    'line-row.ts',
+    'echo.ts',
+    'incidence.ts',
+    'words',
+    'testing',
+  ])
     await cp(join(ROBOTS, shared), join(place, shared), { recursive: true });
   await renewLists(place, { write: true });
 });

@@ -2,6 +2,7 @@
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 
 const TRACK_MM = 80; // distance between the middles of the wheels: chosen
 const WHEEL_RADIUS_MM = 20; // chosen
@@ -20,10 +21,7 @@ const body: ChassisType = {
   heightMm: 85, // chosen: to the top of the upright micro:bit
   massG: 150, // chosen: weigh yours
   centreOfMassMm: { x: 10, y: 0 }, // chosen: between axle and castor
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 50, y: 0 }, // chosen
   // Chosen: a small gear motor. What the constants mean: world/drive-law.ts. How to fit them: CONTRIBUTING.md.
   drive: {

@@ -21,6 +21,28 @@ export interface OptionChoice {
   readonly title: Texts;
 }
 
+/** The words of an option and of its choices. */
+interface OptionWords<Choice extends string> {
+  readonly title: Texts;
+  readonly about?: Texts;
+  readonly choices: Readonly<Record<Choice, Texts>>;
+}
+
+/** An option whose choices have words of their own; the first of them is the default. */
+export function optionOf<Choice extends string>(
+  id: string,
+  { title, about, choices }: OptionWords<Choice>,
+  ids: readonly Choice[],
+  more: Pick<Option, 'isExpert' | 'onlyWith'> = {},
+): Option {
+  return {
+    ...{ id, title },
+    ...(about === undefined ? {} : { about }),
+    ...more,
+    choices: ids.map((choice) => ({ id: choice, title: choices[choice] })),
+  };
+}
+
 /** Chosen values: id of an option → id of a choice. */
 export type OptionValues = Readonly<Record<string, string>>;
 

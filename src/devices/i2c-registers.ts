@@ -60,6 +60,25 @@ export function liveRegisters(first: number, count: number, read: (offset: numbe
   return { first, count, read };
 }
 
+/** Whole numbers of two bytes each, read-only; `read` gets the place of the word and is called again for every byte. */
+export function wordRegisters(
+  first: number,
+  words: number,
+  order: 'high-first' | 'low-first',
+  read: (word: number) => number,
+): RegisterPart {
+  return liveRegisters(first, 2 * words, (offset) =>
+    byteOf(read(offset >> 1), order === 'high-first' ? offset % 2 : 1 - (offset % 2)),
+  );
+}
+
+/** A byte of a whole number of `count` bytes, the highest at place 0; of a negative one as its two's complement. */
+export const byteOf = (value: number, place: number, count = 2): number => (value >> (8 * (count - 1 - place))) & 0xff;
+
+/** A byte with a bit for each of these, from bit 0 on. */
+export const bitsOf = <Name>(names: readonly Name[], isSet: (name: Name) => boolean): number =>
+  names.reduce((bits, name, bit) => (isSet(name) ? bits | (1 << bit) : bits), 0);
+
 /**
  * An ASCII text, read-only: its length in the first register, its characters in the following ones.
  *

@@ -1,5 +1,5 @@
 import { radOf } from '#core/angle';
-import type { Option, OptionValues } from '#core/option';
+import { optionOf, type Option, type OptionValues } from '#core/option';
 import type { Cone } from '#world/probes/distance-cone';
 import robotWords from './words';
 
@@ -10,17 +10,7 @@ const words = robotWords.incidence;
  * the sound is thrown elsewhere. 25°: measured in a thesis at ETH Zürich. 45°: chosen, between that and the ideal
  * sensor, which hears every wall.
  */
-export const incidenceOption: Option = {
-  id: 'incidence',
-  title: words.title,
-  about: words.about,
-  isExpert: true,
-  choices: [
-    { id: 'all', title: words.choices.all },
-    { id: '45', title: words.choices['45'] },
-    { id: '25', title: words.choices['25'] },
-  ],
-};
+export const incidenceOption: Option = optionOf('incidence', words, ['all', '45', '25'], { isExpert: true });
 
 /** The beam as the sensor hears it with this choice. */
 export function heardCone(cone: Cone, { incidence = 'all' }: OptionValues): Cone {

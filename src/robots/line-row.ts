@@ -1,5 +1,6 @@
-/** Shared by robots that measure the ground with several line sensors and report them by I2C. */
+/** Shared by robots with line sensors: rows that measure the ground and are reported by I2C, and pairs that tell light from dark. */
 import type { Vec } from '#core/geometry';
+import { BOTH_SIDES, type Side } from '#devices/dc-motor';
 import { createLineComparator, type LineComparator } from '#devices/line-sensor';
 import type { LineSensorState, RobotContext } from './robot';
 import { scaled } from './sonar';
@@ -57,5 +58,37 @@ export function mountLineRow<Name extends string>(
     reading,
     sample: () => sensors.forEach((sensor) => sensor.sample()),
     states: () => places.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: reading(name) })),
+  };
+}
+
+/** Two line sensors of one robot, left and right. */
+export interface LinePair<Sensor> {
+  readonly sensors: Readonly<Record<Side, Sensor>>;
+  /** Looks at the ground. Call it after each step of the world. */
+  sample(): void;
+  states(): LineSensorState[];
+}
+
+/**
+ * Mounts two line sensors on a robot of any scale.
+ *
+ * @param atMm their places, robot frame, on the real robot
+ * @param make makes one from what it sees
+ */
+export function mountLinePair<Sensor extends Pick<LineComparator, 'sample' | 'isBright'>>(
+  { ground, scale }: Pick<RobotContext, 'ground' | 'scale'>,
+  atMm: Readonly<Record<Side, Vec>>,
+  spotRadiusMm: number,
+  make: (look: () => number, side: Side) => Sensor,
+): LinePair<Sensor> {
+  const mount = (side: Side): Sensor => make(() => ground(scaled(atMm[side], scale), spotRadiusMm * scale), side);
+  const sensors = { left: mount('left'), right: mount('right') };
+  return {
+    sensors,
+    sample: () => {
+      sensors.left.sample();
+      sensors.right.sample();
+    },
+    states: () => BOTH_SIDES.map((name) => ({ name, atMm: atMm[name], bright: sensors[name].isBright() })),
   };
 }

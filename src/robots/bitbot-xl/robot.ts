@@ -13,12 +13,14 @@ import type { Vec } from '#core/geometry';
 import type { Stop } from '#core/stop';
 import { createEeprom } from '#devices/eeprom';
 import { attachHBridge, type HBridgeInputs } from '#devices/h-bridge';
-import type { Side } from '#devices/dc-motor';
+import { BOTH_SIDES, type Side } from '#devices/dc-motor';
+import { bitsOf } from '#devices/i2c-registers';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { createLineComparator } from '#devices/line-sensor';
 import { createPca9557 } from '#devices/pca9557';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
+import { mountLinePair } from '../line-row';
 import { mountMotors, tellColors } from '../mounting';
 import {
   bareState,
@@ -29,7 +31,7 @@ import {
   type RobotLights,
   type RobotState,
 } from '../robot';
-import { mountSonar, scaled, SR04_CONE } from '../sonar';
+import { mountSonar, SR04_CONE } from '../sonar';
 import mbbitbot from './library/mbbitbot.py?raw';
 import { bitbotXl as type } from './type';
 
@@ -42,8 +44,7 @@ export const EEPROM_ADDRESS = 0x50;
 const VERSION_LEVELS = (~5 & 0x0f) << 4;
 
 /** Estimated: under the front edge, as far apart as on the Maqueens, so that both fit on a line of 20 mm. */
-const LINE_LEFT: Vec = { x: 52, y: 8 };
-const LINE_RIGHT: Vec = { x: 52, y: -8 };
+const LINE_AT = { left: { x: 52, y: 8 }, right: { x: 52, y: -8 } } as const;
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen: the usual reflective sensor sees a spot as wide as its housing, 5 mm
 
 /** The sensor is plugged in at the front: chosen, its cans end near the front edge. */
@@ -63,14 +64,16 @@ export const bitbotXlBuild: RobotBuild = {
 
 function attach(context: RobotContext): Robot {
   const { board, clock } = context;
-  const line = mountLine(context);
+  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, createLineComparator);
+  // 1 on black: 4T.
+  const levels = (): number => bitsOf(BOTH_SIDES, (side) => !line.sensors[side].isBright()) | VERSION_LEVELS;
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => 0 });
   const drive = mountDrive(context);
   const arms = attachWs2812(board.wire('P13'), RGB_COUNT, tellColors(context));
   const lightSensors = [attachLightSensor(context, board.wire('P2')), attachLightSensor(context, board.wire('P1'))];
   const sonarWire = board.wire('P15');
   const stops = [
-    board.i2c.attach(LINE_ADDRESS, createPca9557(line.levels)),
+    board.i2c.attach(LINE_ADDRESS, createPca9557(levels)),
     board.i2c.attach(EEPROM_ADDRESS, createEeprom()),
     attachHcSr04(clock, { trigger: sonarWire, echo: sonarWire }, sonar.distanceMm, echoOf(context.options)),
     arms.stop,
@@ -109,23 +112,6 @@ function mountDrive(context: RobotContext) {
     motors.stop,
   ];
   return { duty: motors.duty, stop: (): void => stops.forEach((stop) => stop()) };
-}
-
-/** The two line sensors, whose levels the port expander reads: 1 on black (4T). */
-function mountLine({ ground, scale }: RobotContext) {
-  const mount = (name: Side, atMm: Vec) => ({
-    name,
-    atMm,
-    sensor: createLineComparator(() => ground(scaled(atMm, scale), LINE_SPOT_RADIUS_MM * scale)),
-  });
-  const [left, right] = [mount('left', LINE_LEFT), mount('right', LINE_RIGHT)];
-  const dark = ({ sensor }: typeof left): 0 | 1 => (sensor.isBright() ? 0 : 1);
-  return {
-    levels: (): number => dark(left) | (dark(right) << 1) | VERSION_LEVELS,
-    sample: (): void => [left, right].forEach(({ sensor }) => sensor.sample()),
-    states: (): RobotState['lineSensors'] =>
-      [left, right].map(({ name, atMm, sensor }) => ({ name, atMm, bright: sensor.isBright() })),
-  };
 }
 
 /** A light sensor on a wire: the more light the board feels, the higher its voltage, up to the supply's. */

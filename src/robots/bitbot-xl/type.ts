@@ -7,6 +7,7 @@ import type { ChassisType } from '#world/chassis';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 
 /** Distance between the middles of the wheels: estimated, that of the bit:bot PRO (half of it 53.8 mm, 4T), rounded. */
 const TRACK_MM = 107;
@@ -38,10 +39,7 @@ const body: ChassisType = {
   heightMm: 55, // with the micro:bit upright: GMC
   massG: 200, // chosen, not weighed: about 150 g kit, 9 g micro:bit, 40 g for three AAA cells
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 50, y: 0 }, // chosen: behind the line sensors
   drive: {
     // Estimated, nothing is measured: the PRO's motor (155 rpm at 6 V, maker's page) would turn this wheel at 396 mm/s

@@ -4,9 +4,11 @@
  */
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
+import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 import words from './words';
 
 /** Ports of the two servos. */
@@ -58,10 +60,7 @@ const body: ChassisType = {
   heightMm: 90, // chosen, with the Calliope mini on its holder
   massG: 250, // chosen, not weighed: about 100 g kit, 27 g Calliope mini 3, 120 g for the batteries with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 50, y: 0 }, // chosen: below the front edge
   drive: {
     // Fitted: scripts/fit-motor-law.mjs, residuals in docs/hardware/callibot-motor-law.md
@@ -84,34 +83,9 @@ export const callibot: RobotType = {
   modules: ['callibot', 'callibotmot', 'cbalarm'],
   driverNames: ['callibot2', 'callibot2e', 'cblib'],
   options: [
-    {
-      id: 'model',
-      title: words.options.model.title,
-      about: words.options.model.about,
-      choices: [
-        { id: '2E', title: words.options.model.choices['2E'] },
-        { id: '2', title: words.options.model.choices['2'] },
-        { id: '1', title: words.options.model.choices['1'] },
-      ],
-    },
-    {
-      id: 'bumper',
-      title: words.options.bumper.title,
-      about: words.options.bumper.about,
-      choices: [
-        { id: 'when-read', title: words.options.bumper.choices['when-read'] },
-        { id: 'always', title: words.options.bumper.choices.always },
-      ],
-    },
-    {
-      id: 'echo',
-      title: words.options.echo.title,
-      isExpert: true,
-      choices: [
-        { id: 'far', title: words.options.echo.choices.far },
-        { id: 'zero', title: words.options.echo.choices.zero },
-      ],
-    },
+    optionOf('model', words.options.model, ['2E', '2', '1']),
+    optionOf('bumper', words.options.bumper, ['when-read', 'always']),
+    optionOf('echo', words.options.echo, ['far', 'zero'], { isExpert: true }),
     incidenceOption,
     ...attachmentOptions(SERVO_PORTS),
   ],

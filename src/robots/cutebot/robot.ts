@@ -15,6 +15,7 @@ import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
+import { mountLinePair } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import {
   bareState,
@@ -25,13 +26,13 @@ import {
   type RobotLights,
   type RobotState,
 } from '../robot';
-import { mountSonar, scaled, SR04_CONE } from '../sonar';
+import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import library from './library/cutebot.py?raw';
 import { cutebot as type, SERVO_PORTS } from './type';
 
-const LINE_LEFT: Vec = { x: 42, y: 5.8 }; // BS
-const LINE_RIGHT: Vec = { x: 42, y: -5.8 }; // BS
+const LINE_AT = { left: { x: 42, y: 5.8 }, right: { x: 42, y: -5.8 } } as const; // BS
+const LINE_PIN = { left: 'P13', right: 'P14' } as const;
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
 
 const SONAR_AT: Vec = { x: 57, y: 0 }; // BS
@@ -53,7 +54,7 @@ export const cutebotBuild: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, clock, scale } = context;
+  const { board, clock } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
   const motors = mountMotors(context);
   const tell = tellColors(context);
@@ -70,10 +71,9 @@ function attach(context: RobotContext): Robot {
     servo: (port, angleDeg) => servos.set(port, angleDeg),
   });
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
-  const see = (spot: Vec) => (): number => context.ground(scaled(spot, scale), LINE_SPOT_RADIUS_MM * scale);
-
-  const lineLeft = attachLineSensor(board.wire('P13'), see(LINE_LEFT));
-  const lineRight = attachLineSensor(board.wire('P14'), see(LINE_RIGHT));
+  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (look, side) =>
+    attachLineSensor(board.wire(LINE_PIN[side]), look),
+  );
   const underglow = attachWs2812(board.wire('P15'), UNDERGLOW_COUNT, (led, color) => tell(UNDERGLOW_FROM + led, color));
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
@@ -84,8 +84,8 @@ function attach(context: RobotContext): Robot {
       echoOf(context.options),
     ),
     attachIrReceiver(board.wire('P16')),
-    lineLeft.stop,
-    lineRight.stop,
+    line.sensors.left.stop,
+    line.sensors.right.stop,
     underglow.stop,
     servos.stop,
     motors.stop,
@@ -95,18 +95,14 @@ function attach(context: RobotContext): Robot {
   const state = (): RobotState => ({
     ...bareState,
     ...lights(),
-    lineSensors: [
-      { name: 'left', atMm: LINE_LEFT, bright: lineLeft.isBright() },
-      { name: 'right', atMm: LINE_RIGHT, bright: lineRight.isBright() },
-    ],
+    lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
     duty: motors.duty(),
     ultrasonic: sonar.state(),
   });
   const step = (): void => {
-    lineLeft.sample();
-    lineRight.sample();
+    line.sample();
     servos.step();
   };
   return { wires: WIRES, lights, state, step, detach: () => stops.forEach((stop) => stop()) };

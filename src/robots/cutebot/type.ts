@@ -8,6 +8,7 @@ import type { ChassisType } from '#world/chassis';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 import measuring from './measuring.py?raw';
 
 /** Ports of the two servos. */
@@ -49,10 +50,7 @@ const body: ChassisType = {
   heightMm: 85, // chosen, to the top of the upright micro:bit
   massG: 150, // chosen, not weighed: about 95 g kit, 9 g micro:bit, 46 g for three AAA cells with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen, as for the Lite
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 34, y: 0 }, // chosen: behind the line sensors
   // Estimated: nobody has published a measurement. Which hints it is made to meet: SOURCES.md, “How it drives”
   drive: {

@@ -17,6 +17,7 @@ import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
+import { mountLinePair } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import {
   bareState,
@@ -27,7 +28,7 @@ import {
   type RobotLights,
   type RobotState,
 } from '../robot';
-import { mountSonar, scaled, SR04_CONE } from '../sonar';
+import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import mbalarm from './library/mbalarm.py?raw';
 import mbled from './library/mbled.py?raw';
@@ -36,8 +37,8 @@ import mbrobotmot from './library/mbrobotmot.py?raw';
 import { maqueenLite as type, SERVO_PORTS } from './type';
 import { mountV5 } from './v5';
 
-const LINE_LEFT: Vec = { x: 34, y: 7 }; // NOE
-const LINE_RIGHT: Vec = { x: 34, y: -7 }; // NOE
+const LINE_AT = { left: { x: 34, y: 7 }, right: { x: 34, y: -7 } } as const; // NOE
+const LINE_PIN = { left: 'P13', right: 'P14' } as const;
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen: the usual reflective sensor sees a spot as wide as its housing, 5 mm
 
 /** NOE draws the sensor 53 mm ahead of the axle, the body ends at 58: chosen in between, where the two cans end. */
@@ -58,10 +59,10 @@ export const maqueenLiteBuild: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, clock, scale } = context;
+  const { board, clock } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
   const motors = mountMotors(context);
-  const v5 = mountV5(context, motors, { left: LINE_LEFT, right: LINE_RIGHT, spotRadiusMm: LINE_SPOT_RADIUS_MM });
+  const v5 = mountV5(context, motors, { ...LINE_AT, spotRadiusMm: LINE_SPOT_RADIUS_MM });
   const controller = createController(
     {
       motors: (left, right, sides) =>
@@ -71,10 +72,9 @@ function attach(context: RobotContext): Robot {
     v5.registers,
   );
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
-  const see = (spot: Vec) => (): number => context.ground(scaled(spot, scale), LINE_SPOT_RADIUS_MM * scale);
-
-  const lineLeft = attachLineSensor(board.wire('P13'), see(LINE_LEFT));
-  const lineRight = attachLineSensor(board.wire('P14'), see(LINE_RIGHT));
+  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (look, side) =>
+    attachLineSensor(board.wire(LINE_PIN[side]), look),
+  );
   const underglow = attachWs2812(board.wire('P15'), RGB_COUNT, tellColors(context));
   const leds = { left: ledOn(board.wire('P8')), right: ledOn(board.wire('P12')) };
   const stops = [
@@ -85,8 +85,8 @@ function attach(context: RobotContext): Robot {
       sonar.distanceMm,
       echoOf(context.options),
     ),
-    lineLeft.stop,
-    lineRight.stop,
+    line.sensors.left.stop,
+    line.sensors.right.stop,
     attachIrReceiver(board.wire('P16')),
     underglow.stop,
     servos.stop,
@@ -101,18 +101,14 @@ function attach(context: RobotContext): Robot {
   const state = (): RobotState => ({
     ...bareState,
     ...lights(),
-    lineSensors: [
-      { name: 'left', atMm: LINE_LEFT, bright: lineLeft.isBright() },
-      { name: 'right', atMm: LINE_RIGHT, bright: lineRight.isBright() },
-    ],
+    lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
     duty: motors.duty(),
     ultrasonic: sonar.state(),
   });
   const step = (): void => {
-    lineLeft.sample();
-    lineRight.sample();
+    line.sample();
     v5.step();
     servos.step();
   };

@@ -8,6 +8,7 @@ import type { ChassisType } from '#world/chassis';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;
@@ -42,10 +43,7 @@ const body: ChassisType = {
   heightMm: 85, // chosen, to the top of the upright micro:bit
   massG: 130, // chosen, not weighed: about 75 g kit, 9 g micro:bit, 46 g for three AAA cells with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 46, y: 0 }, // chosen: between line sensors and front edge
   drive: {
     // Fitted: scripts/fit-motor-law.mjs, residuals in docs/hardware/maqueen-lite-motor-law.md

@@ -23,7 +23,7 @@
  */
 import type { Vec } from '#core/geometry';
 import { BOTH_SIDES } from '#devices/dc-motor';
-import { liveRegisters, memoryRegisters, type RegisterPart } from '#devices/i2c-registers';
+import { bitsOf, liveRegisters, memoryRegisters, wordRegisters, type RegisterPart } from '#devices/i2c-registers';
 import type { Motors } from '../mounting';
 import { createLineWalker } from '../line-walking';
 import { mountLineRow, type LineRow } from '../line-row';
@@ -99,12 +99,12 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
   return {
     registers: [
       ...lightRegisters(lights, onSet),
-      liveRegisters(LINE_BITS, 1, () => BITS.reduce((bits, name, bit) => (sees(name) ? bits | (1 << bit) : bits), 0)),
-      wordRegisters(LINE_VALUES, CHANNELS.length, (channel) => {
+      liveRegisters(LINE_BITS, 1, () => bitsOf(BITS, sees)),
+      wordRegisters(LINE_VALUES, CHANNELS.length, 'high-first', (channel) => {
         const name = CHANNELS[channel] ?? null;
         return name === null ? 0 : line.now().reading(name);
       }),
-      wordRegisters(LIGHT, 2, level),
+      wordRegisters(LIGHT, 2, 'high-first', level),
       ...batteryRegisters(context.supplyMv),
       memoryRegisters(START_ANEW, 1, () => {
         for (const light of lights) light.colour(0);
@@ -190,12 +190,4 @@ function batteryRegisters(supplyMv: () => number): RegisterPart[] {
       return Math.round(Math.min(Math.max((supplyMv() - empty) / (full - empty), 0), 1) * 100);
     }),
   ];
-}
-
-/** Read-only words, high byte first. */
-function wordRegisters(first: number, words: number, read: (word: number) => number): RegisterPart {
-  return liveRegisters(first, 2 * words, (offset) => {
-    const word = read(offset >> 1);
-    return (offset % 2 === 0 ? word >> 8 : word) & 0xff;
-  });
 }

@@ -24,10 +24,13 @@
 import type { I2cTarget } from '#board/wires/i2c-bus';
 import { motorsTouched, type Side as Motor } from '#devices/dc-motor';
 import {
+  bitsOf,
+  byteOf,
   createRegisterMachine,
   liveRegisters,
   memoryRegisters,
   textRegisters,
+  wordRegisters,
   type RegisterPart,
   type Touched,
 } from '#devices/i2c-registers';
@@ -76,8 +79,6 @@ export interface ControllerParts {
 
 /** Makes the controller; motors, lights and speed control are off. */
 export function createController(parts: ControllerParts): I2cTarget {
-  const lineBits = (): number =>
-    LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
   return createRegisterMachine([
     memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
       parts.motors(dutyOf(dirL, speedL), dutyOf(dirR, speedR), motorsTouched(touched)),
@@ -88,10 +89,10 @@ export function createController(parts: ControllerParts): I2cTarget {
       parts.lights(lampColor(left), lampColor(right), touched),
     ),
     servoRegisters(parts),
-    liveRegisters(LINE_BITS, 1, lineBits),
-    liveRegisters(LINE_VALUES, 2 * LINE_NAMES.length, (offset) => {
-      const name = LINE_NAMES[offset >> 1];
-      return name === undefined ? 0 : byteOfWord(parts.brightness(name), offset);
+    liveRegisters(LINE_BITS, 1, () => bitsOf(LINE_NAMES, (name) => !parts.isBright(name))),
+    wordRegisters(LINE_VALUES, LINE_NAMES.length, 'high-first', (word) => {
+      const name = LINE_NAMES[word];
+      return name === undefined ? 0 : parts.brightness(name);
     }),
     textRegisters(VERSION, VERSION_TEXT),
   ]);
@@ -102,7 +103,7 @@ function pulseRegisters(parts: ControllerParts): RegisterPart {
   return {
     first: PULSES,
     count: 4,
-    read: (offset) => byteOfWord(parts.pulses(sideOf(offset)), offset),
+    read: (offset) => byteOf(parts.pulses(sideOf(offset)), offset % 2),
     write: (offset) => parts.clearPulses(sideOf(offset)),
   };
 }
@@ -127,6 +128,4 @@ function dutyOf(direction: number, speed: number): number {
   return (direction === 1 ? speed : -speed) / 255;
 }
 
-/** High byte at even offsets, low byte at odd ones. */
-const byteOfWord = (word: number, offset: number): number => (offset % 2 === 0 ? word >> 8 : word) & 0xff;
 const sideOf = (offset: number): Side => (offset < 2 ? 0 : 1);

@@ -7,6 +7,7 @@ import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 
 /** Ports of the three servos. */
 export const SERVO_PORTS = ['S1', 'S2', 'S3'] as const;
@@ -40,10 +41,7 @@ const body: ChassisType = {
   heightMm: 85, // chosen, to the top of the upright micro:bit
   massG: 230, // chosen, not weighed: metal frame and motors, 9 g micro:bit, battery
   centreOfMassMm: { x: 12, y: 0 }, // between axle and castor, near the axle: chosen
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 46, y: 0 }, // chosen: behind the line sensors
   drive: {
     // Fitted: scripts/fit-motor-law.mjs, residuals in docs/hardware/maqueen-plus-v1-motor-law.md

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { createController, type ControllerOptions, type LineName } from './controller';
+import type { LineName } from '../maqueen-plus-frame';
+import { createController, type ControllerOptions } from './controller';
 
 const USUAL: ControllerOptions = { version: '2.1', analogOrder: 'R2-first' };
 

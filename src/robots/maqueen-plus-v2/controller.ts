@@ -21,7 +21,15 @@
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
 import { motorsTouched, type Side } from '#devices/dc-motor';
-import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from '#devices/i2c-registers';
+import {
+  bitsOf,
+  createRegisterMachine,
+  liveRegisters,
+  memoryRegisters,
+  textRegisters,
+  wordRegisters,
+} from '#devices/i2c-registers';
+import { LINE_NAMES, type LineName } from '../maqueen-plus-frame';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenPlusV2.ts: I2CADDR
 
@@ -30,14 +38,6 @@ const LEDS = 0x0b;
 const LINE_BITS = 0x1d;
 const LINE_VALUES = 0x1e;
 const VERSION = 0x32;
-
-const BYTES_PER_VALUE = 2;
-
-/** The line sensors from right to left: the order of their bits. */
-export const LINE_NAMES = ['R2', 'R1', 'M', 'L1', 'L2'] as const;
-
-/** A line sensor's name, as printed on the robot. */
-export type LineName = (typeof LINE_NAMES)[number];
 
 /** Direction and speed byte of each motor. */
 export type MotorBytes = Readonly<Record<Side, readonly [direction: number, speed: number]>>;
@@ -72,13 +72,6 @@ export const versionText = (version: ControllerOptions['version']): string => `M
 /** Makes the controller; motors and lights are off. */
 export function createController(parts: ControllerParts, { version, analogOrder }: ControllerOptions): I2cTarget {
   const order: readonly LineName[] = analogOrder === 'R2-first' ? LINE_NAMES : [...LINE_NAMES].reverse();
-  const lineBits = (): number =>
-    LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
-  const lineValue = (offset: number): number => {
-    if (offset % BYTES_PER_VALUE !== 0) return 0; // the high byte
-    const sensor = order[offset / BYTES_PER_VALUE];
-    return sensor === undefined ? 0 : parts.brightness(sensor);
-  };
   return createRegisterMachine([
     memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
       parts.motors({ left: [dirL, speedL], right: [dirR, speedR] }, motorsTouched(touched)),
@@ -86,8 +79,11 @@ export function createController(parts: ControllerParts, { version, analogOrder 
     memoryRegisters(LEDS, 2, ([left, right], { first, last }) =>
       parts.leds(left ? 1 : 0, right ? 1 : 0, SIDES.slice(first, last + 1)),
     ),
-    liveRegisters(LINE_BITS, 1, lineBits),
-    liveRegisters(LINE_VALUES, LINE_NAMES.length * BYTES_PER_VALUE, lineValue),
+    liveRegisters(LINE_BITS, 1, () => bitsOf(LINE_NAMES, (name) => !parts.isBright(name))),
+    wordRegisters(LINE_VALUES, LINE_NAMES.length, 'low-first', (word) => {
+      const sensor = order[word];
+      return sensor === undefined ? 0 : parts.brightness(sensor);
+    }),
     textRegisters(VERSION, versionText(version)),
   ]);
 }

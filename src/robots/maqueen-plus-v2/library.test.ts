@@ -4,7 +4,8 @@ import type { Rgb } from '#core/rgb';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachWs2812 } from '#devices/ws2812';
 import { runOnWires } from '../testing/wires';
-import { createController, type LineName } from './controller';
+import type { LineName } from '../maqueen-plus-frame';
+import { createController } from './controller';
 import { maqueenPlusV2Build } from './robot';
 
 let firmware: WebAssembly.Module;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { putOnFloor, type FloorSetup } from '../testing/floor';
-import type { LineName } from './controller';
+import type { LineName } from '../maqueen-plus-frame';
 import { maqueenPlusV2Build } from './robot';
 
 /** A Maqueen Plus V2 at (1000, 1000) heading along +x, its board driven by the test. */

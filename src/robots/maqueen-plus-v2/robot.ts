@@ -14,7 +14,8 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { listenToServos, mountMotors, mountServos, tellColors } from '../mounting';
-import { mountLineRow, type LinePlace } from '../line-row';
+import { mountLineRow } from '../line-row';
+import { PLUS_LINE_SENSORS, PLUS_LINE_SPOT_RADIUS_MM } from '../maqueen-plus-frame';
 import {
   bareState,
   noLights,
@@ -25,22 +26,9 @@ import {
   type RobotState,
 } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
-import { CONTROLLER_ADDRESS, createController, type MotorBytes, type LineName } from './controller';
+import { CONTROLLER_ADDRESS, createController, type MotorBytes } from './controller';
 import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
 import { maqueenPlusV2 as type, SERVO_PORTS } from './type';
-
-/**
- * A row of three in front of the castor, the outer two further back near the wheels, as GBSL draws them; the figures
- * are chosen: a line of 20 mm width covers M alone, and the outer two see a crossing line after the others.
- */
-const LINE_SENSORS: readonly LinePlace<LineName>[] = [
-  { name: 'L2', atMm: { x: 46, y: 36 } },
-  { name: 'L1', atMm: { x: 56, y: 12 } },
-  { name: 'M', atMm: { x: 56, y: 0 } },
-  { name: 'R1', atMm: { x: 56, y: -12 } },
-  { name: 'R2', atMm: { x: 46, y: -36 } },
-];
-const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
 
 /** Readings of the sensors on black and on bare floor. Linear in between: chosen. */
 const BRIGHTNESS = {
@@ -67,7 +55,7 @@ function attach(context: RobotContext): Robot {
   const motors = mountMotors(context);
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const brightness = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
-  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...brightness });
+  const line = mountLineRow(context, PLUS_LINE_SENSORS, { spotRadiusMm: PLUS_LINE_SPOT_RADIUS_MM, ...brightness });
   const controller = createController(
     {
       motors: ({ left, right }, sides) => motors.set(dutyOf(left), dutyOf(right), sides),

@@ -8,7 +8,7 @@ import type { LineRow } from '../line-row';
 import { mountMotors } from '../mounting';
 import { bodyOf, type RobotContext, type RobotState } from '../robot';
 import { CONTROLLER_ADDRESS, createController, type ControllerParts } from './controller';
-import type { LineName } from './line-names';
+import type { LineName } from '../maqueen-plus-frame';
 import { createMover, type Move } from './moves';
 import { Patrol, type PatrolSettings } from './patrol';
 import { maqueenPlusV3 as type } from './type';

@@ -39,15 +39,18 @@ import type { I2cTarget } from '#board/wires/i2c-bus';
 import type { Rgb } from '#core/rgb';
 import { motorsTouched, signedDuty, type Side } from '#devices/dc-motor';
 import {
+  bitsOf,
+  byteOf,
   createRegisterMachine,
   liveRegisters,
   memoryRegisters,
   textRegisters,
+  wordRegisters,
   type RegisterPart,
   type Touched,
 } from '#devices/i2c-registers';
 import { lampColor } from '../lamp-colors';
-import { LINE_NAMES, type LineName } from './line-names';
+import { LINE_NAMES, type LineName } from '../maqueen-plus-frame';
 import type { Move } from './moves';
 import { USUAL_WAYS, type PatrolSettings } from './patrol';
 
@@ -154,24 +157,21 @@ export function createController(parts: ControllerParts): Controller {
 
 /** Line, speed, light, distance driven. */
 function senseRegisters(parts: ControllerParts): readonly RegisterPart[] {
-  const lineBits = (): number =>
-    LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
   return [
-    liveRegisters(LINE_BITS, 1, lineBits),
-    liveRegisters(LINE_VALUES, 2 * LINE_NAMES.length, (offset) => {
-      const name = LINE_NAMES[offset >> 1];
-      const value = name === undefined ? 0 : parts.brightness(name);
-      return (offset % 2 === 0 ? value : value >> 8) & 0xff;
+    liveRegisters(LINE_BITS, 1, () => bitsOf(LINE_NAMES, (name) => !parts.isBright(name))),
+    wordRegisters(LINE_VALUES, LINE_NAMES.length, 'low-first', (word) => {
+      const name = LINE_NAMES[word];
+      return name === undefined ? 0 : parts.brightness(name);
     }),
     liveRegisters(SPEEDS, 2, (offset) => {
       const speed = Math.abs(parts.speedMmPerS(offset === 0 ? 0 : 1));
       return Math.min(Math.round(speed * RAW_PER_MM_PER_S), 0xff);
     }),
-    liveRegisters(LIGHT, 4, (offset) => byteOfWord(parts.light(offset < 2 ? 0 : 1), offset)),
+    wordRegisters(LIGHT, 2, 'high-first', (word) => parts.light(word === 0 ? 0 : 1)),
     {
       first: DRIVEN,
       count: 2,
-      read: (offset) => byteOfWord(Math.round(parts.drivenMm() / 10), offset),
+      read: (offset) => byteOf(Math.round(parts.drivenMm() / 10), offset),
       write: (offset) => {
         if (offset === 1) parts.clearDriven();
       },
@@ -214,6 +214,3 @@ function modeRegisters(parts: ControllerParts): readonly RegisterPart[] {
 
 /** The duty of a motor; 0 for directions that it does not know: chosen, as owners of a V2 saw it. */
 const dutyOf = (direction: number, speed: number): number => (direction > 1 ? 0 : signedDuty(direction, speed));
-
-/** High byte at even offsets, low byte at odd ones. */
-const byteOfWord = (word: number, offset: number): number => (offset % 2 === 0 ? word >> 8 : word) & 0xff;

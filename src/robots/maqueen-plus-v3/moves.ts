@@ -5,7 +5,7 @@
  */
 import { radOf } from '#core/angle';
 import { STEP_S } from '#world/step';
-import { TRACK_MM } from './type';
+import { PLUS_TRACK_MM } from '../maqueen-plus-frame';
 import type { Wheels } from './wheels';
 
 /** A move as the registers have it. Grades: 1 slow, 2 as all drivers use it, up to 10. */
@@ -104,4 +104,4 @@ function wayOf(move: Move, misses: number): Way {
 }
 
 /** How far the rims go for a turn on the spot by this angle. */
-export const rimMm = (deg: number): number => (radOf(deg) * TRACK_MM) / 2;
+export const rimMm = (deg: number): number => (radOf(deg) * PLUS_TRACK_MM) / 2;

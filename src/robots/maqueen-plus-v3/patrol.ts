@@ -9,7 +9,7 @@
  */
 import { STEP_S } from '#world/step';
 import { createLineWalker } from '../line-walking';
-import type { LineName } from './line-names';
+import type { LineName } from '../maqueen-plus-frame';
 import { rimMm } from './moves';
 import type { Wheels } from './wheels';
 

@@ -12,7 +12,8 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
 import { mountLidar } from '../lidar';
-import { mountLineRow, type LinePlace } from '../line-row';
+import { mountLineRow } from '../line-row';
+import { PLUS_LINE_SENSORS, PLUS_LINE_SPOT_RADIUS_MM } from '../maqueen-plus-frame';
 import { listenToServos, mountServos, tellColors } from '../mounting';
 import {
   bareState,
@@ -25,19 +26,8 @@ import {
 } from '../robot';
 import { mountSonar, SR04_CONE, type Sonar } from '../sonar';
 import { mountChassis } from './chassis';
-import type { LineName } from './line-names';
 import mbrobotPlusV3 from './library/mbrobot_plusV3.py?raw';
 import { maqueenPlusV3 as type, SERVO_PORTS } from './type';
-
-/** As on the V2, whose chassis it has. */
-const LINE_SENSORS: readonly LinePlace<LineName>[] = [
-  { name: 'L2', atMm: { x: 46, y: 36 } },
-  { name: 'L1', atMm: { x: 56, y: 12 } },
-  { name: 'M', atMm: { x: 56, y: 0 } },
-  { name: 'R1', atMm: { x: 56, y: -12 } },
-  { name: 'R2', atMm: { x: 46, y: -36 } },
-];
-const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
 
 /** Readings on black and on the bare floor: franc0r/francor-maqueen-plus-microbit, of 4095. Linear in between: chosen. */
 const BRIGHTNESS = { black: 2700, floor: 3800 };
@@ -59,7 +49,7 @@ export const maqueenPlusV3Build: RobotBuild = {
 function attach(context: RobotContext): Robot {
   const { board, options } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
-  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
+  const line = mountLineRow(context, PLUS_LINE_SENSORS, { spotRadiusMm: PLUS_LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
   const chassis = mountChassis(context, line);
   const sonar = options['ultrasonic'] === 'yes' ? plugInSonar(context, () => servos.sonarTurnRad()) : null;
   const lidar = options['lidar'] === 'none' ? null : mountLidar(context, LIDAR_AT);

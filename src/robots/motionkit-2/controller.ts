@@ -27,7 +27,15 @@
 import type { I2cTarget } from '#board/wires/i2c-bus';
 import type { Rgb } from '#core/rgb';
 import { motorsTouched, type Side } from '#devices/dc-motor';
-import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from '#devices/i2c-registers';
+import {
+  bitsOf,
+  byteOf,
+  createRegisterMachine,
+  liveRegisters,
+  memoryRegisters,
+  textRegisters,
+  wordRegisters,
+} from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // all sources
 
@@ -96,7 +104,6 @@ export interface ControllerParts {
 
 /** Makes the controller; motors and lights are off. Register contents start at 0. */
 export function createController(parts: ControllerParts, { motors, lights, line }: SidesOf): I2cTarget {
-  const lineBits = (): number => line.reduce((bits, side, bit) => (parts.isBright(side) ? bits : bits | (1 << bit)), 0);
   return createRegisterMachine([
     memoryRegisters(MOTORS, 4, ([dir0 = 0, speed0 = 0, dir1 = 0, speed1 = 0], touched) => {
       const set: Record<Side, MotorBytes> = { left: { direction: 0, speed: 0 }, right: { direction: 0, speed: 0 } };
@@ -109,14 +116,11 @@ export function createController(parts: ControllerParts, { motors, lights, line 
     memoryRegisters(SERVO_S1, 1, ([angle = 0]) => parts.servo('S1', angle)),
     memoryRegisters(SERVO_S2, 1, ([angle = 0]) => parts.servo('S2', angle)),
     memoryRegisters(COLOR, 3, ([red = 0, green = 0, blue = 0]) => parts.color([red, green, blue])),
-    liveRegisters(LINE_BITS, 1, lineBits),
+    liveRegisters(LINE_BITS, 1, () => bitsOf(line, (side) => !parts.isBright(side))),
     liveRegisters(LINE_FIRST, 1, () => parts.brightness(line[0])),
     liveRegisters(LINE_SECOND, 1, () => parts.brightness(line[1])),
-    liveRegisters(DISTANCE, 2, (offset) => byteOf(parts.distanceCm(), offset, 2)),
+    wordRegisters(DISTANCE, 1, 'high-first', () => parts.distanceCm()),
     liveRegisters(INFRARED, 4, (offset) => byteOf(parts.infraredCode(), offset, 4)),
     textRegisters(VERSION_REGISTER, VERSION),
   ]);
 }
-
-/** A byte of a number that is sent with its highest byte first, in `count` bytes. */
-const byteOf = (value: number, offset: number, count: number): number => (value >> (8 * (count - 1 - offset))) & 0xff;

@@ -5,9 +5,11 @@
  */
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
+import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
+import { wheelPair } from '../wheels';
 import words from './words';
 
 /** Ports of the two servos. */
@@ -42,10 +44,7 @@ const body: ChassisType = {
   heightMm: 65, // chosen: to the top of the ultrasonic sensor, as the Calliope mini lies flat
   massG: 150, // chosen, not weighed: the Lite's 121 g of kit and cells, 27 g Calliope mini 3
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
-  wheels: [
-    { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-    { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
-  ],
+  wheels: wheelPair(TRACK_MM, { radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU }),
   castorMm: { x: 46, y: 0 }, // chosen: between line sensors and front edge
   // Estimated: the law fitted for the Lite (docs/hardware/maqueen-lite-motor-law.md). It moves at byte 15, the least that the
   // school library sends, and drives 16 cm/s at its usual 30.
@@ -70,26 +69,8 @@ export const motionkit2: RobotType = {
   driverNames: ['motionkit', 'motionkitv2', 'motionkit2', 'mklib'],
   options: [
     ...attachmentOptions(SERVO_PORTS),
-    {
-      id: 'sides',
-      title: words.options.sides.title,
-      about: words.options.sides.about,
-      isExpert: true,
-      choices: [
-        { id: 'maker', title: words.options.sides.choices.maker },
-        { id: 'lights-swapped', title: words.options.sides.choices['lights-swapped'] },
-        { id: 'all-swapped', title: words.options.sides.choices['all-swapped'] },
-      ],
-    },
-    {
-      id: 'echo',
-      title: words.options.echo.title,
-      isExpert: true,
-      choices: [
-        { id: 'minus-one', title: words.options.echo.choices['minus-one'] },
-        { id: 'zero', title: words.options.echo.choices.zero },
-      ],
-    },
+    optionOf('sides', words.options.sides, ['maker', 'lights-swapped', 'all-swapped'], { isExpert: true }),
+    optionOf('echo', words.options.echo, ['minus-one', 'zero'], { isExpert: true }),
     incidenceOption,
   ],
   mountMm: { x: 58, y: 0 },
