@@ -1,6 +1,7 @@
 import { writeFileSync } from 'node:fs';
+import { withLinesBack } from '#intake/lines-back';
 import { hardwareOf } from '#intake/webtigerpython';
-import { filesByName, MAIN, type SourceFile } from '#project/project';
+import { filesByName, MAIN } from '#project/project';
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import type { Hardware } from '#simulation/hardware';
@@ -73,19 +74,10 @@ const idsOf = (hardware: Chosen): { readonly robot: string | null; readonly boar
 
 const asJson = ({ kind, work: { files, scene }, rewritten = [] }: Input, hardware: Chosen) => ({
   kind,
-  program: files.length === 0 ? { [MAIN]: '' } : filesByName(asTheyCame(files, rewritten)),
+  program: files.length === 0 ? { [MAIN]: '' } : filesByName(files.map((file) => withLinesBack(file, rewritten))),
   ...idsOf(hardware),
   scene: scene === null ? null : (JSON.parse(serializeScene(scene)) as unknown),
 });
-
-/** A program's files with TigerJython's loops, as the link has them. */
-function asTheyCame(files: readonly SourceFile[], rewritten: NonNullable<Input['rewritten']>): readonly SourceFile[] {
-  return files.map(({ name, text }) => {
-    const lines = text.split('\n');
-    for (const { file, line, before } of rewritten) if (file === name) lines[line - 1] = before;
-    return { name, text: lines.join('\n') };
-  });
-}
 
 /** Lines for people. */
 function summaryOf({ kind, work: { files, scene } }: Input, hardware: Chosen): readonly string[] {

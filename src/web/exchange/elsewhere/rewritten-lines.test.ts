@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 
 import { rewriteRepeat } from '#advice/repeat';
-import { linesStillThere, withLinesBack } from './rewritten-lines';
+import { withLinesBack } from '#intake/lines-back';
+import { linesStillThere } from './rewritten-lines';
 
 const program = 'from mbrobot import *\nrepeat 4:\n    forward()\n    repeat 2:\n        left()\nrepeat:\n    stop()\n';
 

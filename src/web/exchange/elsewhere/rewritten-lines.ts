@@ -30,10 +30,3 @@ function placeNow(before: readonly string[], now: readonly string[], line: numbe
   while (behind < shorter - same && before.at(-1 - behind) === now.at(-1 - behind)) behind += 1;
   return line > before.length - behind ? line + now.length - before.length : 0;
 }
-
-/** A file with these lines as they were before they were rewritten. */
-export function withLinesBack({ name, text }: SourceFile, rewritten: readonly RewrittenLine[]): SourceFile {
-  const lines = text.split('\n');
-  for (const { file, line, before } of rewritten) if (file === name) lines[line - 1] = before;
-  return { name, text: lines.join('\n') };
-}
