@@ -66,9 +66,10 @@ export const wings = {
     run: [],
     work: ['session/run'],
     visit: ['session/run', 'session/work'],
-    layout: ['session/run', 'session/work', 'session/visit'],
+    mode: ['session/run', 'session/work'],
+    layout: ['session/run', 'session/work', 'session/visit', 'session/mode'],
     task: ['session/run', 'session/work', 'session/layout'],
-    models: ['session/run', 'session/work', 'session/visit', 'session/layout', 'session/task'],
+    models: ['session/run', 'session/work', 'session/visit', 'session/layout', 'session/task', 'session/mode'],
   },
   course: { editor: ['session'] },
   pupil: {

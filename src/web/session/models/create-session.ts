@@ -14,6 +14,8 @@ import { ArenaAlone } from '../layout/arena-alone';
 import { createLayout } from '../layout/layout-model';
 import { provideLayout } from '../layout/parts';
 import { createRouter } from '../layout/router';
+import { createMode } from '../mode/mode-model';
+import { provideMode } from '../mode/parts';
 import { DataLogModel } from '../run/data-log-model';
 import { createHand } from '../run/hand';
 import { provideRun, type RunParts } from '../run/parts';
@@ -66,7 +68,8 @@ export function createSession(
   followSettings({ ...mine, ...running });
   followCourse({ ...mine, ...running });
   const task = createTask({ ...mine, ...running }, window.parent === window, work.programs);
-  return { ...page, ...mine, ...sight, ...running, host, task };
+  const mode = createMode({ ...mine, ...running });
+  return { ...page, ...mine, ...sight, ...running, host, task, mode };
 }
 
 /** Hands each room's models to the components below. */
@@ -77,6 +80,7 @@ export function provideSession(parts: SessionParts): void {
   provideLayout(parts);
   provideRun(parts);
   provideTask(parts);
+  provideMode(parts);
 }
 
 /** Passes the settings on to the run, and loads the open course's name. */
