@@ -38,17 +38,8 @@ const SPOT_MM = 20; // chosen: the board looks at about its own width of floor
  */
 const RATTLE = { halfPeriodUs: 40_000, damping: 0.75, halfPeriods: 8 } as const;
 
-/** The sensors that it sets, and restores when it is switched off. */
-const IDS = [
-  'compassHeading',
-  'compassX',
-  'compassY',
-  'compassZ',
-  'accelerometerX',
-  'accelerometerY',
-  'accelerometerZ',
-  'lightLevel',
-] as const;
+/** The axes that are set at each step; all others are measured when they are asked for. */
+const FELT = ['accelerometerX', 'accelerometerY', 'accelerometerZ'] as const;
 
 /**
  * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north. x
@@ -59,23 +50,16 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
   const byHand = new Set<string>();
   let motion = createMotion(chassis);
   let turnedDeg = turnOf(chassis);
-  const set = (id: (typeof IDS)[number], value: number): void => {
-    const whole = Math.round(value) + 0;
-    if (!byHand.has(id) && sensors.get(id) !== whole) sensors.set(id, whole);
+  const measures = measuresOf({ chassis, ground });
+  const set = (id: (typeof FELT)[number], mg: number): void => {
+    if (!byHand.has(id) && sensors.get(id) !== whole(mg)) sensors.set(id, whole(mg));
   };
-  const step = (): void => {
-    const { headingRad } = chassis.pose();
-    const headingDeg = onCircle(Math.round(90 - degOf(headingRad)));
-    set('compassHeading', headingDeg);
-    const angleRad = radOf(headingDeg);
-    set('compassX', FIELD_HORIZONTAL_NT * exactCos(angleRad));
-    set('compassY', -FIELD_HORIZONTAL_NT * exactSin(angleRad));
-    set('compassZ', -FIELD_DOWN_NT);
+  /** Gestures follow from each change. */
+  const feel = (): void => {
     const { forwardMg, leftMg } = motion();
     set('accelerometerX', clamped(-leftMg));
     set('accelerometerY', clamped(forwardMg));
     set('accelerometerZ', -GRAVITY_MG);
-    set('lightLevel', 255 * ground({ x: 0, y: 0 }, SPOT_MM));
   };
   /** Turns the compass with the robot, in whole degrees. */
   const turnAlong = (): void => {
@@ -91,10 +75,12 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
     switch(on) {
       if (on) {
         byHand.clear();
-        if (before !== null) return;
-        before = new Map(IDS.map((id) => [id, sensors.get(id)]));
+        const isNew = before === null;
+        before ??= new Map([...FELT, ...Object.keys(measures)].map((id) => [id, sensors.get(id)]));
+        for (const [id, measure] of Object.entries(measures)) sensors.measure(id, measure);
+        if (!isNew) return;
         motion = createMotion(chassis);
-        step();
+        feel();
       } else if (before !== null) {
         for (const [id, value] of before) if (!byHand.has(id)) sensors.set(id, value);
         byHand.clear();
@@ -106,9 +92,22 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
       if (before !== null) byHand.add(id);
     },
     step() {
-      if (before !== null) step();
+      if (before !== null) feel();
       else turnAlong();
     },
+  };
+}
+
+/** Compass and light, by sensor id. Programs ask for them now and then, the world goes on 250 times a second. */
+function measuresOf({ chassis, ground }: Surroundings): Readonly<Record<string, () => number>> {
+  const headingDeg = (): number => onCircle(Math.round(90 - degOf(chassis.pose().headingRad)));
+  const headingRad = (): number => radOf(headingDeg());
+  return {
+    compassHeading: headingDeg,
+    compassX: () => whole(FIELD_HORIZONTAL_NT * exactCos(headingRad())),
+    compassY: () => whole(-FIELD_HORIZONTAL_NT * exactSin(headingRad())),
+    compassZ: () => -FIELD_DOWN_NT,
+    lightLevel: () => whole(255 * ground({ x: 0, y: 0 }, SPOT_MM)),
   };
 }
 
@@ -117,6 +116,8 @@ const turnOf = (chassis: Surroundings['chassis']): number => Math.round(degOf(ch
 
 /** An angle as one of 0 … 359. */
 const onCircle = (degrees: number): number => ((degrees % 360) + 360) % 360;
+
+const whole = (value: number): number => Math.round(value) + 0;
 
 const clamped = (mg: number): number => Math.max(-MOST_MG, Math.min(MOST_MG, mg));
 

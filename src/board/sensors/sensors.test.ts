@@ -69,4 +69,17 @@ describe('the sensors', () => {
     sensors.set('gesture', 'none');
     expect(heard).toEqual(['gesture shake', 'gesture shake']);
   });
+
+  it('a measured value is measured whenever it is asked for, without a word, until it is set', () => {
+    const { sensors } = createBench().board;
+    const heard: string[] = [];
+    sensors.onSet((id) => heard.push(id));
+    let level = 10;
+    sensors.measure('lightLevel', () => level);
+    expect(sensors.get('lightLevel')).toBe(10);
+    level = 20;
+    expect([sensors.get('lightLevel'), heard]).toEqual([20, []]);
+    sensors.set('lightLevel', 30);
+    expect([sensors.get('lightLevel'), heard]).toEqual([30, ['lightLevel']]);
+  });
 });

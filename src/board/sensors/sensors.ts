@@ -68,6 +68,8 @@ export const padId = (pin: string): string => pin.replace(/_(.)/, (_, letter: st
  */
 export class Sensors {
   private readonly values = new Map<string, number>();
+  /** Measure values when they are asked for, by sensor id. */
+  private readonly measures = new Map<string, () => number>();
   private readonly ranges = new Map<string, Range>(Object.entries(RANGES));
   private readonly listeners: ((id: string) => void)[] = [];
   private gesture = NO_GESTURE;
@@ -82,6 +84,8 @@ export class Sensors {
   get(id: string): number;
   get(id: string): number | string {
     if (id === 'gesture') return this.gesture;
+    const measure = this.measures.get(id);
+    if (measure !== undefined) return measure();
     const pressable = this.pressables.get(id);
     if (pressable) return pressable.isDown ? 1 : 0;
     const value = this.values.get(id);
@@ -104,10 +108,16 @@ export class Sensors {
     return `Sensor ${id}: ${JSON.stringify(value)} is not a number within ${span}.`;
   }
 
+  /** Has a value measured whenever it is asked for, until it is set; listeners hear nothing of it. Within its range. */
+  measure(id: string, read: () => number): void {
+    this.measures.set(id, read);
+  }
+
   /** Sets a value. @throws RangeError with the words of `problemOf` */
   set(id: string, value: number | string): void {
     const problem = this.problemOf(id, value);
     if (problem !== null) throw new RangeError(problem);
+    this.measures.delete(id);
     const pressable = this.pressables.get(id);
     if (id === 'gesture') this.gesture = String(value);
     else if (!pressable) this.values.set(id, Number(value));
