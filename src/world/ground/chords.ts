@@ -78,21 +78,7 @@ function coveredAnew(
   const across = (py - ay) * ex - (px - ax) * ey;
   const cos = ux * ex + uy * ey;
   const sin = uy * ex - ux * ey;
-  let from = Infinity;
-  let to = -Infinity;
-  // The round ends.
-  for (let end = 0; end < 2; end++) {
-    const a = end === 0 ? along : along - length;
-    const foot = -(a * cos + across * sin);
-    const room = half * half - (a * a + across * across - foot * foot);
-    if (room > 0) {
-      const reach = Math.sqrt(room);
-      if (foot - reach < from) from = foot - reach;
-      if (foot + reach > to) to = foot + reach;
-    }
-    if (length === 0) break;
-  }
-  // The straight part between them.
+  // The straight part.
   let low = -Infinity;
   let high = Infinity;
   if (sin !== 0) {
@@ -107,6 +93,22 @@ function coveredAnew(
     low = Math.max(low, Math.min(one, other));
     high = Math.min(high, Math.max(one, other));
   } else if (along < 0 || along > length) high = -Infinity;
+  // Mostly it covers all that is left, and the ends need no look.
+  if (low <= (starts[0] ?? 0) && high >= (ends[count - 1] ?? 0)) return take(low, high);
+  let from = Infinity;
+  let to = -Infinity;
+  // The round ends.
+  for (let end = 0; end < 2; end++) {
+    const a = end === 0 ? along : along - length;
+    const foot = -(a * cos + across * sin);
+    const room = half * half - (a * a + across * across - foot * foot);
+    if (room > 0) {
+      const reach = Math.sqrt(room);
+      if (foot - reach < from) from = foot - reach;
+      if (foot + reach > to) to = foot + reach;
+    }
+    if (length === 0) break;
+  }
   if (low < high) {
     if (low < from) from = low;
     if (high > to) to = high;
