@@ -1,6 +1,6 @@
 import { exactCos, exactSin, exactTan } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { memo } from '#core/memo';
+import { memo, memoOf } from '#core/memo';
 import type { LidarState } from './robot';
 
 /** A ray of the fan that a lidar looks through at eye level: the cell of one column. */
@@ -35,15 +35,20 @@ export const eyeLevelCells = memo((size: LidarState['size']): readonly number[] 
   Array.from({ length: size }, (_, column) => eyeLevelRow(size) * size + column),
 );
 
+/** The slopes of the columns against the axis, from the left, by the angle from column to column. */
+const slopesOf = memo((columnRad: number): ((size: LidarState['size']) => readonly number[]) =>
+  memo((size) => Array.from({ length: size }, (_, column) => exactTan(((size - 1) / 2 - column) * columnRad))),
+);
+
 /** The rays at eye level, from the left. */
-export function fanOf(lidar: LidarState): readonly FanRay[] {
-  const { headingRad, openingRad, size, depthMm } = lidar;
+export const fanOf = memoOf(({ headingRad, openingRad, size, depthMm }: LidarState): readonly FanRay[] => {
   const [cos, sin] = [exactCos(headingRad), exactSin(headingRad)];
+  const slopes = slopesOf(openingRad / size)(size);
   return eyeLevelCells(size).map((cell, column) => {
-    const slope = exactTan(((size - 1) / 2 - column) * (openingRad / size));
+    const slope = slopes[column] ?? 0;
     return { depthMm: depthMm[cell] ?? null, perMm: { x: cos - slope * sin, y: sin + slope * cos } };
   });
-}
+});
 
 /** The place at this depth on a ray of a lidar. */
 export const alongRay = ({ fromMm }: LidarState, { perMm }: FanRay, depthMm: number): Vec => ({
