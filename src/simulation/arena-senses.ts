@@ -39,7 +39,7 @@ const SPOT_MM = 20; // chosen: the board looks at about its own width of floor
 const RATTLE = { halfPeriodUs: 40_000, damping: 0.75, halfPeriods: 8 } as const;
 
 /** The axes that are set at each step; all others are measured when they are asked for. */
-const FELT = ['accelerometerX', 'accelerometerY', 'accelerometerZ'] as const;
+const FELT = ['accelerometerX', 'accelerometerY', 'accelerometerZ'];
 
 /**
  * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north. x
@@ -51,8 +51,8 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
   let motion = createMotion(chassis);
   let turnedDeg = turnOf(chassis);
   const measures = measuresOf({ chassis, ground });
-  const set = (id: (typeof FELT)[number], mg: number): void => {
-    if (!byHand.has(id) && sensors.get(id) !== whole(mg)) sensors.set(id, whole(mg));
+  const set = (id: string, value: number): void => {
+    if (!byHand.has(id) && sensors.get(id) !== whole(value)) sensors.set(id, whole(value));
   };
   /** Gestures follow from each change. */
   const feel = (): void => {

@@ -4,7 +4,7 @@
  */
 export const noteCodes = [
   // a world that cannot be read, or not all of it
-  ...(['worldDamaged', 'worldTooLarge', 'worldUnknown', 'keys', 'keyUnread', 'moreValues'] as const),
+  ...(['programDamaged', 'worldDamaged', 'worldTooLarge', 'worldUnknown', 'keys', 'keyUnread', 'moreValues'] as const),
   ...(['sizeMissing', 'sizeUnread', 'sizeLimited'] as const),
   ...(['startMissing', 'startUnread', 'startAngle', 'startMoved'] as const),
   ...(['wallsUnread', 'wallsWithoutLength', 'blocksUnread', 'blocksMovable', 'blocksAngle', 'far', 'tooMany'] as const),

@@ -151,11 +151,16 @@ describe('a link of WebTigerPython with a world', () => {
     expect(programOfLink(`?code=${one}&playground=%E4`)).toMatchObject({ notes: [{ code: 'worldDamaged' }] });
   });
 
+  it('opens a whole world without its damaged program, and says so', () => {
+    const whole = encodeURIComponent(worldOf({ StartBox: [9, 9, 0] }));
+    const read = programOfLink(`?code=A&playground=${whole}`);
+    expect(read).toMatchObject({ files: [], notes: [{ code: 'programDamaged' }] });
+  });
+
   it('opens nothing when there is neither program nor world in it', () => {
     for (const world of ['A', '%E4', worldOf({ walls: [] })])
       expect(problemOf(`?code=&playground=${world}`)).toMatch(/^damaged/);
     expect(problemOf(`?playground=${bomb(1_500_000)}`)).toMatch(/^too-large/);
-    expect(problemOf(`?code=A&playground=${encodeURIComponent(worldOf({ StartBox: [9, 9, 0] }))}`)).toMatch(/^damaged/);
   });
 
   it('names what it sets besides, but not what a page looks like', () => {

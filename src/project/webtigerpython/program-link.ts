@@ -56,7 +56,10 @@ type Failed = { readonly problem: ProgramLinkProblem };
 /** True if an address, or a part of one, has a program or a world of WebTigerPython in it. */
 export const isProgramLink = (address: string): boolean => /[?&](code|fs|playground)=/.test(address);
 
-/** Reads a whole address, or its query or fragment. Never throws; a link with a problem opens nothing. */
+/**
+ * Reads a whole address, or its query or fragment. Never throws; a link with a problem opens nothing, except that a damaged
+ * program leaves its world whole.
+ */
 export function programOfLink(address: string): ProgramLink | Failed {
   if (address.length > MAX_LINK) return tooLong(address.length, MAX_LINK);
   const parameters = parametersOf(address);
@@ -64,10 +67,13 @@ export function programOfLink(address: string): ProgramLink | Failed {
   const packed = parameters.get('code') === '' ? undefined : parameters.get('code');
   const hasFiles = packed !== undefined || (parameters.get('fs') ?? '') !== '';
   const files = hasFiles ? filesIn(parameters) : { files: [] };
-  if ('problem' in files) return files;
+  const isWorldAlone = 'problem' in files && files.problem.code === 'damaged' && world !== null;
+  if ('problem' in files && !isWorldAlone) return files;
   if (!hasFiles && world === null) return problem === 'worldTooLarge' ? tooLarge(MAX_WORLD_CHARACTERS) : damaged();
-  const notes = [...(problem === null ? [] : [note(problem)]), ...notesOfParameters(parameters)];
-  return { files: files.files, device: deviceCalled(parameters.get('device') ?? ''), world, notes };
+  const lost = problem ?? (isWorldAlone ? 'programDamaged' : null);
+  const notes = [...(lost === null ? [] : [note(lost)]), ...notesOfParameters(parameters)];
+  const device = deviceCalled(parameters.get('device') ?? '');
+  return { files: 'files' in files ? files.files : [], device, world, notes };
 }
 
 /** The world, or the note that it cannot be read; neither: there is none. */
