@@ -1,10 +1,11 @@
 import { shallowRef, type Component, type ShallowRef } from 'vue';
 
+import type { Texts } from '#core/languages';
 import type { TextKey, TextValues } from './i18n/texts';
 
 /** One answer to a question. */
 export interface Choice {
-  readonly key: TextKey;
+  readonly key: TextKey | Texts;
   readonly values?: TextValues;
   readonly look?: 'run' | 'stop' | 'outline';
   readonly run: () => void;
@@ -33,8 +34,8 @@ export interface NameField {
 export type Question =
   | {
       readonly kind: 'choose';
-      readonly title: TextKey;
-      readonly text: TextKey;
+      readonly title: TextKey | Texts;
+      readonly text: TextKey | Texts;
       readonly values: TextValues;
       readonly choices: readonly Choice[];
     }

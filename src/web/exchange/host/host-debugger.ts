@@ -7,6 +7,7 @@ import { placeOfDevice } from '#simulation/several/place-of-device';
 
 import type { Debug } from '../../pupil/debug/debug';
 import { fileKey } from '../../pupil/debug/file-key';
+import { stepAsRan } from '../../pupil/debug/ran-program';
 import { fetchAgain } from './fetch-again';
 import { wholeRecording } from '../../session/run/fill/whole-recording';
 import { hostPast } from './host-past';
@@ -46,12 +47,15 @@ export function hostDebugger(app: HostedPage): EmbeddedDebugger {
     async step(step, device) {
       const place = placeOf(device);
       if (typeof place === 'string') return place;
+      if (step === 'back') return stepInPast(app, step, place);
       const problem = typeof step === 'string' ? null : placeProblem(app, place, step, 'run-to');
       if (problem !== null) return problem;
-      if (step === 'back' || run.past.value !== null) return stepInPast(app, step, place);
+      const asRan = stepAsRan(app, place, step);
+      if (asRan === null) return 'run-to: no line of the program that runs comes after this one.';
+      if (run.past.value !== null) return stepInPast(app, asRan, place);
       if (run.phase.value !== 'paused') return `This needs a run that is paused; it is ${run.phase.value}.`;
       if (run.endings.value[place] !== null) return 'The program has ended: no line begins any more.';
-      run.debug.step(step, place);
+      run.debug.step(asRan, place);
       return null;
     },
   };

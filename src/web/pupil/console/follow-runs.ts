@@ -1,6 +1,7 @@
 import { watch } from 'vue';
 
 import { filesOfDevice } from '#project/devices';
+import type { SourceFile } from '#project/project';
 import type { Ended } from '#simulation/simulation';
 
 import type { PageParts } from '../../kit/parts';
@@ -62,7 +63,7 @@ export function emptyConsole({ work, run, console }: Pick<Around, 'work' | 'run'
 
 /** Shows how the program ended: an exception on a card with its line, anything else as a note in the console. */
 function showEnd(parts: Around, ended: Ended, device: number): void {
-  const { run, work, console, jump } = parts;
+  const { run, console, jump } = parts;
   const { exception, kind } = ended;
   const drives = isDriving(run, device);
   if (kind === 'stopped') {
@@ -78,7 +79,7 @@ function showEnd(parts: Around, ended: Ended, device: number): void {
     console.addNote(drives ? 'console.finishedDriving' : 'console.finished', device);
     return;
   }
-  const files = filesOfDevice(work.work.value.project, device);
+  const files = filesThatRan(parts, device);
   const place = placeIn(exception.traceback, files);
   jump.wrong.value = place === null ? null : { ...place, device };
   console.addError(
@@ -93,6 +94,12 @@ function showEnd(parts: Around, ended: Ended, device: number): void {
       ({ showErrorOnPhone }) => showErrorOnPhone(parts, ended, run),
       () => undefined, // without a connection it stands in the console alone
     );
+}
+
+/** The files of a device as the run has them: the error is in them, whatever has been written since. */
+function filesThatRan({ run, work }: Pick<Around, 'run' | 'work'>, device: number): readonly SourceFile[] {
+  const ran = run.recording.value.setup?.devices[device]?.files;
+  return filesOfDevice(work.work.value.project, device).map(({ name, text }) => ({ name, text: ran?.[name] ?? text }));
 }
 
 /** True if an error would stay hidden behind a tab of a phone. Where a host has no console here, it shows its own. */

@@ -4,7 +4,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import type { FurtherDevice } from '#project/project';
 import type { Variables } from '#vm/debug/variables';
 import { createPage, type TestPage } from '../../app/testing/page';
-import { show, startRun } from '../../app/testing/run';
+import { pictureOf, show, startRun } from '../../app/testing/run';
 import type { Debug } from './debug';
 import { isChanged } from '../../session/work/is-changed';
 
@@ -166,6 +166,46 @@ describe('the debugger', () => {
     await nextTick();
     expect(page.run.past.value).toBeNull();
     expect(sentOf(page, 'step-line')).toEqual([{ type: 'step-line', step: 'over', device: 0 }]);
+  });
+
+  it('goes up to the line where the cursor is, as the program that runs has it', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    page.work.setText('main.py', 'a = 1\nb = 2\nc = 3\n');
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    page.work.setText('main.py', 'a = 1\nnew = 0\nb = 2\nc = 3\nlast = 4');
+    debug.step({ file: 'main.py', line: 5 }); // nothing that runs is below it
+    for (const line of [4, 2]) {
+      debug.step({ file: 'main.py', line });
+      await holds(page, 1000, withN('1'));
+    }
+    expect(sentOf(page, 'step-line')).toMatchObject([{ step: { line: 3 } }, { step: { line: 2 } }]);
+  });
+
+  it('makes the step in the present, too, where the return alone would move nothing', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    const position = { file: 'main.py', line: 9, depth: 0 };
+    await show(page, { timeUs: 2000, position });
+    page.run.pause();
+    page.run.look.back();
+    page.run.look.at(1000, pictureOf({ timeUs: 1000, position }));
+    vi.spyOn(debug.past, 'step').mockResolvedValue(false);
+    debug.step('over');
+    await expect.poll(() => sentOf(page, 'step-line')).toHaveLength(1);
+    expect(page.run.past.value).toBeNull();
+  });
+
+  it('lets the program go on from the past, too', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    page.run.look.back();
+    debug.goOn();
+    expect([page.run.past.value, page.run.phase.value]).toEqual([null, 'running']);
   });
 
   it('forgets the break points with the work that they belong to', async () => {

@@ -10,7 +10,7 @@ import { BreakPoints } from './break-points';
 import { changesBetween, type Before } from './changes';
 import { fileKey } from './file-key';
 import { Past, type PastParts } from './past';
-import { changedFile } from './ran-program';
+import { changedFile, stepAsRan } from './ran-program';
 
 /** The state in which the program of the shown device can be looked into. */
 export interface Stillness {
@@ -120,23 +120,35 @@ export class Debug {
 
   /** Steps on line by line: the program of the shown device makes a step, or goes on up to a line. */
   step(step: LineStep): void {
-    if (this.slot.isStanding.value) this.app.run.debug.step(step, this.app.work.place.value);
-    else void this.stepInPast(step);
+    const asRan = stepAsRan(this.app, this.app.work.place.value, step);
+    if (asRan === null) return;
+    if (this.slot.isStanding.value) this.app.run.debug.step(asRan, this.app.work.place.value);
+    else void this.stepInPast(asRan);
   }
 
   /**
-   * Steps in the past. If no recorded line follows, it returns to the present; from the present moment it makes the
-   * step there.
+   * Steps in the past. If no recorded line follows, it returns to the present. It makes the step there if that was the
+   * present moment already, or if the program is still in the midst of the same line: else nothing would move.
    */
   private async stepInPast(step: LineStep): Promise<void> {
     const { run, work } = this.app;
     const turn = ++this.turns;
-    const isNow = run.past.value === run.present.value;
+    const isNow = run.look.isAtPresent.value;
     if (!isNow && (await this.past.step(step))) return;
     if (turn !== this.turns || run.past.value === null) return; // somebody wants something else by now
+    const before = this.place.value;
     run.look.leave();
-    if (isNow && this.slot.isStanding.value) run.debug.step(step, work.place.value);
+    const isThere = isNow || isSamePlace(before, this.place.value);
+    if (isThere && this.slot.isStanding.value) run.debug.step(step, work.place.value);
   }
+
+  /** Lets the program go on, from a past moment after the return to the present. */
+  goOn(): void {
+    this.turns += 1;
+    this.app.run.look.leave();
+    if (this.slot.isStanding.value) this.app.run.resume();
+  }
+
   /** Counts the requests for moments of the past. */
   private turns = 0;
 
@@ -196,6 +208,9 @@ export class Debug {
     run.debug.setBreakPoints(points);
   }
 }
+
+const isSamePlace = (one: Place | null, other: Place | null): boolean =>
+  one?.file === other?.file && one?.line === other?.line;
 
 function tabStore(): Storage | null {
   try {

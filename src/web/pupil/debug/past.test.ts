@@ -80,6 +80,26 @@ describe('the past of a run', () => {
     expect(wishes[0]?.at).toEqual({ device: 0, timeUs: 1_000_050, isLine: true });
   });
 
+  it('begins there also when another picture of that moment comes while it is gone back to', async () => {
+    const { page, past, wishes, knowInputs } = given;
+    page.say({ type: 'held', device: 0, timeUs: 1_000_000 });
+    page.run.look.back();
+    await show(page, { timeUs: 1_000_000 });
+    const back = past.back();
+    knowInputs();
+    await back;
+    expect(wishes[0]?.at).toEqual({ device: 0, timeUs: 1_000_000, isLine: true });
+  });
+
+  it('leaves out the line in whose midst it is: going back would not move', async () => {
+    const { page, past, wishes, knowInputs } = given;
+    await show(page, { timeUs: 1_000_000, position: { file: 'plus.py', line: 13, depth: 1 } });
+    const back = past.back();
+    knowInputs();
+    await back;
+    expect(wishes[0]).toMatchObject({ at: { isLine: false }, within: { file: 'plus.py', line: 13 } });
+  });
+
   it('has no line before the first: what is shown stays', async () => {
     const { page, past, tell, knowInputs, answerWith } = given;
     answerWith(null);

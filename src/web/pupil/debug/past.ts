@@ -68,10 +68,16 @@ export class Past {
     return this.instant(device)?.timeUs === at?.timeUs ? look : null;
   }
 
-  /** From the moment that is shown, or from now, to the line that began before. @returns whether there is one */
+  /**
+   * From the moment that is shown, or from now, to the line that began before. In the midst of a line that is the one
+   * before it: its own beginning would look the same.
+   *
+   * @returns whether there is one
+   */
   back(device = this.device): Promise<boolean> {
     const at = this.instant(device) ?? this.present(device);
-    return this.go({ kind: 'back', at });
+    const position = at.isLine ? null : (this.app.run.deviceNow(device)?.position ?? null);
+    return this.go({ kind: 'back', at, within: position && { file: position.file, line: position.line } });
   }
 
   /** From the moment that is shown on to another line, as far as the run has come. @returns whether there is one */
@@ -125,7 +131,7 @@ export class Past {
     const past = this.app.run.past.value;
     if (past === null) return null;
     if (this.isFound(device)) return this.found;
-    return past === this.app.run.present.value ? this.present(device) : { device, timeUs: past.timeUs, isLine: false };
+    return this.app.run.look.isAtPresent.value ? this.present(device) : { device, timeUs: past.timeUs, isLine: false };
   }
 
   private present(device: number): Instant {

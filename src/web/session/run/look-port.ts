@@ -1,4 +1,4 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { Snapshot } from '#simulation/snapshot';
 import type { Asked, Recording } from './recording';
@@ -9,6 +9,14 @@ export class LookPort {
   private readonly moment: ShallowRef<Snapshot | null> = shallowRef(null);
   /** The moment shown instead of the present; `null`: the page shows the present. */
   readonly past: Readonly<ShallowRef<Snapshot | null>> = this.moment;
+
+  /**
+   * True if the moment that is looked at is the present one. By its time: the run sends further pictures of the moment
+   * at which it stands.
+   */
+  readonly isAtPresent: ComputedRef<boolean> = computed(
+    () => this.past.value !== null && this.past.value.timeUs === this.run.present.value?.timeUs,
+  );
 
   /** @param hold pauses simulated time, and requests the newest moments for the recording */
   constructor(

@@ -93,6 +93,15 @@ describe('looking into a run that has been', { timeout: 60_000 }, () => {
     expect(await look({ kind: 'back', at: from })).toBeNull();
   });
 
+  it('goes back to the line before from the midst of one', async () => {
+    const look = lookerInto(
+      runOf('def wait():\n    x = 1\n    n = 1000\n    return n\nwait()\nfrom microbit import *\nsleep(500)\n'),
+    );
+    const within = { file: 'main.py', line: 7 };
+    expect((await look({ kind: 'back', at: at(300_000), within }))?.variables.stack[0]?.line).toBe(6);
+    expect((await look({ kind: 'back', at: at(300_000) }))?.variables.stack[0]?.line).toBe(7);
+  });
+
   it('shows the variables and the robot of a moment as they were', async () => {
     const setup = runOf(PROGRAM);
     const look = lookerInto(setup);

@@ -1,3 +1,4 @@
+import type { CodeLine } from '#simulation/causes/output';
 import type { Simulation } from '#simulation/simulation';
 import type { LineEvent } from '#vm/debug/line-watch';
 import { ruleOf } from '#vm/debug/stops';
@@ -102,8 +103,13 @@ export class Looker {
         return lookAt(replays, at, mayGoOn);
       case 'step':
         return lookAfter(replays, wish, mayGoOn);
-      case 'back':
-        return this.lookBefore(replays, at, mayGoOn, (lines) => lines.at(-1));
+      case 'back': {
+        const isWithin = isAt(wish.within ?? null);
+        return this.lookBefore(replays, at, mayGoOn, (lines) => {
+          const last = lines.at(-1);
+          return last !== undefined && isWithin(last) ? lines.at(-2) : last;
+        });
+      }
       case 'error': {
         const isWrong = ({ line }: Seen): boolean => line === wish.line;
         return this.lookBefore(replays, at, mayGoOn, (lines) => lines.findLast(isWrong) ?? lines.at(-1));
@@ -121,8 +127,7 @@ export class Looker {
     { at, place }: Extract<LookWish, { kind: 'line' }>,
     mayGoOn: () => boolean,
   ): Promise<Look | null> {
-    const isIt = ({ file, line }: Seen): boolean => file === place.file && line === place.line;
-    const begun = await this.lookBefore(replays, at, mayGoOn, (lines) => lines.findLast(isIt) ?? lines.at(-1));
+    const begun = await this.lookBefore(replays, at, mayGoOn, (lines) => lines.findLast(isAt(place)) ?? lines.at(-1));
     const isNear = begun !== null && begun.timeUs >= at.timeUs - NEAR_US;
     return isNear ? begun : lookAt(replays, at, mayGoOn);
   }
@@ -153,6 +158,12 @@ export class Looker {
     return found.look ?? lookAt(replays, { device: at.device, timeUs: found.timeUs, isLine: true }, mayGoOn);
   }
 }
+
+/** True for the beginnings of this line. */
+const isAt =
+  (place: CodeLine | null) =>
+  ({ file, line }: Seen): boolean =>
+    file === place?.file && line === place.line;
 
 /** Parks a run shortly before a moment: from there the line before is soon found. */
 async function makeReady(replays: Replays, { timeUs }: Instant, mayGoOn: () => boolean): Promise<void> {

@@ -21,8 +21,8 @@ export interface Instant {
 /** The requested view of a run. */
 export type LookWish =
   | { readonly kind: 'moment'; readonly at: Instant }
-  /** The line that begins before a moment. */
-  | { readonly kind: 'back'; readonly at: Instant }
+  /** The line that begins before a moment. `within`: the line in whose midst the moment is, which does not count. */
+  | { readonly kind: 'back'; readonly at: Instant; readonly within?: CodeLine | null }
   /** Position of the program after a step from a moment, if it is reached before `untilUs`. */
   | { readonly kind: 'step'; readonly at: Instant; readonly step: LineStep; readonly untilUs: number }
   /** The line that has raised the error by which the program ended at this moment. */
