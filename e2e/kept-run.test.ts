@@ -112,7 +112,7 @@ test('a run of the page is saved, is the same on the command line, and opens aga
   await gone(app, by('time-rail'));
 });
 
-test('a run is passed on as a link, which leads to the same moment', IN_ONE_ENGINE, async ({ app }) => {
+test('a run is passed on as a link, from its start or to the same moment', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await pasteProgram(app, PROGRAM.trimEnd());
   await app.click(on('run'));
@@ -131,9 +131,11 @@ test('a run is passed on as a link, which leads to the same moment', IN_ONE_ENGI
   await app.click(by('save-run-link'));
   await until(app, by('run-link'));
   expect(await violationsOn(app)).toEqual([]);
-  const link = await app.evaluate(
-    () => document.querySelector<HTMLInputElement>('[data-testid="run-link"]')?.value ?? '',
-  );
+  const linkIn = (): Promise<string> =>
+    app.evaluate(() => document.querySelector<HTMLInputElement>('[data-testid="run-link"]')?.value ?? '');
+  expect(await linkIn()).toMatch(/#r=1\.0\.[\w-]+$/);
+  await app.click(by('save-run-from-there'));
+  const link = await linkIn();
   expect(link).toMatch(/#r=1\.980\.[\w-]+$/);
   await app.goto('./logo.svg'); // the page itself would only hear of another fragment
   await app.goto(`./${link.slice(link.indexOf('#'))}`);

@@ -10,7 +10,7 @@ import { version } from '../../../../package.json';
 import { createParts, type AllParts } from '../../app/testing/page';
 import { downloads } from '../../app/testing/downloads';
 import { workerHere } from '../../app/testing/worker-here';
-import { linkToRun, saveRun } from '../../pupil/look-back/save-run';
+import { linksToRun, saveRun } from '../../pupil/look-back/save-run';
 import { setLanguage, t } from '../../kit/i18n';
 import { repeatShown } from '../../session/run/repeat-shown';
 import { noHost } from '../../session/visit/host-view';
@@ -169,13 +169,14 @@ describe('a run that is taken along', () => {
     expect(page.task.stars.all.value).toEqual({});
   });
 
-  it('goes along in a link, too, and is looked at from the moment that was looked at', async () => {
+  it('goes along in a link, too, and is looked at from its start, or from the moment that was looked at', async () => {
     page.work.setText('main.py', PROGRAM);
     await page.run.start();
     await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(300_000));
     page.run.look.back();
     page.run.look.at(240_000, { ...page.run.present.value!, timeUs: 240_000 });
-    const link = (await linkToRun(page)) ?? '';
+    const { fromStart = '', fromThere: link = '' } = (await linksToRun(page)) ?? {};
+    expect(fromStart).toMatch(/#r=1\.0\.[\w-]+$/);
     expect(link).toMatch(/#r=1\.240\.[\w-]+$/);
     scope.stop();
     await newPage();
@@ -195,7 +196,7 @@ describe('a run that is taken along', () => {
     await page.run.start();
     await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(100_000));
     page.run.look.back();
-    expect(await linkToRun(page)).toBeNull();
+    expect(await linksToRun(page)).toBeNull();
     expect(said()).toMatch(/^The run is too long for a link \(\d+ characters, 8000 at most\)\. Save it as a file\.$/);
   });
 

@@ -6,6 +6,7 @@ import { byId } from '../../app/testing/find';
 import { mountOn } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
+import { SHARED_LINES } from './log/shared-lines';
 import SharedConsole from './SharedConsole.vue';
 
 /** happy-dom has no layout: a log of 900 px, of which 200 are seen. */
@@ -28,7 +29,7 @@ async function withConsole() {
   const box = sized(byId('console'));
   const print = async (text: string): Promise<void> => {
     page.say({ type: 'console', output: [{ text, device: 0, timeUs: 1_000_000 }] });
-    await vi.waitFor(() => expect(box.textContent).toContain(text.trim()));
+    await vi.waitFor(() => expect(box.textContent).toContain(text.split('\n')[0]));
     await nextTick();
   };
   await print('one\n');
@@ -46,6 +47,13 @@ describe('the console of all devices', () => {
     page.run.look.leave();
     await print('two\n');
     expect(box.scrollTop).toBe(900);
+  });
+
+  it('says that earlier lines are gone', async () => {
+    const { print, box } = await withConsole();
+    expect(box.textContent).not.toContain('Nur die letzten');
+    await print('more\n'.repeat(SHARED_LINES));
+    expect(box.textContent).toContain('Nur die letzten 300 Zeilen sind noch da.');
   });
 
   it('stays where somebody has scrolled to in the present', async () => {

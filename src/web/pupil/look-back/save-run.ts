@@ -27,13 +27,21 @@ export async function saveRun(app: App): Promise<void> {
   if (text !== null) saveText(app, fileName(nameToSave(app), 'run.json'), text, 'application/json');
 }
 
-/** The link to the run so far, from the moment that is looked at; `null`: there is none, and a message says why. */
-export async function linkToRun(app: App): Promise<string | null> {
+/** Links to a run. */
+export interface RunLinks {
+  readonly fromStart: string;
+  /** From the moment that is looked at. */
+  readonly fromThere: string;
+}
+
+/** The links to the run so far; `null`: there are none, and a message says why. */
+export async function linksToRun(app: App): Promise<RunLinks | null> {
   const atUs = app.run.nowUs.value;
   const text = await textOfRun(app);
   if (text === null) return null;
   const link = runLinkOf(text, atUs);
-  if (link.length <= RUN_LINK_CHARACTERS) return `${location.origin}${location.pathname}#${link}`;
+  const linked = (from: string): string => `${location.origin}${location.pathname}#${from}`;
+  if (link.length <= RUN_LINK_CHARACTERS) return { fromStart: linked(runLinkOf(text, 0)), fromThere: linked(link) };
   const said = t(words.linkTooLong, { count: link.length, max: RUN_LINK_CHARACTERS });
   app.notices.show({ kind: 'warn', key: 'notice.text', values: { text: said } });
   return null;

@@ -52,6 +52,17 @@ describe('the radio of the program', () => {
     expect(tags()).toEqual(['Gruppe 7', 'Kanal 42']);
   });
 
+  it('says of messages that are left after a reset that they are of the last run', async () => {
+    const { page, mounted, entries } = await panel();
+    page.radio.take([packet('hi')], 0);
+    await settle();
+    page.say({ type: 'stopped' });
+    await page.run.reset();
+    await settle();
+    expect(entries()).toHaveLength(1);
+    expect(mounted.get('.tag').text()).toBe('Vom letzten Lauf');
+  });
+
   it('says what will stand there while there is no message', async () => {
     const { mounted } = await panel();
     expect(textOf(mounted.get('.panel-empty').element)).toContain(

@@ -33,6 +33,7 @@ describe('the lines of several devices', () => {
   it('are the newest 300, whatever is printed, and none is longer than 500 characters', () => {
     const lines = linesOf([0, 'x\n'.repeat(2000)], [1, 'y'.repeat(1200)]);
     expect(lines.lines.value).toHaveLength(SHARED_LINES);
+    expect([lines.isCut.value, linesOf([0, 'x\n']).isCut.value]).toEqual([true, false]);
     expect(lines.lines.value.slice(-2).map(({ text }) => text.length)).toEqual([500, 500]);
   });
 });

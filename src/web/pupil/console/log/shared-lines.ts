@@ -22,8 +22,11 @@ const LINE_CHARACTERS = 500;
 export class SharedLines {
   /** Oldest first. */
   readonly lines: ShallowRef<readonly SharedLine[]> = shallowRef([]);
+  /** Older lines of the present run have been dropped. */
+  readonly isCut = shallowRef(false);
   private readonly kept: SharedLine[] = [];
   private hasNew = false;
+  private hasDropped = false;
   private open: Map<number, Omit<SharedLine, 'id'>> | null = null;
   private nextId = 1;
 
@@ -48,12 +51,14 @@ export class SharedLines {
   show(): void {
     if (!this.hasNew) return;
     this.hasNew = false;
-    this.kept.splice(0, this.kept.length - SHARED_LINES);
+    this.drop(this.kept.length - SHARED_LINES);
+    this.isCut.value = this.hasDropped;
     this.lines.value = this.kept.slice();
   }
 
   clear(): void {
     this.hasNew = true;
+    this.hasDropped = false;
     this.kept.length = 0;
     this.open?.clear();
   }
@@ -74,6 +79,12 @@ export class SharedLines {
   private add(line: Omit<SharedLine, 'id'>): void {
     this.hasNew = true;
     this.kept.push({ ...line, id: this.nextId++ });
-    if (this.kept.length > 2 * SHARED_LINES) this.kept.splice(0, SHARED_LINES);
+    if (this.kept.length > 2 * SHARED_LINES) this.drop(SHARED_LINES);
+  }
+
+  private drop(count: number): void {
+    if (count <= 0) return;
+    this.kept.splice(0, count);
+    this.hasDropped = true;
   }
 }
