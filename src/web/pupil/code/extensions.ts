@@ -1,4 +1,4 @@
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { pythonLanguage } from '@codemirror/lang-python';
 import {
   bracketMatching,
@@ -72,7 +72,7 @@ const look = EditorView.theme({
   '.cm-specialChar': { color: 'var(--stop)' },
 });
 
-/** The editor for Python: four spaces, Tab indents, Escape and then Tab leaves, Ctrl+Enter runs. */
+/** The editor for Python: four spaces, Ctrl+Enter runs. */
 export function editorExtensions(options: {
   label: string;
   help: HelpOptions;
@@ -81,6 +81,8 @@ export function editorExtensions(options: {
   lineNumbers: Extension;
   /** The container of lists and cards: outside the pane, which cuts off what leaves it. */
   popups: HTMLElement;
+  /** The use of the Tab key. */
+  tabKey: Extension;
   /** Extensions that a task adds. */
   kept: Extension;
   onChange(text: string): void;
@@ -114,11 +116,11 @@ export function editorExtensions(options: {
       autocapitalize: 'off',
       autocorrect: 'off',
     }),
+    options.tabKey,
     keymap.of([
       { key: 'Mod-Enter', run: () => (options.onRun(), true), preventDefault: true, stopPropagation: true },
       ...defaultKeymap,
       ...historyKeymap,
-      indentWithTab,
     ]),
     EditorView.updateListener.of((update) => {
       if (update.docChanged) options.onChange(update.state.doc.toString());
