@@ -83,6 +83,7 @@ export const errorTable: readonly ErrorPattern[] = [
   when('TypeError', /multiple values for argument '(.+)'/, 'error.argumentTwice', 'name'),
   when('TypeError', /^can't convert '?(\w+)'?(?: object)? to str/, 'error.textNeeded', 'type'),
   when('TypeError', /^can't convert NoneType to/, 'error.operandNone'),
+  when('TypeError', /^can't convert tuple to (?:int|float)/, 'error.commaNumber'),
   when('TypeError', /^can't convert (\w+) to (?:int|float)/, 'error.numberNeeded', 'type'),
   when('TypeError', /^image cannot be modified/, 'error.imageFixed'),
   when('TypeError', /^(?:not an image|expecting an image)/, 'error.imageNeeded'),

@@ -100,6 +100,12 @@ const rules: readonly Rule[] = [
   },
   { look: /\b(and|or)\s*(?:[<>]|==|!=)/, key: 'error.compareAgain', values: word },
   {
+    look: /^(?:if|elif|while)\b.*[<>=]\s*(\d+),(\d+)\s*:$/,
+    key: 'error.decimalComma',
+    values: ([, whole = '', part = '']) => ({ code: `${whole}.${part}` }),
+    mend: (line) => line.replace(/(\d+),(\d+)(\s*:)$/, '$1.$2$3'),
+  },
+  {
     look: /^([\w.]+)\s*(\+\+|--)$/,
     key: 'error.countStep',
     values: ([, name = '', sign = '']) => ({ sign, code: `${name} ${sign.charAt(0)}= 1` }),

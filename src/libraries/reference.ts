@@ -1,4 +1,4 @@
-import { fn, module, object, withWordsOf, type, value, values } from '#reference/table';
+import { fn, module, object, range, type, value, values, within, withWordsOf } from '#reference/table';
 import type { Names, RobotReference } from '#reference/types';
 import words from './words';
 
@@ -10,7 +10,7 @@ const moves = {
   leftArc: fn('(radius: float, ms: float | None = None) -> None'),
   rightArc: fn('(radius: float, ms: float | None = None) -> None'),
   stop: fn('() -> None'),
-  setSpeed: fn('(speed: int) -> None'),
+  setSpeed: within({ speed: range(0, 100) }, fn('(speed: int) -> None')),
   isMoving: fn('() -> bool'),
 };
 const keys = {
@@ -42,7 +42,7 @@ const told = withWordsOf('simrobot.RobotContext', fn('(*arguments) -> None'));
 const simrobot = module('simrobot', {
   ...moves,
   ...brick,
-  delay: fn('(ms: float) -> None'),
+  delay: within({ ms: { least: 0 } }, fn('(ms: float) -> None')),
   getDistance: fn('() -> int'),
   ...values('Motor', ['motA', 'motB', 'motL', 'motR']),
   us1: value('UltrasonicSensor'),

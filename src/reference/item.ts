@@ -1,5 +1,5 @@
 import type { Feature } from '#core/board-api';
-import type { EntryKind } from './types';
+import type { EntryKind, Limits } from './types';
 
 /** The editor's information on a name. */
 export interface Item {
@@ -18,9 +18,11 @@ export interface Item {
   readonly home: string | null;
   /** Why the board's firmware lacks this name: the newer feature that has it, or `absent`; `null`: it has the name. */
   readonly missing: Feature | 'absent' | null;
+  /** Sensible values of its parameters, by their names. */
+  readonly limits: Limits;
 }
 
 /** Makes an item; what is left out is empty. */
 export function itemOf(parts: Partial<Item> & Pick<Item, 'label' | 'kind'>): Item {
-  return { calls: [], type: null, text: null, own: null, home: null, missing: null, ...parts };
+  return { calls: [], type: null, text: null, own: null, home: null, missing: null, limits: {}, ...parts };
 }

@@ -110,6 +110,7 @@ export class Reference {
       text: entry.text ?? key,
       home: home === 'builtins' ? null : home,
       missing: this.missing(entry),
+      limits: entry.limits ?? {},
     });
     const plain = opaque(item);
     switch (entry.kind) {

@@ -1,5 +1,5 @@
 import type { BoardApi, Feature } from '#core/board-api';
-import type { Entry, Names, ReferenceModule } from './types';
+import type { Entry, Limit, Limits, Names, ReferenceModule } from './types';
 
 /** A function: how it is called, `(x: int) -> int`. */
 export const fn = (...calls: readonly string[]): Entry => entry({ kind: 'function', calls });
@@ -40,6 +40,12 @@ export const absent = (it: Entry): Entry => ({ ...it, absent: true });
 
 /** A name whose words stand under another one. */
 export const withWordsOf = (text: string, it: Entry): Entry => ({ ...it, text });
+
+/** A function with the values that make sense for its parameters. */
+export const within = (limits: Limits, it: Entry): Entry => ({ ...it, limits });
+
+/** The range of a parameter, with both ends. */
+export const range = (least: number, most: number): Limit => ({ least, most });
 
 /** A module. */
 export const module = (name: string, names: Names, aliases: readonly string[] = []): ReferenceModule => ({

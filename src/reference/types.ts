@@ -23,7 +23,20 @@ export interface Entry {
   readonly absent?: true;
   /** Key of its words, if not its own name. */
   readonly text?: string;
+  /** Sensible values of its parameters, by their names. */
+  readonly limits?: Limits;
 }
+
+/** The range of a number that makes sense for a parameter. Beyond it nothing fails, but hardly anybody means it. */
+export interface Limit {
+  readonly least: number;
+  /** Left out: there is none. */
+  readonly most?: number;
+  /** Metres: a larger number was most likely meant in cm. */
+  readonly unit?: 'm';
+}
+
+export type Limits = Readonly<Record<string, Limit>>;
 
 export type Names = Readonly<Record<string, Entry>>;
 

@@ -1,4 +1,20 @@
-import { fn, object, withWordsOf } from '#reference/table';
+import { fn, object, range, within, withWordsOf } from '#reference/table';
+
+/** A radius in metres. Chosen: a wider arc than 3 m is straight on any table or floor of a class. */
+export const metres = { least: 0, most: 3, unit: 'm' } as const;
+
+/** Waiting, in ms. */
+export const delay = within({ ms: { least: 0 } }, fn('(ms: float) -> None'));
+
+/** Something that is on (1) or off (0). */
+export const switched = (parameter: string): ReturnType<typeof fn> =>
+  within({ [parameter]: range(0, 1) }, fn(`(${parameter}: int) -> None`));
+
+/** The parts of a colour. */
+export const color = { red: range(0, 255), green: range(0, 255), blue: range(0, 255) };
+
+/** The angle of a servo, in degrees. */
+export const servo = within({ angle: range(0, 180) }, fn('(servo: str, angle: int) -> None'));
 
 /** The names by which the libraries of all these robots drive. */
 export const drivingNames = {
@@ -6,8 +22,8 @@ export const drivingNames = {
   backward: fn('() -> None'),
   left: fn('() -> None'),
   right: fn('() -> None'),
-  leftArc: fn('(radius: float) -> None'),
-  rightArc: fn('(radius: float) -> None'),
+  leftArc: within({ radius: metres }, fn('(radius: float) -> None')),
+  rightArc: within({ radius: metres }, fn('(radius: float) -> None')),
   stop: fn('() -> None'),
 };
 

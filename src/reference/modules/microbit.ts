@@ -1,4 +1,4 @@
-import { absent, fn, moduleNamed, newer, object, withWordsOf, type, value, values } from '../table';
+import { absent, fn, moduleNamed, newer, object, withWordsOf, type, value, values, within } from '../table';
 import type { Entry, Names, ReferenceModule } from '../types';
 import { image } from './images';
 import { calliopePinNames, pinNames } from './pins';
@@ -109,7 +109,7 @@ const common: Names = {
   i2c,
   spi,
   uart,
-  sleep: fn('(ms: float) -> None'),
+  sleep: within({ ms: { least: 0 } }, fn('(ms: float) -> None')),
   running_time: fn('() -> int'),
   run_every: fn(
     '(callback: function | None = None, *, days: int = 0, h: int = 0, min: int = 0, s: int = 0, ms: int = 0)',

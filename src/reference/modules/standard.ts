@@ -1,4 +1,4 @@
-import { absent, fn, module, type, value, values } from '../table';
+import { absent, fn, module, type, value, values, within } from '../table';
 
 /** Sources: micropython-microbit-v2, src/codal_port/modos.c, modutime.c; micropython v1.18, py/ and extmod/. */
 export const os = module('os', {
@@ -14,8 +14,8 @@ export const os = module('os', {
 export const time = module(
   'time',
   {
-    sleep: fn('(seconds: float) -> None'),
-    sleep_ms: fn('(ms: int) -> None'),
+    sleep: within({ seconds: { least: 0 } }, fn('(seconds: float) -> None')),
+    sleep_ms: within({ ms: { least: 0 } }, fn('(ms: int) -> None')),
     sleep_us: fn('(us: int) -> None'),
     ticks_ms: fn('() -> int'),
     ticks_us: fn('() -> int'),

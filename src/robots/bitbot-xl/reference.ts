@@ -1,4 +1,4 @@
-import { fn, module } from '#reference/table';
+import { fn, module, range, within } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import { drivingNames } from '../library-names';
 import words from './words/reference';
@@ -6,7 +6,7 @@ import words from './words/reference';
 /** The names of this robot's library (library/mbbitbot.py) with short descriptions. */
 const mbbitbot = module('mbbitbot', {
   ...drivingNames,
-  setSpeed: fn('(percent: float) -> None'),
+  setSpeed: within({ percent: range(0, 100) }, fn('(percent: float) -> None')),
   calibrate: fn('(offset: int, differential: int = 0) -> None'),
   w: fn('(leftforward: float, leftbackward: float, rightforward: float, rightbackward: float) -> None'),
   getDistance: fn('() -> int'),

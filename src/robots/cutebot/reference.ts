@@ -1,4 +1,4 @@
-import { fn, module, type, value, withWordsOf } from '#reference/table';
+import { fn, module, range, type, value, within, withWordsOf } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import words from './words/reference';
 
@@ -14,7 +14,10 @@ const color = '(r: int = 0, g: int = 0, b: int = 0) -> None';
 const cutebot = module(
   NAME,
   {
-    set_motors_speed: fn('(left_speed: int, right_speed: int) -> None'),
+    set_motors_speed: within(
+      { left_speed: range(-100, 100), right_speed: range(-100, 100) },
+      fn('(left_speed: int, right_speed: int) -> None'),
+    ),
     go_forward: fn('() -> None'),
     go_backward: fn('() -> None'),
     turn_left: fn('() -> None'),

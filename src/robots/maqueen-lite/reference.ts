@@ -1,33 +1,33 @@
-import { absent, fn, module, type, value } from '#reference/table';
+import { absent, fn, module, range, type, value, within } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import { drivingNames, tigerJythonNames } from '../library-names';
+import { color, delay, drivingNames, servo, switched, tigerJythonNames } from '../library-names';
 import words from './words/reference';
 
 /** The names of this robot's libraries (library/*.py) with short descriptions. */
 const mbrobot = module('mbrobot', {
   ...drivingNames,
-  setSpeed: fn('(speed: int) -> None'),
+  setSpeed: within({ speed: range(0, 100) }, fn('(speed: int) -> None')),
   resetSpeed: fn('() -> None'),
-  delay: fn('(ms: float) -> None'),
+  delay,
   getDistance: fn('() -> int'),
   irLeft: value('IRSensor'),
   irRight: value('IRSensor'),
   motL: value('Motor'),
   motR: value('Motor'),
-  setLED: fn('(state: int, stateR: int | None = None) -> None'),
-  setLEDLeft: fn('(state: int) -> None'),
-  setLEDRight: fn('(state: int) -> None'),
-  fillRGB: fn('(red: int, green: int, blue: int) -> None'),
+  setLED: within({ state: range(0, 1), stateR: range(0, 1) }, fn('(state: int, stateR: int | None = None) -> None')),
+  setLEDLeft: switched('state'),
+  setLEDRight: switched('state'),
+  fillRGB: within(color, fn('(red: int, green: int, blue: int) -> None')),
   setRGB: fn('(position: int, red: int, green: int, blue: int) -> None', '(red: int, green: int, blue: int) -> None'),
   posRGB: fn('(position: int, red: int, green: int, blue: int) -> None'),
   clearRGB: fn('() -> None'),
   np_rgb_pixels: value('neopixel.NeoPixel'),
-  setServo: fn('(servo: str, angle: int) -> None'),
-  setAlarm: fn('(state: int) -> None'),
+  setServo: servo,
+  setAlarm: switched('state'),
   beep: fn('() -> None'),
   calibrate: fn('(offset: int, differential: int = 0, arcScaling: float = 0) -> None'),
   ...tigerJythonNames('mbrobot'),
-  Motor: type(['(register: int)'], { rotate: fn('(speed: int) -> None') }),
+  Motor: type(['(register: int)'], { rotate: within({ speed: range(-100, 100) }, fn('(speed: int) -> None')) }),
   IRSensor: type(['(pin: Pin)'], { read_digital: fn('() -> int'), read_analog: absent(fn('() -> int')) }),
 });
 
@@ -38,13 +38,13 @@ const mbrobotmot = module('mbrobotmot', {
   irRight: value('MicroBitDigitalPin'),
   ledLeft: value('MicroBitDigitalPin'),
   ledRight: value('MicroBitDigitalPin'),
-  setLED: fn('(on: int) -> None'),
+  setLED: switched('on'),
   getDistance: fn('() -> int'),
-  delay: fn('(ms: float) -> None'),
-  Motor: type(['(number: int)'], { rotate: fn('(speed: int) -> None') }),
+  delay,
+  Motor: type(['(number: int)'], { rotate: within({ speed: range(-100, 100) }, fn('(speed: int) -> None')) }),
 });
 
-const mbalarm = module('mbalarm', { setAlarm: fn('(on: int) -> None'), beep: fn('() -> None') });
+const mbalarm = module('mbalarm', { setAlarm: switched('on'), beep: fn('() -> None') });
 
 const mbled = module('mbled', {
   fill: fn('(red: int, green: int, blue: int) -> None'),

@@ -1,6 +1,6 @@
-import { fn, module, type, value } from '#reference/table';
+import { fn, module, range, type, value, within } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import { drivingNames, tigerJythonNames } from '../library-names';
+import { color, delay, drivingNames, servo, switched, tigerJythonNames } from '../library-names';
 import words from './words/reference';
 
 const NAME = 'mbrobot_plusV3';
@@ -8,9 +8,9 @@ const NAME = 'mbrobot_plusV3';
 /** The names of this robot's library (library/*.py) with short descriptions. */
 const mbrobotPlusV3 = module(NAME, {
   ...drivingNames,
-  setSpeed: fn('(speed: int) -> None'),
+  setSpeed: within({ speed: range(0, 100) }, fn('(speed: int) -> None')),
   resetSpeed: fn('() -> None'),
-  delay: fn('(ms: float) -> None'),
+  delay,
   motL: value('Motor'),
   motR: value('Motor'),
   pidControlDistance: fn('(dir: int, distance: int, interruption: int) -> None'),
@@ -24,7 +24,7 @@ const mbrobotPlusV3 = module(NAME, {
   setLeftOrStraightRunMode: fn('(mode: int) -> None'),
   setRightOrStraightRunMode: fn('(mode: int) -> None'),
   intersectionDetecting: fn('() -> int'),
-  setServo: fn('(servo: str, angle: int) -> None'),
+  setServo: servo,
   irL2: value('IRSensor'),
   irL1: value('IRSensor'),
   irM: value('IRSensor'),
@@ -40,17 +40,17 @@ const mbrobotPlusV3 = module(NAME, {
   getDistanceGrid: fn('() -> list[list[int]]'),
   getDistanceColumn: fn('(index: int) -> list[int]'),
   getDistanceRow: fn('(index: int) -> list[int]'),
-  setLEDs: fn('(rgbl: int, rgbr: int) -> None'),
-  setLED: fn('(rgb: int) -> None'),
-  setLEDLeft: fn('(rgbl: int) -> None'),
-  setLEDRight: fn('(rgbr: int) -> None'),
-  fillRGB: fn('(red: int, green: int, blue: int) -> None'),
+  setLEDs: within({ rgbl: range(0, 7), rgbr: range(0, 7) }, fn('(rgbl: int, rgbr: int) -> None')),
+  setLED: within({ rgb: range(0, 7) }, fn('(rgb: int) -> None')),
+  setLEDLeft: within({ rgbl: range(0, 7) }, fn('(rgbl: int) -> None')),
+  setLEDRight: within({ rgbr: range(0, 7) }, fn('(rgbr: int) -> None')),
+  fillRGB: within(color, fn('(red: int, green: int, blue: int) -> None')),
   setRGB: fn('(r: int, g: int, b: int) -> None'),
   posRGB: fn('(position: int, red: int, green: int, blue: int) -> None'),
   clearRGB: fn('() -> None'),
-  setAlarm: fn('(state: int) -> None'),
+  setAlarm: switched('state'),
   beep: fn('() -> None'),
-  Motor: type(['(register: int)'], { rotate: fn('(speed: int) -> None') }),
+  Motor: type(['(register: int)'], { rotate: within({ speed: range(-100, 100) }, fn('(speed: int) -> None')) }),
   IRSensor: type(['(index: int)'], {
     index: value('int'),
     read_digital: fn('() -> int'),

@@ -1,10 +1,9 @@
-import { fn, module } from '#reference/table';
+import { fn, module, range, within } from '#reference/table';
 import type { RobotReference } from '#reference/types';
-import { drivingNames } from '../library-names';
+import { color, delay, drivingNames, metres, switched } from '../library-names';
 import words from './words/reference';
 
-const arc = fn('(r: float) -> None');
-const switched = fn('(on: int) -> None');
+const arc = within({ r: metres }, fn('(r: float) -> None'));
 const motor = fn('(dir: int, speed: int) -> None');
 
 /** The names of this robot's library (library/callimk.py) with short descriptions. */
@@ -13,20 +12,20 @@ const callimk = module('callimk', {
   leftArc: arc,
   rightArc: arc,
   exit: fn('() -> None'),
-  setSpeed: fn('(speed: int) -> None'),
-  delay: fn('(ms: float) -> None'),
+  setSpeed: within({ speed: range(0, 255) }, fn('(speed: int) -> None')),
+  delay,
   motorL: motor,
   motorR: motor,
   w: fn('(d1: int, d2: int, s1: int, s2: int) -> None'),
-  setLED: switched,
-  setLEDLeft: switched,
-  setLEDRight: switched,
+  setLED: switched('on'),
+  setLEDLeft: switched('on'),
+  setLEDRight: switched('on'),
   led: fn('(right_left: int, on_off: int) -> None'),
-  rgbLED: fn('(red: int, green: int, blue: int) -> None'),
+  rgbLED: within(color, fn('(red: int, green: int, blue: int) -> None')),
   getDistance: fn('() -> int'),
   irLeftValue: fn('() -> int'),
   irRightValue: fn('() -> int'),
-  setServo: fn('(S: str, Angle: int) -> None'),
+  setServo: within({ Angle: range(0, 180) }, fn('(S: str, Angle: int) -> None')),
 });
 
 /** The MotionKit 2's library, for the editor. */

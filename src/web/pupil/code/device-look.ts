@@ -10,7 +10,7 @@ const underline = (colour: string) => ({
 /** Marks of the device check: colour, line and sign, quieter than an error. */
 export const deviceLook = EditorView.theme({
   '.cm-lintRange.cm-lintRange-warning': underline('var(--warn)'),
-  '.cm-lintRange.cm-lintRange-info': underline('var(--info)'),
+  '.cm-lintRange.cm-lintRange-info, .cm-lintRange.cm-lintRange-hint': underline('var(--info)'),
   '.cm-deviceGutter .cm-gutterElement': { display: 'grid', placeItems: 'center end' },
   '.cm-deviceMark': {
     font: '700 12px/14px var(--sans)',
@@ -39,7 +39,7 @@ export const deviceLook = EditorView.theme({
   },
   '.cm-diagnostic': { font: '14px/20px var(--sans)', padding: '8px 12px', margin: '0', overflowWrap: 'anywhere' },
   '.cm-diagnostic-warning': { borderLeft: '4px solid var(--warn)' },
-  '.cm-diagnostic-info': { borderLeft: '4px solid var(--info)' },
+  '.cm-diagnostic-info, .cm-diagnostic-hint': { borderLeft: '4px solid var(--info)' },
   '.cm-panels.cm-panels-bottom': { borderTop: 'none', backgroundColor: 'transparent', color: 'var(--text)' },
   '.cm-devicePanel': {
     display: 'grid',

@@ -19,6 +19,8 @@ interface Said {
   readonly marked: readonly Marked[];
   readonly errors: number;
   readonly hints: number;
+  /** True if one of the hints is on the program itself, whatever microcomputer it runs on. */
+  readonly ofProgram: boolean;
   readonly here: readonly Diagnostic[];
 }
 
@@ -43,7 +45,8 @@ function whatToSay(state: EditorState): Said {
   const line = state.doc.lineAt(state.selection.main.head);
   const here = marked.filter(({ from }) => from >= line.from && from <= line.to).map(({ diagnostic }) => diagnostic);
   const errors = marked.filter(({ diagnostic }) => diagnostic.severity === 'warning').length;
-  return { marked, errors, hints: marked.length - errors, here };
+  const ofProgram = marked.some(({ diagnostic }) => diagnostic.severity === 'hint');
+  return { marked, errors, hints: marked.length - errors, ofProgram, here };
 }
 
 /** A sign beside a line: `!` where the device stops, `i` where it may come to another result, and for a slip. */
@@ -69,6 +72,9 @@ class Sign extends GutterMarker {
   }
 }
 
+/** True for a hint: on the device or on the program itself. */
+const isHintOnly = ({ severity }: Diagnostic): boolean => severity !== 'warning';
+
 /** One sign for each line that has marks, the graver one. */
 function signsOf(state: EditorState): RangeSet<GutterMarker> {
   const lines = new Map<number, Diagnostic[]>();
@@ -77,7 +83,7 @@ function signsOf(state: EditorState): RangeSet<GutterMarker> {
     lines.set(line, [...(lines.get(line) ?? []), diagnostic]);
   }
   const signs = [...lines].map(([line, marks]) => {
-    const isHint = marks.every(({ severity }) => severity === 'info');
+    const isHint = marks.every(isHintOnly);
     return new Sign(isHint, marks.map(({ message }) => message).join('\n')).range(line);
   });
   return RangeSet.of(signs, true);
@@ -140,8 +146,9 @@ function panelOf(view: EditorView, board: () => string): Panel {
   dom.append(icon.dom, text, ways);
   const show = (state: EditorState): void => {
     const { errors, hints, here } = state.field(said);
-    const sentence = here.length > 0 ? here.map(({ message }) => message).join('\n') : summary(errors, hints, board());
-    const isHint = here.length > 0 ? here.every(({ severity }) => severity === 'info') : errors === 0;
+    const sentence =
+      here.length > 0 ? here.map(({ message }) => message).join('\n') : summary(state.field(said), board());
+    const isHint = here.length > 0 ? here.every(isHintOnly) : errors === 0;
     icon.show(isHint);
     dom.classList.toggle('cm-devicePanel-hint', isHint);
     if (text.textContent !== sentence) text.textContent = sentence;
@@ -156,7 +163,8 @@ function panelOf(view: EditorView, board: () => string): Panel {
   return { dom, update: ({ state }) => show(state) };
 }
 
-function summary(errors: number, hints: number, board: string): string {
+function summary({ errors, hints, ofProgram }: Said, board: string): string {
+  if (errors === 0 && ofProgram) return t(hints === 1 ? words.oneOfProgram : words.ofProgram, { count: hints });
   if (errors === 0) return t(hints === 1 ? words.oneHint : words.hints, { count: hints, board });
   return t(errors === 1 ? words.one : words.many, { count: errors, board });
 }

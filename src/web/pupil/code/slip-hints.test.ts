@@ -43,6 +43,44 @@ describe('the editor tells of', () => {
       });
   });
 
+  it('a number with a decimal comma', () => {
+    for (const [call, right] of [
+      ['leftArc(0,2)', 'leftArc(0.2)'],
+      ['delay(1,5)', 'delay(1.5)'],
+    ])
+      expect(hintsOf(ALL + call)).toMatchObject({ keys: ['error.decimalComma'], mended: `${ALL}${right}` });
+  });
+
+  it.each([
+    ['delay(-2000)', 'error.oddLow'],
+    ['sleep(-1)', 'error.oddLow'],
+    ['leftArc(-0.2)', 'error.oddLow'],
+    ['setSpeed(200)', 'error.oddRange'],
+    ['setSpeed(-10)', 'error.oddRange'],
+    ['setLED(3)', 'error.oddRange'],
+    ['motL.rotate(150)', 'error.oddRange'],
+    ['setServo("S1", 270)', 'error.oddRange'],
+    ['fillRGB(255, 0, blue=256)', 'error.oddRange'],
+  ])('%s, which nobody means', (call, key) => {
+    expect(hintsOf(ALL + call)).toMatchObject({ keys: [key], mended: ALL + call });
+  });
+
+  it('metres that were meant in cm', () => {
+    expect(hintsOf(`${ALL}rightArc(20)`)).toEqual({
+      keys: ['error.oddMetres'],
+      codes: ['rightArc(0.2)'],
+      mended: `${ALL}rightArc(0.2)`,
+    });
+  });
+
+  it('the limits of the chosen robot', () => {
+    const told = (module: string, call: string) => hintsOf(`from ${module} import *\n${call}`).keys;
+    expect(told('callibot', 'setSpeed(200)')).toEqual([]);
+    expect(told('mbrobot_plus', 'setLED(3)')).toEqual([]);
+    expect(told('mbrobot_plusV3', 'setSpeed(101)')).toEqual(['error.oddRange']);
+    expect(told('cutebot', 'set_motors_speed(0, -120)')).toEqual(['error.oddRange']);
+  });
+
   it('the loops of TigerJython', () => {
     const { keys, mended } = hintsOf('x = 1\nrepeat 4:\n    repeat 2:\n        print(x)');
     expect(keys).toEqual(['error.repeat']);
@@ -57,6 +95,7 @@ describe('the editor tells of', () => {
       `${ALL}x = 3\nx`,
       `${ALL}if button_a.is_pressed():\n    pass`,
       `${ALL}Image.HEART`,
+      `${ALL}delay(0)\nsetSpeed(100)\nleftArc(1)\nsetLED(1, 0)\nsetSpeed(x)\ndelay()`,
       'unbekannt',
       '# repeat 4:\nrepeat = 3',
     ])

@@ -5,11 +5,12 @@ import { parametersOf } from '#reference/arguments';
 import type { ReferenceContext } from '#reference/context';
 import { Reader } from '#reference/reader';
 import { attributeOf } from '#python/expressions';
-import { readPython, textOf, type SyntaxNode } from '#python/tree';
+import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 import { repeatIn } from '#advice/syntax-advice';
 import { loadErrorTexts, t } from '../../kit/i18n';
 import type { TextKey, TextValues } from '../../kit/i18n/texts';
+import { oddValues } from './odd-values';
 
 /** A slip that the editor shows before the program runs. */
 export interface SlipHint {
@@ -22,11 +23,13 @@ export interface SlipHint {
 }
 
 /**
- * Slips about which the device says nothing, or only when the line is reached: a command without its brackets, and the
- * loop of TigerJython, which programs from WebTigerPython bring along.
+ * Slips about which the device says nothing, or only when the line is reached: a command without its brackets, a value
+ * that makes no sense, and the loop of TigerJython, which programs from WebTigerPython bring along.
  */
 export function slipHints(text: string, context: ReferenceContext): readonly SlipHint[] {
-  const hints = bareCommands(text, context);
+  const program = readPython(text);
+  const reader = new Reader(program, context);
+  const hints = [...bareCommands(program, reader), ...oddValues(program, reader)];
   const repeat = repeatIn(text);
   const mend = repeat?.advice.mend;
   if (repeat === null || mend === undefined) return hints;
@@ -38,9 +41,7 @@ export function slipHints(text: string, context: ReferenceContext): readonly Sli
 }
 
 /** Functions that are named where they should be called: alone on a line, or as a condition, which is always true. */
-function bareCommands(text: string, context: ReferenceContext): readonly SlipHint[] {
-  const program = readPython(text);
-  const reader = new Reader(program, context);
+function bareCommands(program: PythonText, reader: Reader): readonly SlipHint[] {
   const hints: SlipHint[] = [];
   program.tree.iterate({
     enter: ({ node }) => {
@@ -83,6 +84,6 @@ export async function slipMarks(view: EditorView, context: ReferenceContext): Pr
       if (change !== null) it.dispatch({ changes: change, userEvent: 'input' });
     };
     const message = t(key, values);
-    return { from, to, severity: 'info', message, ...(change === null ? {} : { actions: [{ name, apply }] }) };
+    return { from, to, severity: 'hint', message, ...(change === null ? {} : { actions: [{ name, apply }] }) };
   });
 }

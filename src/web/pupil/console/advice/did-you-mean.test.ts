@@ -2,6 +2,8 @@ import { describe, expect, it } from 'vitest';
 
 import { play } from '#vm/library/testing/play';
 import { lastPlace } from '../log/console-log';
+import { robotReferences } from '#robots/references';
+import { otherNames } from '#advice/other-names';
 import { meantName } from './did-you-mean';
 
 /** On the usual board, with nothing beside the program. */
@@ -27,6 +29,47 @@ describe('the question what was meant', () => {
   it('names a command of the robot', () => {
     expect(meantOnRobot('forwart', 'forwart()')).toBe('forward');
     expect(meantOnRobot('getdistance', 'print(getdistance())')).toBe('getDistance');
+  });
+
+  it('names a command by its word in German, French, Italian and English, and by a short form', () => {
+    for (const word of ['vorwärts', 'vorwaerts', 'Vorwaerts_fahren', 'avancer', 'avanti', 'go_forward', 'fwd'])
+      expect([word, meantOnRobot(word, `${word}()`)]).toEqual([word, 'forward']);
+    for (const word of ['back', 'zurück', 'rueckwaerts', 'reculer', 'arrière', 'indietro'])
+      expect([word, meantOnRobot(word, `${word}()`)]).toEqual([word, 'backward']);
+    expect(meantOnRobot('warte', 'warte(500)')).toBe('delay');
+    expect(meantOnRobot('irLinks', 'print(irLinks.read_digital())')).toBe('irLeft');
+  });
+
+  it('names no command for a word that is used otherwise', () => {
+    expect(meantOnRobot('links', 'x = links + 1')).toBeNull();
+    expect(meantOnRobot('led', 'led.on()')).toBeNull();
+  });
+
+  const modules = robotReferences.flatMap((it) => it.modules);
+  it.each(modules.map(({ name, names }) => [name, names] as const))(
+    'knows every word for the commands of %s',
+    (module, names) => {
+      for (const { commands, words } of otherNames) {
+        const command = commands.find((it) => names[it]?.kind === 'function' || names[it]?.kind === 'value');
+        if (command === undefined) continue;
+        for (const word of [words[0]!, words.at(-1)!]) {
+          const call = names[command]?.kind === 'function' ? `${word}()` : `${word}.x`;
+          const failure = { type: 'NameError', message: `name '${word}' isn't defined` };
+          const source = { text: `from ${module} import *\n${call}`, line: 2 };
+          expect([word, meantName(failure, source, alone)]).toEqual([word, command]);
+        }
+      }
+    },
+  );
+
+  it('knows no word for a command that no robot and no board has', () => {
+    const all = new Set(
+      modules.flatMap(({ names }) => [
+        ...Object.keys(names),
+        ...Object.values(names).flatMap((it) => Object.keys(it.members)),
+      ]),
+    );
+    expect(otherNames.flatMap(({ commands }) => commands).filter((it) => !all.has(it))).toEqual(['sleep']);
   });
 
   it('names a variable, a function and a word of Python', () => {

@@ -97,7 +97,7 @@ describe('a name that the program has elsewhere', () => {
 describe('a call with the wrong number of values', () => {
   it.each([
     [`${ALL}display.set_pixel(1, 2)`, 'display.set_pixel(x, y, value)'],
-    [`${ALL}sleep(0,5)`, 'sleep(ms)'],
+    [`${ALL}sleep(1, 5)`, 'sleep(ms)'],
     ['def f(a, b=2):\n    return a\nf()', 'f(a, b=2)'],
     ['x = [1]\nx.append(1, 2)', 'x.append(value)'],
     ['def f(a, b=2):\n    return a\nprint(f(), abs(-1))', 'f(a, b=2)'],
@@ -114,6 +114,25 @@ describe('a call with the wrong number of values', () => {
   });
 });
 
+describe('a decimal comma', () => {
+  const decimals = 'def bogen(radius):\n    pass\ndef punkt(x, y):\n    pass\n';
+  it.each([
+    [`${ALL}sleep(1,5)`, '1.5', 'sleep(1.5)'],
+    [`${decimals}bogen(0,2)`, '0.2', 'bogen(0.2)'],
+    [`${decimals}bogen(-0,25)  # links`, '-0.25', 'bogen(-0.25)  # links'],
+    [`${decimals}punkt(1,5, 2,5)`, '1.5', 'punkt(1.5, 2.5)'],
+  ])('in %j becomes a point', (program, code, line) => {
+    const { advice, mend } = lateOf(program);
+    expect(advice).toMatchObject({ key: 'error.decimalComma', values: { code } });
+    expect(mend?.after.split('\n').at(-1)).toBe(line);
+  });
+
+  it('is not seen where the values may be meant one by one', () => {
+    for (const call of ['bogen(1, 5)', 'bogen(1,5,2)', 'punkt(1,2,3)'])
+      expect(lateOf(decimals + call).advice?.key).toBe('error.wantsThis');
+  });
+});
+
 describe('a method without self', () => {
   it('is told so', () => {
     const program = 'class Hund:\n    def bell():\n        pass\nh = Hund()\nh.bell()';
@@ -127,5 +146,13 @@ describe('a name that is nearly right', () => {
     expect(meant).toBe('show');
     expect(mend).toMatchObject({ code: 'show', after: `${ALL}display.show("a")` });
     expect(lateOf('import Math').mend?.after).toBe('import math');
+  });
+
+  it('is asked for without the advice to look for it', () => {
+    expect(lateOf('anzahl = 3\nprint(anzhal)').advice).toEqual({
+      key: 'error.unknownName',
+      values: { name: 'anzhal' },
+    });
+    expect(lateOf('print(irLinks)').advice).toBeNull();
   });
 });

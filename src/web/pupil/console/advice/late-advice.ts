@@ -1,15 +1,16 @@
 import { Reference } from '#reference/meaning';
-import { parametersOf } from '#reference/arguments';
 import { Reader } from '#reference/reader';
-import { argumentsOf } from '#python/expressions';
 import { namesOf } from '#python/scopes';
 import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 import { contextOf, type Written } from '../../../session/work/hardware/written-for';
 import { meantName } from './did-you-mean';
+import { decimalComma, type DecimalComma } from './decimal-comma';
 import type { Failure } from './error-advice';
 import { importLine, withImport } from './import-line';
+import { knownCall } from './known-call';
 import { robotModules } from './robot-modules';
+import { missingName, placesOf } from '#advice/missing-name';
 import { withMend, type Source, type SyntaxAdvice } from '#advice/syntax-advice';
 
 /** Advice on an error with the help of the reference: a better sentence, or the name that was meant. */
@@ -25,11 +26,13 @@ export function lateAdvice(failure: Failure, source: Source, written: Written): 
   const advice = name === null ? callAdvice(failure, source, written) : nameLate(name, source, written);
   if (advice !== null) return { advice, meant: null, mend: advice.mend };
   const meant = meantName(failure, source, written);
-  return { advice, meant, mend: meant === null ? undefined : renamed(failure, meant, source) };
+  if (meant === null) return { advice: null, meant, mend: undefined };
+  // With the right name at hand, the way to look for it is not said.
+  const short: SyntaxAdvice | null = name === null ? null : { key: 'error.unknownName', values: { name } };
+  return { advice: short, meant, mend: renamed(failure, meant, source) };
 }
 
-const unknownName = ({ type, message }: Failure): string | null =>
-  type === 'NameError' ? (/^name '(\w+)' (?:isn't|is not) defined/.exec(message)?.[1] ?? null) : null;
+const unknownName = (failure: Failure): string | null => (failure.type === 'NameError' ? missingName(failure) : null);
 
 /** Advice on a name that a module has, or that the program has elsewhere; `null`: none. */
 function nameLate(name: string, source: Source, written: Written): SyntaxAdvice | null {
@@ -64,13 +67,13 @@ function lineWith(name: string, right: string, { text, line }: Source): { line?:
   return (written.match(word) ?? []).length === 1 ? { line: written.replace(word, `$1${right}`) } : {};
 }
 
-function renamed({ message }: Failure, meant: string, { text, line }: Source): SyntaxAdvice['mend'] {
-  const name = Array.from(message.matchAll(/'(\w+)'/g), ([, it]) => it).at(-1) ?? /\bname (\w+)$/.exec(message)?.[1];
+function renamed(failure: Failure, meant: string, { text, line }: Source): SyntaxAdvice['mend'] {
+  const name = missingName(failure) ?? '';
   const written = text.split('\n')[line - 1] ?? '';
-  if (name === undefined || text.includes('\r')) return undefined;
-  const word = new RegExp(`\\b${name}\\b`, 'g');
-  if ((written.match(word) ?? []).length !== 1) return undefined;
-  const { mend } = withMend({ key: 'error.NameError', values: {}, line: written.replace(word, meant) }, text, line);
+  const [column, another] = placesOf(name, written);
+  if (column === undefined || another !== undefined || text.includes('\r')) return undefined;
+  const right = written.slice(0, column) + meant + written.slice(column + name.length);
+  const { mend } = withMend({ key: 'error.NameError', values: {}, line: right }, text, line);
   return mend && { ...mend, code: meant };
 }
 
@@ -94,6 +97,8 @@ function callAdvice({ type, message }: Failure, source: Source, written: Written
   // A method without self gets one value more than is written.
   if (given === 0 && / takes 0 positional/.test(message))
     return { key: 'error.selfMissing', values: { name: lastWord(program, callee) } };
+  const comma = decimalComma(program, call.node, call.takes);
+  if (comma !== null) return commaAdvice(comma, source);
   const wanted = parameters.map(({ name: it, text, rest }) => {
     const usual = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
     return rest ? text.split(':')[0] : `${it}${usual}`;
@@ -103,18 +108,10 @@ function callAdvice({ type, message }: Failure, source: Source, written: Written
     : { key: 'error.wantsThis', values: { code: `${name}(${wanted.join(', ')})` } };
 }
 
-/** A call of a function with one known signature; `null` for any other. */
-function knownCall(program: PythonText, reader: Reader, call: SyntaxNode) {
-  const callee = call.firstChild;
-  if (callee === null) return null;
-  const item = reader.evaluate(callee, reader.scopeAt(callee.from))?.item;
-  const [only] = item?.calls ?? [];
-  if (only === undefined || item?.calls.length !== 1) return null;
-  const parameters = parametersOf(only);
-  const given = argumentsOf(program, call).length;
-  const required = parameters.filter(({ text, rest, byName }) => !text.includes('=') && !rest && !byName).length;
-  const most = parameters.some(({ rest }) => rest) ? Infinity : parameters.length;
-  return { callee, name: textOf(program, callee), given, parameters, fits: given >= required && given <= most };
+/** The program with points for the commas in the line of the call. */
+function commaAdvice({ code, change: { from, to, insert } }: DecimalComma, { text, line }: Source): SyntaxAdvice {
+  const right = (text.slice(0, from) + insert + text.slice(to)).split('\n')[line - 1] ?? '';
+  return withMend({ key: 'error.decimalComma', values: { code }, line: right }, text, line);
 }
 
 const lastWord = (program: PythonText, callee: SyntaxNode | null): string =>

@@ -55,6 +55,8 @@ const rows: readonly Row[] = [
   ['for i of range(3):\n    pass', 'forForm'],
   ['for i = 1 to 10:\n    print(i)', 'forForm'],
   ['for 4:\n    print(1)', 'forForm'],
+  ['x = 3\nif x > 2,5:\n    pass', 'decimalComma', 'if x > 2.5:'],
+  ['x = 3\nwhile x < 0,25:\n    pass', 'decimalComma', 'while x < 0.25:'],
   ['x = 3\nif x => 2:\n    pass', 'compareSign', 'if x >= 2:'],
   ['x = 3\nif x =< 2:\n    pass', 'compareSign', 'if x <= 2:'],
   ['x = 3\nif x =! 2:\n    pass', 'compareSign', 'if x != 2:'],
