@@ -8,6 +8,7 @@ import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
 import { loadTexts, showLanguage } from '../../kit/i18n';
 import { LANGUAGES } from '../../kit/i18n/texts';
+import { openLayer } from '../../kit/overlays/overlays';
 import firstWords from '../words';
 import FirstSteps from './FirstSteps.vue';
 import TourBubble from './TourBubble.vue';
@@ -113,13 +114,15 @@ describe('the tour', () => {
     expect(page.settings.current.value.tourStep).toBe('code');
   });
 
-  it('leaves Escape to the program and to an open menu', async () => {
+  it('leaves Escape to the program, and to what was opened later', async () => {
     const { page } = await tour();
     document.body.insertAdjacentHTML('beforeend', '<div class="cm-editor"><button id="in-editor"></button></div>');
     expect(await pressKey('Escape', document.querySelector('#in-editor'))).toBe(false);
-    document.body.insertAdjacentHTML('beforeend', '<div class="page-overlay--active"></div>');
-    expect(await pressKey('Escape')).toBe(false);
+    const close = openLayer({ requestClose: () => close() });
+    await pressKey('Escape');
     expect(page.tour.isOpen.value).toBe(true);
+    await pressKey('Escape');
+    expect(page.tour.isOpen.value).toBe(false);
   });
 
   it('goes on by itself when the program runs, and again when it is stopped', async () => {

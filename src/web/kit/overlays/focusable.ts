@@ -32,3 +32,18 @@ export function focusEntry(inside: HTMLElement, end: 'first' | 'last'): boolean 
   stops.at(end === 'first' ? 0 : -1)?.focus();
   return stops.length > 0;
 }
+
+/** True if the Tab key would lead out of the place that has these stops: none of them follows, or, backwards, precedes. */
+export function isLastStop(stops: readonly HTMLElement[], from: Element | null, isBack: boolean): boolean {
+  const side = isBack ? Node.DOCUMENT_POSITION_PRECEDING : Node.DOCUMENT_POSITION_FOLLOWING;
+  return from === null || !stops.some((stop) => (from.compareDocumentPosition(stop) & side) !== 0);
+}
+
+/** Gives the keyboard to the heading of what has just been opened, where reading begins. @returns whether there is one */
+export function focusHeading(inside: Element): boolean {
+  const heading = inside.querySelector<HTMLElement>('h1, h2');
+  if (heading === null) return false;
+  heading.tabIndex = -1;
+  heading.focus({ preventScroll: true });
+  return true;
+}

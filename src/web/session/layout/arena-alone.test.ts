@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 
+import { openLayer } from '../../kit/overlays/overlays';
 import { ArenaAlone } from './arena-alone';
 
 const isShown = (): boolean => document.documentElement.classList.contains('arena-alone');
@@ -53,10 +54,9 @@ describe('the arena alone on the screen', () => {
     alone.enter();
     escape((event) => event.preventDefault());
     expect(isShown()).toBe(true);
-    document.body.innerHTML = '<div class="page-overlay--active"></div>';
+    const close = openLayer({ requestClose: () => close() });
     escape();
     expect(isShown()).toBe(true);
-    document.body.innerHTML = '';
     escape();
     expect(isShown()).toBe(false);
   });

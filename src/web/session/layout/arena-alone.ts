@@ -1,5 +1,7 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
+import { openLayer } from '../../kit/overlays/overlays';
+
 /** The arena alone on the screen, as for a projector: whether it is, and the ways in and out. */
 export class ArenaAlone {
   private readonly alone = shallowRef(false);
@@ -8,6 +10,8 @@ export class ArenaAlone {
   readonly hasSide = shallowRef(false);
   /** Number of controls in the arena's pane that can lead back. */
   private users = 0;
+  /** Ends the hearing of Escape. */
+  private unhear: (() => void) | null = null;
 
   constructor() {
     // With the state, so that nothing on the page can be seen or reached behind the arena.
@@ -16,6 +20,7 @@ export class ArenaAlone {
       (alone) => {
         document.documentElement.classList.toggle('arena-alone', alone);
         if (!alone) this.hasSide.value = false;
+        this.hear();
       },
       { flush: 'sync' },
     );
@@ -39,35 +44,24 @@ export class ArenaAlone {
   /** Counts a control that can lead back. When the last of them goes, the page comes back. */
   attach(): () => void {
     this.users += 1;
-    if (this.users === 1) this.listen(true);
+    this.hear();
+    if (this.users === 1) document.addEventListener('fullscreenchange', this.onChange);
     return () => {
       this.users -= 1;
       if (this.users > 0) return;
       this.leave();
-      this.listen(false);
+      document.removeEventListener('fullscreenchange', this.onChange);
     };
   }
 
-  private listen(on: boolean): void {
-    if (on) {
-      addEventListener('keydown', this.onKey);
-      document.addEventListener('fullscreenchange', this.onChange);
-    } else {
-      removeEventListener('keydown', this.onKey);
-      document.removeEventListener('fullscreenchange', this.onChange);
-    }
+  /** Escape leads back where the browser is not in full screen, unless something lies over it. */
+  private hear(): void {
+    this.unhear?.();
+    this.unhear = this.alone.value && this.users > 0 ? openLayer({ requestClose: this.leave }) : null;
   }
 
   /** Follows when the browser leaves full screen, as it does for Escape. */
   private readonly onChange = (): void => {
     if (document.fullscreenElement === null) this.alone.value = false;
-  };
-
-  /**
-   * Leaves on Escape where the browser is not in full screen, unless a menu, a dialog or a gesture has used the key.
-   */
-  private readonly onKey = (event: KeyboardEvent): void => {
-    if (event.key !== 'Escape' || event.defaultPrevented || !this.alone.value) return;
-    if (document.querySelector('.page-overlay--active') === null) this.leave();
   };
 }

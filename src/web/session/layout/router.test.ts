@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, type EffectScope } from 'vue';
 
 import { featurePages } from '../../app/features/feature-pages';
+import { Back } from '../../kit/overlays/back';
 import { createRouter, pageAt, type Router } from './router';
 
 describe('the address of a page over the app', () => {
@@ -43,7 +44,7 @@ describe('the address of a page over the app', () => {
 
 describe('the pages over the app', () => {
   let scope: EffectScope;
-  const router = (): Router => scope.run(() => createRouter(featurePages))!;
+  const router = (): Router => scope.run(() => createRouter(featurePages, new Back()))!;
   beforeEach(() => {
     scope = effectScope(true);
     history.replaceState(null, '', '/?lang=de');
@@ -122,6 +123,17 @@ describe('the pages over the app', () => {
     expect([it.page.value, location.hash]).toEqual([null, '']);
   });
 
+  it('leave no trace in the history of a host', () => {
+    const framed = scope.run(() => createRouter(featurePages, new Back(() => true)))!;
+    const [address, length] = [location.href, history.length];
+    framed.open('courses', 'slalom');
+    expect(framed.page.value).toEqual({ name: 'courses', id: 'slalom' });
+    framed.replace('courses', 'meadow');
+    expect(framed.idOn('courses')).toBe('meadow');
+    framed.close();
+    expect([framed.page.value, location.href, history.length]).toEqual([null, address, length]);
+  });
+
   it('are not left again if they are closed already', () => {
     const go = vi.spyOn(history, 'go').mockImplementation(() => undefined);
     router().close();
@@ -131,7 +143,7 @@ describe('the pages over the app', () => {
   it('are those that features bring: another one needs no other place', () => {
     history.replaceState(null, '', '#trophies/gold');
     const trophies = { name: 'trophies', hasIds: true, load: () => Promise.reject(new Error()) } as const;
-    const it = scope.run(() => createRouter([trophies]))!;
+    const it = scope.run(() => createRouter([trophies], new Back()))!;
     expect(it.page.value).toEqual({ name: 'trophies', id: 'gold' });
     it.open('robots');
     expect(it.page.value).toBeNull();

@@ -1,6 +1,7 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
 import type { FeaturePage } from '../../kit/features/feature-page';
+import { back as theBack, type Back } from '../../kit/overlays/back';
 
 /** A page over the whole app that is open, by its name, and the id of the one thing that it shows. */
 export interface OpenPage {
@@ -10,7 +11,8 @@ export interface OpenPage {
 
 /**
  * The page over the whole app that is open, if there is one. Each has an address (`#robots`, `#courses/slalom`, `#class`):
- * teachers can pass it on, and the browser's back button leads back.
+ * teachers can pass it on, and the browser's back button leads back. In the frame of a host pages have none: the history is the
+ * host's.
  */
 export interface Router {
   /** `null`: none is open. */
@@ -23,9 +25,6 @@ export interface Router {
   replace(name: string, id: string): void;
   close(): void;
 }
-
-/** Key under which the browser's history stores the number of pages that were opened. */
-const DEPTH = 'galleryPages';
 
 /** The page that an address asks for by the part behind `#`; `null`: none. */
 export function pageAt(hash: string, pages: readonly FeaturePage[]): OpenPage | null {
@@ -41,8 +40,24 @@ export function pageAt(hash: string, pages: readonly FeaturePage[]): OpenPage | 
 }
 
 /** Creates a router that follows and writes the browser's address. */
-export function createRouter(pages: readonly FeaturePage[]): Router {
+export function createRouter(pages: readonly FeaturePage[], back: Back = theBack): Router {
   const page = shallowRef(pageAt(location.hash, pages));
+  const address = back.isFramed() ? pageOnly(page, pages) : inAddress(page, pages, back);
+  return { page, idOn: (name) => (page.value?.name === name ? page.value.id : null), ...address };
+}
+
+type Ways = Pick<Router, 'open' | 'replace' | 'close'>;
+type Shown = ShallowRef<OpenPage | null>;
+
+const hashOf = (name: string, id?: string): string => (id === undefined ? `#${name}` : `#${name}/${id}`);
+
+/** Opens pages without a trace. */
+function pageOnly(page: Shown, pages: readonly FeaturePage[]): Ways {
+  const open = (name: string, id?: string): void => void (page.value = pageAt(hashOf(name, id), pages));
+  return { open, replace: open, close: () => (page.value = null) };
+}
+
+function inAddress(page: Shown, pages: readonly FeaturePage[], back: Back): Ways {
   const began = page.value === null ? null : location.hash;
   /** True while `close` goes back in the history: a page that the visit began with is then not wanted either. */
   let isLeaving = false;
@@ -58,30 +73,33 @@ export function createRouter(pages: readonly FeaturePage[]): Router {
   addEventListener('popstate', arrive);
   onScopeDispose(() => removeEventListener('popstate', arrive));
   return {
-    page,
-    idOn: (name) => (page.value?.name === name ? page.value.id : null),
-    open(name, id) {
-      history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${name}` : `#${name}/${id}`);
-      follow();
-    },
+    open: (name, id) =>
+      back.whenStill(() => {
+        back.push({ [BEFORE]: stepsBefore() ?? back.steps }, hashOf(name, id));
+        follow();
+      }),
     replace(name, id) {
-      history.replaceState({ [DEPTH]: depth() }, '', `#${name}/${id}`);
+      history.replaceState(history.state, '', hashOf(name, id));
       follow();
     },
     close() {
       if (page.value === null) return;
       page.value = null;
       // The pages that were opened from the app leave the history; an address that was followed is only left.
-      isLeaving = depth() > 0;
-      if (isLeaving) history.go(-depth());
+      const before = stepsBefore();
+      isLeaving = before !== null && before < back.steps;
+      if (isLeaving) back.leave(back.steps - (before ?? 0));
       else bare();
     },
   };
 }
 
-/** Number of pages opened since the app itself was in sight. */
-function depth(): number {
+/** Key under which an entry of the history keeps the number of entries before the first page. */
+const BEFORE = 'beforePages';
+
+/** Number of entries that the app itself had made in the history when it was last in sight; `null`: no page was opened since. */
+function stepsBefore(): number | null {
   const state = history.state as Readonly<Record<string, unknown>> | null;
-  const value = state?.[DEPTH];
-  return typeof value === 'number' ? value : 0;
+  const value = state?.[BEFORE];
+  return typeof value === 'number' ? value : null;
 }
