@@ -1,7 +1,8 @@
 const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex], [contenteditable="true"]';
 
 /** True if an element is visible; browsers of before 2024 cannot say, and count it as visible. */
-const isShown = (element: Partial<Pick<Element, 'checkVisibility'>>): boolean => element.checkVisibility?.() ?? true;
+export const isShown = (element: Partial<Pick<Element, 'checkVisibility'>>): boolean =>
+  element.checkVisibility?.() ?? true;
 
 /** True for a radio button that the Tab key passes over: another one of its group is chosen. */
 function isPassedOver(element: HTMLElement, all: readonly HTMLElement[]): boolean {
@@ -46,4 +47,12 @@ export function focusHeading(inside: Element): boolean {
   heading.tabIndex = -1;
   heading.focus({ preventScroll: true });
   return true;
+}
+
+/** Gives the keyboard to a part of the page: to itself, or else to its heading, its first stop, or to where it begins. */
+export function focusPart(part: HTMLElement): void {
+  if (part.tabIndex < 0 && focusHeading(part)) return;
+  const target = part.tabIndex < 0 ? (tabStops(part)[0] ?? part) : part;
+  if (target === part && part.tabIndex < 0) part.tabIndex = -1;
+  target.focus({ preventScroll: true });
 }

@@ -7,6 +7,9 @@ import type { BoardKey } from './presses';
 export interface BoardLabels extends Readonly<Record<BoardKey, string>> {
   /** The whole board, e.g. "micro:bit V2". */
   readonly board: string;
+  /** The large buttons below the drawing. */
+  readonly largeA: string;
+  readonly largeB: string;
   /** Buttons A and B together. */
   readonly both: string;
   /** The 5 × 5 lights; their levels are added row by row. */
