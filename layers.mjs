@@ -89,6 +89,7 @@ export const wings = {
     locks: ['session', 'course/editor', 'pupil/code'],
     device: ['session', 'pupil/arena'],
     galleries: ['session', 'pupil/device'],
+    works: ['session', 'pupil/galleries'],
     'real-device': ['session/work'],
     'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
   },

@@ -179,6 +179,7 @@ describe('the main menu', () => {
       'Link öffnen …',
       'Mikrocomputer ausblenden',
       'Arena ausblenden',
+      'Meine Arbeiten',
       'Roboter-Galerie',
       'Aufgabe stellen',
       'Aufgabenserie machen',

@@ -36,7 +36,8 @@ export function takeOver(app: Pick<WorkParts, 'work'> & WithLate, nowMs: number)
 
 function put(work: WorkModel, left: readonly Previous[]): void {
   const before = work.work.value;
-  const previous = withAll(before.previous, left, before.project);
+  const gone = (before.deleted ?? []).map(({ project }) => project);
+  const previous = withAll(before.previous, left, [before.project, ...gone]);
   if (previous !== before.previous) work.work.value = { ...before, previous };
   for (const { project, atMs } of left)
     if (project.course !== null && project.task === undefined)
@@ -63,7 +64,9 @@ async function worksIn(text: string, nowMs: number): Promise<readonly Previous[]
   const { project, file, previous } = work;
   const name = nameWithFile(courseName(project.scene, project.course), file);
   const open = { name, atMs: savedMsOf(text), project, ...(file !== undefined && { file }) };
-  return [open, ...previous].filter((entry) => !hasNothingOwn(entry.project));
+  return [open, ...previous]
+    .filter((entry) => !hasNothingOwn(entry.project))
+    .map((entry) => ({ ...entry, isOfTab: true }));
 }
 
 /** The names of the tabs that are open; where they cannot be known, their works count as left, and are listed once more. */

@@ -2,7 +2,7 @@ import { courseName } from './catalogue/first-course';
 import type { WorkParts } from './model/parts';
 
 /** Name of the present work when it is put aside. */
-export function workName({ work }: Pick<WorkParts, 'work'>): string {
+export function workName({ work }: { readonly work: Pick<WorkParts['work'], 'work'> }): string {
   const { scene, course } = work.work.value.project;
   return nameWithFile(courseName(scene, course), work.work.value.file);
 }

@@ -18,7 +18,8 @@ import { advanced, historyOf, redone, undone, type History, type Step } from '#s
 import type { Scene } from '#scene/scene';
 
 import { withoutHandedOut, WorkLocks } from './task-locks';
-import { putAside, type Previous, type Work } from '../storage/history';
+import { putAside, type Deleted, type Previous, type Work } from '../storage/history';
+import { withDeleted, withoutDeleted } from './deleted-works';
 
 /** A step of the course that was just done, taken back, or done again. */
 export interface CourseStep {
@@ -243,6 +244,18 @@ export class WorkModel {
     this.openProject(entry.project, nameOfOld, entry.file);
   }
 
+  /** Deletes earlier works; for some time they can be brought back. */
+  deleteWorks(entries: readonly Previous[]): readonly Deleted[] {
+    const deleted = entries.map((entry): Deleted => ({ ...entry, deletedMs: this.nowMs() }));
+    this.work.value = withDeleted(this.work.value, entries, deleted, this.nowMs());
+    return deleted;
+  }
+
+  /** Puts deleted works back among the earlier ones. */
+  bringBack(deleted: readonly Deleted[]): void {
+    this.work.value = withoutDeleted(this.work.value, deleted);
+  }
+
   private put(project: Project, open: string, nameOfOld: string | null, file?: string): void {
     if (nameOfOld !== null) this.keep(nameOfOld);
     this.works.value += 1;
@@ -253,7 +266,8 @@ export class WorkModel {
       // Told first: a run of the old course must be over before it hears of the new one.
       this.openings.value += 1;
     }
-    this.work.value = { project, open, ...(file !== undefined && { file }), previous: this.work.value.previous };
+    const { file: _, ...work } = this.work.value;
+    this.work.value = { ...work, project, open, ...(file !== undefined && { file }) };
   }
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {

@@ -3,9 +3,17 @@ import type { Project } from '#project/project';
 import { withRoom, type Previous } from './history';
 import { packedText } from './stored-project';
 
-/** The earlier works with those of other tabs, newest first: each once, and never the one that is open. */
-export function withAll(previous: readonly Previous[], works: readonly Previous[], open: Project): readonly Previous[] {
-  const known = new Set([open, ...previous.map(({ project }) => project)].map(written));
+/**
+ * The earlier works with those of other tabs, newest first, each once.
+ *
+ * @param besides what is open, and what was deleted: they are never among them
+ */
+export function withAll(
+  previous: readonly Previous[],
+  works: readonly Previous[],
+  besides: readonly Project[],
+): readonly Previous[] {
+  const known = new Set([...besides, ...previous.map(({ project }) => project)].map(written));
   const others = works.filter(({ project }) => {
     const isNew = !known.has(written(project));
     known.add(written(project));

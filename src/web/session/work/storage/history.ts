@@ -11,7 +11,18 @@ export interface Previous {
   readonly project: Project;
   /** The file it was opened from, without its ending. */
   readonly file?: string | undefined;
+  /** A tab that was closed has left it. */
+  readonly isOfTab?: true;
 }
+
+/** A piece of earlier work that was deleted. */
+export interface Deleted extends Previous {
+  /** Time when it was deleted, in ms since 1970. */
+  readonly deletedMs: number;
+}
+
+/** For so long deleted work can be brought back, in ms. */
+export const DELETED_MS = 30 * 24 * 3600 * 1000; // chosen: a month of lessons
 
 /** Number of the newest pieces of earlier work that are kept however large they are. */
 export const KEPT_ANYWAY = 5;
@@ -31,6 +42,8 @@ export interface Work {
   readonly file?: string | undefined;
   /** Newest first. */
   readonly previous: readonly Previous[];
+  /** Last deleted first; left out: nothing. */
+  readonly deleted?: readonly Deleted[];
 }
 
 /** Puts `entry` aside, newest first; the same work is kept once, but of two files that say the same both stay. */
@@ -66,11 +79,12 @@ export const savedMsOf = (text: string | null): number => Number(/^\{"savedMs":(
 
 /** Work as text for the browser's storage, with the given texts for its projects. */
 export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
-  const previous = work.previous.map((entry) => {
-    const { name, atMs, file } = entry;
-    return `{"name":${JSON.stringify(name)},"atMs":${String(atMs)},${fileText(file)}"project":${previousText(entry)}}`;
-  });
+  const texts = (entries: readonly (Previous | Deleted)[]): string =>
+    entries.map((entry) => `{${factsText(entry)}"project":${previousText(entry)}}`).join(',');
   const open = JSON.stringify(work.open);
-  return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}"previous":[${previous.join(',')}]}`;
+  const deleted = work.deleted === undefined ? '' : `,"deleted":[${texts(work.deleted)}]`;
+  return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}"previous":[${texts(work.previous)}]${deleted}}`;
 }
+/** All that is known of earlier work but what it consists of. */
+const factsText = ({ project: _, ...facts }: Previous | Deleted): string => `${JSON.stringify(facts).slice(1, -1)},`;
 const fileText = (file: string | undefined): string => (file === undefined ? '' : `"file":${JSON.stringify(file)},`);

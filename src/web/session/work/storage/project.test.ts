@@ -67,6 +67,15 @@ describe('stored work', () => {
     expect(workFromText(workToText(work))).toEqual(work);
   });
 
+  it('comes back with what was deleted, and which works a closed tab has left', () => {
+    const ofTab = previous.map((entry) => ({ ...entry, isOfTab: true as const }));
+    const work = {
+      ...{ project: project('new'), open: 'main.py', previous: ofTab },
+      deleted: [{ name: 'Linie', atMs: 5, deletedMs: 7, project: project('gone') }],
+    };
+    expect(workFromText(workToText(work))).toEqual(work);
+  });
+
   it('is kept once for each file it was opened from', () => {
     const entry = { name: 'Linie', atMs: 5, project: project('same') };
     const kept = ['Anna', 'Beat', 'Anna'].reduce(

@@ -10,7 +10,7 @@ import {
 } from '#project/project';
 import { parseSceneValue } from '#scene/parse';
 
-import type { Previous, Work } from './history';
+import type { Deleted, Previous, Work } from './history';
 
 /** Reads what `workToText` wrote; `null` for anything else, so that a broken store never stops the app. */
 export function workFromText(text: string): Work | null {
@@ -21,22 +21,31 @@ export function workFromText(text: string): Work | null {
     return null;
   }
   if (typeof value !== 'object' || value === null) return null;
-  const read = value as { version?: unknown; project?: unknown; open?: unknown; file?: unknown; previous?: unknown }; // prettier-ignore
-  const project = unpackProject(read.project);
-  if (read.version !== 1 || project === null) return null;
-  const open = project.files.find((file) => file.name === read.open)?.name ?? project.files[0]?.name;
-  const previous = Array.isArray(read.previous)
-    ? read.previous.map(readPrevious).filter((entry) => entry !== null)
-    : [];
-  return open === undefined ? null : { project, open, ...fileOf(read.file), previous };
+  const read: Partial<Readonly<Record<string, unknown>>> = value;
+  const project = unpackProject(read['project']);
+  if (read['version'] !== 1 || project === null) return null;
+  const open = project.files.find((file) => file.name === read['open'])?.name ?? project.files[0]?.name;
+  const previous = listOf(read['previous'], readPrevious);
+  const deleted = listOf(read['deleted'], readDeleted);
+  if (open === undefined) return null;
+  return { project, open, ...fileOf(read['file']), previous, ...(deleted.length > 0 && { deleted }) };
+}
+
+const listOf = <T>(value: unknown, read: (entry: unknown) => T | null): readonly T[] =>
+  Array.isArray(value) ? value.map(read).filter((entry) => entry !== null) : [];
+
+function readDeleted(value: unknown): Deleted | null {
+  const read = readPrevious(value);
+  if (read === null || !isRecord(value) || typeof value['deletedMs'] !== 'number') return null;
+  return { ...read, deletedMs: value['deletedMs'] };
 }
 
 function readPrevious(value: unknown): Previous | null {
-  if (typeof value !== 'object' || value === null) return null;
-  const { name, atMs, project, file } = value as { name?: unknown; atMs?: unknown; project?: unknown; file?: unknown }; // prettier-ignore
+  if (!isRecord(value)) return null;
+  const { name, atMs, project, file, isOfTab } = value;
   const read = unpackProject(project);
   if (typeof name !== 'string' || typeof atMs !== 'number' || read === null) return null;
-  return { name, atMs, ...fileOf(file), project: read };
+  return { name, atMs, ...fileOf(file), ...(isOfTab === true && { isOfTab }), project: read };
 }
 
 const fileOf = (file: unknown): Pick<Work, 'file'> => (typeof file === 'string' ? { file } : {});
