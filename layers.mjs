@@ -82,8 +82,10 @@ export const wings = {
     board: ['session', 'pupil/device-log', 'pupil/debug'],
     narration: ['session', 'course/editor'],
     'several-devices': ['session', 'pupil/board'],
+    'next-step': ['session', 'course/editor', 'pupil/console'],
     arena: [
       'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
+      'pupil/next-step',
     ], // prettier-ignore
     code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
     locks: ['session', 'course/editor', 'pupil/code'],
@@ -100,7 +102,7 @@ export const wings = {
     host: ['session', 'course/editor', 'pupil/board', 'pupil/console', 'pupil/debug', 'exchange/share'],
   },
   teacher: {
-    projector: ['session', 'pupil/console', 'pupil/arena'],
+    projector: ['session', 'pupil/console', 'pupil/arena', 'pupil/next-step'],
     print: ['session', 'course/editor', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
     class: ['session', 'pupil/galleries', 'exchange/share'],
     'task-maker': [

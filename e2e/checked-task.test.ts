@@ -30,12 +30,12 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openWork(app, task());
-    await until(app, by('verdict-checks'));
+    await until(app, by('verdict'));
     await pasteProgram(app, drive('setSpeed(50)'));
     await app.click(on('run'));
     await until(app, '[data-testid="verdict"][data-state="lacking"]');
     expect(await app.text(by('verdict'))).toMatch(/has no loop|keine Schleife/);
-    await app.click(by('verdict-look'));
+    await app.click(by('task'));
     await until(app, by('task-checks'));
     expect(await app.text(by('task-checks'))).toMatch(/missing|fehlt/);
     await expect.poll(() => violationsOn(app)).toEqual([]); // the buttons of the run fade when it ends

@@ -60,6 +60,9 @@ const ON_DARK = STRAIGHT_ON.replace(
   'print("begun")\nwhile irLeft.read_digital(): delay(20)\nprint("dark")\nforward()',
 );
 
+/** The bar at the arena's foot while changes wait for the next start. */
+const WAITING = `${by('next-step')}[data-step=waiting]`;
+
 /** Strokes to and fro over the floor below the sensors of a robot at the start of a first visit. */
 const SCRIBBLE = Array.from({ length: 17 }, (_, i) => [400 + 10 * i, i % 2 === 0 ? 80 : 180] as const);
 
@@ -76,7 +79,7 @@ test(
 
     await pupil.chooseTool('wall');
     await pupil.draw([[600, 20], [600, 150], [600, 250]]); // prettier-ignore
-    await until(app, by('waiting'));
+    await until(app, WAITING);
     expect(await consoleIn(app)).not.toContain('dark');
     await pupil.chooseTool('pen');
     await pupil.draw(SCRIBBLE);
@@ -85,8 +88,8 @@ test(
     expect((await consoleIn(app)).match(/begun/g)).toHaveLength(1);
     expect(await isEnabled(app, 'stop')).toBe(true);
 
-    await app.click(`${by('waiting')} button`);
-    await gone(app, by('waiting'));
+    await app.click(by('step-restart'));
+    await gone(app, WAITING);
     await expect.poll(async () => (await robotAt(app)).xMm).toBe(400);
     await pasteProgram(app, ON_DARK.replace('there', 'once more there')); // the console still has what the first run said
     await app.click(on('run'));
@@ -208,7 +211,7 @@ async function lookAt(app: App, panel: string): Promise<readonly string[]> {
 
 for (const theme of ['light', 'dark'] as const)
   test(`axe finds nothing that shuts people out of the course editor, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
-    await openApp(app, { theme, language: 'en' });
+    await openApp(app, { theme, language: 'en', showTools: true });
     await until(app, toolButton('pen'));
     const pupil = withMouse(app);
     for (const tool of ['pen', 'block', 'zone', 'label', 'start']) {

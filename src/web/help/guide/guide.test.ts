@@ -20,7 +20,7 @@ const sources = import.meta.glob<string>(
   [
     '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,LanguageMenu,MainMenu}.vue',
     '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
-    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu,GhostItems}.vue',
+    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaTail,ViewControls,ShowMenu,GhostItems}.vue',
     '../../{exchange,help}/**/{ShareButtons,HelpButton}.vue',
     '../../course/editor/{EditorActions,EditorMenu}.vue',
     '../../pupil/debug/*.vue',

@@ -9,6 +9,7 @@ import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import type { Checked } from './checked/checked';
 import { goalsInWords } from './goals';
+import { createHandIn, type HandInModel } from './hand-in';
 import { createKeptStars, type KeptStars } from './kept-stars';
 import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text';
 
@@ -27,6 +28,7 @@ export interface TaskModel {
   readonly stars: KeptStars;
   /** The state of the teacher's checks besides the goals of the course; `null`: nothing has shown it yet. */
   readonly checked: ShallowRef<Checked | null>;
+  readonly handIn: HandInModel;
   open(): void;
   close(): void;
 }
@@ -70,6 +72,7 @@ export function createTask(
     isOpen: computed(() => isOpen.value && hasText.value),
     hints,
     checked: shallowRef(null),
+    handIn: createHandIn({ work }),
     open: () => void (isOpen.value = true),
     close: () => void (isOpen.value = false),
   };

@@ -9,22 +9,22 @@ import { isThere, tap } from '../../../app/testing/find';
 import { mountOn } from '../../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../../app/testing/page';
 import { loadTexts } from '../../../kit/i18n';
-import NextMission from '../NextMission.vue';
 import { doneMarks } from './done-marks';
 import { keepSeries } from './kept-series';
 import { openTask } from './open-task';
+import SeriesNext from './SeriesNext.vue';
 import { placeOf } from './series-place';
 
 const series = seriesForPupils(aSeries());
 const [, goal] = series.tasks;
 
 /** The card after a task was passed. */
-async function passed(change: (page: TestPage) => void = () => undefined): Promise<TestPage> {
+async function passed(change: (page: TestPage) => void = () => undefined, task = goal!): Promise<TestPage> {
   const page = createPage();
   await keepSeries(page, series);
-  openTask(page, series, goal!);
+  openTask(page, series, task);
   change(page);
-  mountOn(page, NextMission);
+  mountOn(page, SeriesNext, { stars: null });
   await flushPromises();
   return page;
 }
@@ -41,8 +41,9 @@ describe('after a task of a series was passed', () => {
     expect(doneMarks(page).all.value).toEqual({ 'woche-3/b': 0 });
   });
 
-  it('the way back leads to all of them', async () => {
-    const page = await passed();
+  it('the way back leads to all of them after the last one', async () => {
+    const page = await passed(undefined, series.tasks.at(-1));
+    expect(isThere('series-next')).toBe(false);
     await tap('series-back');
     expect(page.router.page.value).toEqual({ name: 'series', id: 'series/woche-3' });
   });

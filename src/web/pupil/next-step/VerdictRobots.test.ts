@@ -4,9 +4,9 @@ import { describe, expect, it } from 'vitest';
 import type { TaskRule } from '#scene/scene';
 import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 
-import { editingPage } from '../../../app/testing/editing';
-import { mountOn, textOf } from '../../../app/testing/mount-on';
-import { newBoard } from '../../several-devices/new-device';
+import { editingPage } from '../../app/testing/editing';
+import { mountOn, textOf } from '../../app/testing/mount-on';
+import { newBoard } from '../several-devices/new-device';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import VerdictRobots from './VerdictRobots.vue';
 

@@ -3,10 +3,10 @@ import { computed } from 'vue';
 import { isSame } from '#core/same';
 import type { Verdict } from '#simulation/task/verdict';
 
-import { shownLanguage, t } from '../../../kit/i18n';
-import { numberText } from '../../../kit/i18n/number-text';
-import type { RunParts } from '../../../session/run/parts';
-import type { WorkParts } from '../../../session/work/model/parts';
+import { shownLanguage, t } from '../../kit/i18n';
+import { numberText } from '../../kit/i18n/number-text';
+import type { RunParts } from '../../session/run/parts';
+import type { WorkParts } from '../../session/work/model/parts';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { goalsOf, secondsLeft } from './verdict-view';
 

@@ -1,0 +1,31 @@
+import { computed, shallowRef, watch, type ComputedRef, type Ref } from 'vue';
+
+import { isHandedOut } from '../work/model/task-locks';
+import type { WorkParts } from '../work/model/parts';
+
+/** Handing in the open work: its window, and whether it was done. */
+export interface HandInModel {
+  /** True where a task was handed out: there, handing in takes the place of sharing. */
+  readonly isAsked: ComputedRef<boolean>;
+  readonly isOpen: Readonly<Ref<boolean>>;
+  /** True if the work has been handed in since it was opened. */
+  readonly isDone: Readonly<Ref<boolean>>;
+  /** Opens the window, at the name. */
+  open(): void;
+  close(): void;
+  /** Notes that a link or file has left the page. */
+  done(): void;
+}
+
+/** Makes the model. Another work begins with nothing handed in. */
+export function createHandIn({ work }: Pick<WorkParts, 'work'>): HandInModel {
+  const [isOpen, isDone] = [shallowRef(false), shallowRef(false)];
+  watch([work.openings, work.arrivals], () => (isOpen.value = isDone.value = false));
+  return {
+    isAsked: computed(() => isHandedOut(work.work.value.project)),
+    ...{ isOpen, isDone },
+    open: () => void (isOpen.value = true),
+    close: () => void (isOpen.value = false),
+    done: () => void (isDone.value = true),
+  };
+}
