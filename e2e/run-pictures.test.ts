@@ -145,7 +145,7 @@ test('a film that would be too long says so', IN_ONE_ENGINE, async ({ app }) => 
   await until(app, by('print-film'));
   await app.click(by('print-film'));
   await until(app, `${by('film-preview')} canvas`);
-  expect(await isThere(app, by('film-problem'))).toBe(false); // ten seconds are chosen
+  expect(await isThere(app, by('film-problem'))).toBe(false); // its last half minute is chosen
   await focus(app, 'stretch-fromUs');
   await app.press('Home');
   await until(app, by('film-problem'));

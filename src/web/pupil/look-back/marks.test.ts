@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { RowWriter } from '#tape/rows/row-writer';
 import { Rows } from '#tape/rows/rows';
-import { Marks } from './marks';
+import { grouped, Marks, type Mark } from './marks';
 
 interface Moment {
   readonly timeUs: number;
@@ -56,4 +56,20 @@ describe('the time line marks', () => {
 
   it('the end of the program', () =>
     expect(marksOf(1, { running: 'program' }, { running: 'world' }, { running: 'world' })).toEqual([[40, 'end', 0]]));
+});
+
+describe('marks that stand close together', () => {
+  const mark = (timeUs: number, kind: Mark['kind'] = 'touch', device: number | null = 0): Mark => ({
+    timeUs,
+    kind,
+    device,
+  });
+
+  it('are one sign with their number, from the first to the last; others keep their own', () =>
+    expect(grouped([mark(10), mark(14), mark(15, 'pressA'), mark(18), mark(19, 'touch', 1), mark(30)], 5)).toEqual([
+      { ...mark(10), count: 3, toUs: 18 },
+      { ...mark(15, 'pressA'), count: 1, toUs: 15 },
+      { ...mark(19, 'touch', 1), count: 1, toUs: 19 },
+      { ...mark(30), count: 1, toUs: 30 },
+    ]));
 });

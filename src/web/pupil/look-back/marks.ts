@@ -11,6 +11,35 @@ export interface Mark {
   readonly device: number | null;
 }
 
+/** Marks of one kind that stand so close together that one sign stands for all. */
+export interface MarkGroup extends Mark {
+  readonly count: number;
+  /** Time of the last one. */
+  readonly toUs: number;
+}
+
+/** Puts marks of a kind together that are nearer to the one before than this. @param marks in the order of their times */
+export function grouped(marks: readonly Mark[], nearUs: number): readonly MarkGroup[] {
+  const groups: MarkGroup[] = [];
+  const last = new Map<string, number>();
+  for (const mark of marks) {
+    const kind = `${mark.kind} ${mark.device}`;
+    const place = last.get(kind) ?? -1;
+    const before = groups[place];
+    if (before !== undefined && mark.timeUs - before.toUs < nearUs)
+      groups[place] = { ...before, count: before.count + 1, toUs: mark.timeUs };
+    else last.set(kind, groups.push({ ...mark, count: 1, toUs: mark.timeUs }) - 1);
+  }
+  return groups;
+}
+
+/** The mark that is nearest to a time and not farther than this from it, or `null`. */
+export function nearest(marks: readonly Mark[], timeUs: number, withinUs: number): Mark | null {
+  const away = (mark: Mark): number => Math.abs(mark.timeUs - timeUs);
+  const [first] = marks.filter((mark) => away(mark) < withinUs).sort((one, other) => away(one) - away(other));
+  return first ?? null;
+}
+
 type Value = Leaf | undefined;
 
 /** A watched value: its path in a snapshot, and the meaning of a change. */

@@ -13,14 +13,17 @@ const words = showWords.ghost;
 /**
  * The earlier runs that can be shown as ghosts on the course of the run (without one: on the course as it is now), with
  * the robots that are on it.
+ *
+ * @param withPresent true: the run on the page counts as well once it is over
  */
 export function ghostChoices(
   app: Pick<RunParts, 'run'> & WorkParts,
+  withPresent = false,
 ): ComputedRef<Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>>> {
   const { run, work } = app;
   const robots = computed(() => work.devices.value.map((_, place) => hardwareNow(app, place)?.robot?.id ?? null));
   const scene = computed(() => run.recording.value.setup?.scene ?? work.scene.value);
-  return computed(() => run.earlier.value?.choices({ scene: scene.value, robots: robots.value }) ?? {});
+  return computed(() => run.earlier.value?.choices({ scene: scene.value, robots: robots.value }, withPresent) ?? {});
 }
 
 /** The number of a run and its duration in simulated seconds; for an opened run the duration only. */

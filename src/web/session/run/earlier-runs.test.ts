@@ -51,6 +51,17 @@ describe('the runs before this one', () => {
     expect(runs.choices(here()).last).toMatchObject({ number: 2, tookUs: 3_000_000 });
   });
 
+  it('count the one on the page for the next race as soon as it is over', async () => {
+    const { page, runs, here } = pageWithRuns();
+    await drive(page, 42.5);
+    await drive(page, 28.4, passed(28.4));
+    expect(runs.choices(here(), true).best?.number).toBeUndefined();
+    page.say({ type: 'stopped' });
+    const { best, last } = runs.choices(here(), true);
+    expect([best?.number, best?.tookUs, last?.number]).toEqual([2, 28_400_000, 2]);
+    expect(runs.choices(here()).last?.number).toBe(1); // it is no ghost of itself
+  });
+
   it('took as long as their program, whatever the world did afterwards', async () => {
     const { page, runs, here } = pageWithRuns();
     await startRun(page);

@@ -20,6 +20,8 @@ interface RunNow {
   readonly present: Readonly<Ref<Snapshot | null>>;
   readonly recording: Readonly<Ref<Recording>>;
   readonly endings: Readonly<Ref<readonly (Ended | null)[]>>;
+  readonly isActive: Readonly<Ref<boolean>>;
+  readonly hasEnded: Readonly<Ref<boolean>>;
 }
 
 /** The stored part of a finished run. */
@@ -49,7 +51,7 @@ export class EarlierRuns {
   readonly wish: ShallowRef<GhostWish> = shallowRef('none');
   private last: Snapshot | null = null;
 
-  /** @param number returns the number of the run that is being left; called when it is left */
+  /** @param number returns the number of the run on the page, also while it is being left */
   constructor(
     private readonly run: RunNow,
     private readonly number: () => number,
@@ -61,9 +63,15 @@ export class EarlierRuns {
     });
   }
 
-  /** The runs that can be chosen on a course with these robots; a missing entry: there is none. */
-  choices(course: GhostCourse): Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>> {
-    const fitting = this.all.value.filter((run) => run.recording.count.value > 0 && isOn(run, course));
+  /**
+   * The runs that can be chosen on a course with these robots; a missing entry: there is none.
+   *
+   * @param withPresent true: the run on the page counts as well once it is over, as it will for the next one
+   */
+  choices(course: GhostCourse, withPresent = false): Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>> {
+    const present = withPresent ? this.finished() : null;
+    const all = present === null ? this.all.value : [...this.all.value, present];
+    const fitting = all.filter((run) => run.recording.count.value > 0 && isOn(run, course));
     const own = fitting.filter(({ isOpened }) => !isOpened);
     const last = own.at(-1);
     const best = bestOf(own);
@@ -72,19 +80,30 @@ export class EarlierRuns {
   }
 
   private keep(left: Recording): void {
-    const { last, run } = this;
+    const { last } = this;
     this.last = null;
-    if (last === null || left.setup === null) return;
-    const { isBrought: isOpened } = left;
-    const { scene } = left.setup;
-    const { verdict } = last;
+    const kept = last && this.runOf(left, last);
+    if (kept === null) return;
+    this.all.value = fewer([...this.all.value, kept]);
+    if (kept.isOpened) this.wish.value = 'opened';
+  }
+
+  /** The run on the page, if it is over. */
+  private finished(): EarlierRun | null {
+    const { present, recording, isActive, hasEnded } = this.run;
+    if (present.value === null || (isActive.value && !hasEnded.value)) return null;
+    return this.runOf(recording.value, present.value);
+  }
+
+  /** @param last its last picture @returns `null`: nothing of it would be seen */
+  private runOf(recording: Recording, last: Snapshot): EarlierRun | null {
+    const { setup, isBrought: isOpened } = recording;
     const robots = [last, ...last.others].map(({ robot }) => robot?.type ?? null);
-    const endUs = Math.max(...run.endings.value.map((ended) => ended?.timeUs ?? last.timeUs), 0);
+    if (setup === null || robots.every((robot) => robot === null)) return null;
+    const { verdict } = last;
+    const endUs = Math.max(...this.run.endings.value.map((ended) => ended?.timeUs ?? last.timeUs), 0);
     const tookUs = verdict?.state === 'passed' && verdict.atMs !== null ? verdict.atMs * 1000 : endUs;
-    if (robots.every((robot) => robot === null)) return; // nothing of it would be seen
-    const number = this.number();
-    this.all.value = fewer([...this.all.value, { number, isOpened, recording: left, scene, robots, verdict, tookUs }]);
-    if (isOpened) this.wish.value = 'opened';
+    return { number: this.number(), isOpened, recording, scene: setup.scene, robots, verdict, tookUs };
   }
 }
 

@@ -136,8 +136,9 @@ export class SoundPlayer {
 
   private play(events: readonly SoundEvent[]): void {
     const { context, mixer } = this.open() ?? {};
+    if (isBeforeGesture()) this.checkLater();
     if (!context || !mixer) return;
-    if (context.state !== 'running') this.checkLater(context);
+    if (context.state !== 'running') this.checkLater();
     for (const event of events) {
       mixer.play(event, this.clock.at(event.timeUs, context.currentTime, this.speed), this.synthesis);
     }
@@ -159,6 +160,7 @@ export class SoundPlayer {
   }
 
   private open(): System | null {
+    if (this.system === null && isBeforeGesture()) return null;
     try {
       this.system ??= this.create();
       if (this.mixing) this.system.mixer ??= new this.mixing.SoundMixer(this.system.context);
@@ -190,10 +192,19 @@ export class SoundPlayer {
   }
 
   /** Checks, a while after something should have been heard, whether the browser allows it. */
-  private checkLater(context: AudioContext): void {
+  private checkLater(): void {
     clearTimeout(this.check);
     this.check = setTimeout(() => {
-      this.isBlocked.value = this.isHeard && context.state === 'suspended';
+      const { system } = this;
+      this.isBlocked.value =
+        this.isHeard && (system === null ? isBeforeGesture() : system.context.state === 'suspended');
     }, BLOCKED_AFTER_MS);
   }
 }
+
+/**
+ * True if nobody has tapped or typed on the page yet, as when a run is opened from a link: a sound system that is made
+ * now would be refused with a warning. In a frame the host may have allowed it.
+ */
+const isBeforeGesture = (): boolean =>
+  window.parent === window && (navigator as Partial<Navigator>).userActivation?.hasBeenActive === false;

@@ -69,6 +69,26 @@ describe('a task that asks for more than the goals of its course', () => {
     expect([checked.state.value, checked.reason.value]).toEqual(['lacking', reason]);
   });
 
+  it('praises no moment of the past that was long before', async () => {
+    const { checked, tell, answer, ...page } = await pupil(['goals', 'loop']);
+    await startRun(page);
+    await answer(passed);
+    await tell('passed', 2_000_000);
+    page.say({
+      type: 'program-ended',
+      ended: { kind: 'finished', exception: null, timeUs: 2_000_000 } as never,
+      device: 0,
+    });
+    page.run.look.back();
+    expect(checked.state.value).toBe('passed');
+    page.run.look.show({
+      ...page.run.present.value!,
+      timeUs: 380_000,
+      verdict: { state: 'open', stars: null } as never,
+    });
+    expect(checked.state.value).toBe('live');
+  });
+
   it('praises nobody before the check is over', async () => {
     const { checked, tell, answer, ...page } = await pupil(['goals', 'loop']);
     await startRun(page);

@@ -55,13 +55,14 @@ export function createChecked(
   const found = check.result;
   /**
    * True if the result may be shown: the run has reached the goals or, without goals, the time of the check, or is
-   * over.
+   * over. Of a moment of the past the same is asked: the end of the run is not known there.
    */
   const isTime = computed(() => {
-    if (live.value === 'passed' || run.hasEnded.value) return true;
+    const isEarlier = run.past.value !== null && !run.look.isAtPresent.value;
+    if (live.value === 'passed' || (run.hasEnded.value && !isEarlier)) return true;
     if (hasTask(work.scene.value) || run.present.value === null) return false;
     const { atMs } = found.value?.worlds[0] ?? { atMs: null };
-    return !run.isActive.value || (atMs !== null && run.nowUs.value >= atMs * 1000);
+    return (!run.isActive.value && !isEarlier) || (atMs !== null && run.nowUs.value >= atMs * 1000);
   });
   const state = computed<CheckedState>(() => {
     const isDecided = live.value === 'failed' || live.value === 'helped';

@@ -1,17 +1,15 @@
 import { describe, expect, it } from 'vitest';
 
-import { filmTimes, firstStretch, stripForm, stripTimes, withEnd } from './stretch';
+import { filmed, filmTimes, firstStretch, stripForm, stripTimes, withEnd } from './stretch';
 
 const seconds = (from: number, to: number) => ({ fromUs: from * 1e6, toUs: to * 1e6 });
 
 describe('a stretch of a run', () => {
-  it('is at first ten seconds around the moment that is looked at', () => {
-    expect(firstStretch(20e6, 60e6)).toEqual(seconds(15, 25));
-    expect(firstStretch(2e6, 60e6)).toEqual(seconds(0, 10));
-    expect(firstStretch(59e6, 60e6)).toEqual(seconds(50, 60));
+  it('is at first the whole run, up to the moment at which its task was done', () => {
+    expect(firstStretch(60e6, { state: 'passed', atMs: 28_404 })).toEqual(seconds(0, 28.42));
+    expect(firstStretch(60e6, { state: 'failed', atMs: 5000 })).toEqual(seconds(0, 60));
+    expect(firstStretch(7e6, null)).toEqual(seconds(0, 7));
   });
-
-  it('is all of a run of seven seconds', () => expect(firstStretch(3e6, 7e6)).toEqual(seconds(0, 7)));
 
   it('has ends that stay within the run and do not pass each other', () => {
     expect(withEnd(seconds(2, 5), 'fromUs', -3e6, 9e6)).toEqual(seconds(0, 5));
@@ -40,6 +38,11 @@ describe('a strip', () => {
 });
 
 describe('a film', () => {
+  it('of a longer run is at first of its last half minute', () => {
+    expect(filmed(seconds(0, 43))).toEqual(seconds(13, 43));
+    expect(filmed(seconds(2, 9))).toEqual(seconds(2, 9));
+  });
+
   it('has a picture every 80 ms, and the last one at the end', () => {
     expect(filmTimes(seconds(1, 1.24))).toEqual([1_000_000, 1_080_000, 1_160_000, 1_240_000]);
     expect(filmTimes(seconds(0, 0.2))).toEqual([0, 80_000, 160_000, 200_000]);

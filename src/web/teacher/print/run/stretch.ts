@@ -1,3 +1,5 @@
+import type { Verdict } from '#simulation/task/verdict';
+
 /** A stretch of a run's time, in simulated µs: from its first to its last moment. */
 export interface Stretch {
   readonly fromUs: number;
@@ -37,14 +39,17 @@ export function filmTimes({ fromUs, toUs }: Stretch): readonly number[] {
   return times.at(-1) === toUs ? times : [...times, toUs];
 }
 
-/** Length of the first choice. Chosen: a drive along a mission; a film of it is short enough. */
-const USUAL_US = 10_000_000;
-
-/** The initial choice: ten seconds around the moment that is looked at, or the whole of a short run. */
-export function firstStretch(atUs: number, endUs: number): Stretch {
-  const fromUs = Math.max(0, Math.min(atUs - USUAL_US / 2, endUs - USUAL_US));
-  return { fromUs, toUs: Math.min(endUs, fromUs + USUAL_US) };
+/** The initial choice: the whole run, or up to the moment at which its task was done. */
+export function firstStretch(endUs: number, verdict: Pick<Verdict, 'state' | 'atMs'> | null): Stretch {
+  const doneUs = verdict?.state === 'passed' && verdict.atMs !== null ? verdict.atMs * 1000 : endUs;
+  return { fromUs: 0, toUs: Math.min(endUs, Math.ceil(doneUs / MOMENT_US) * MOMENT_US) };
 }
+
+/** The part of a stretch that a film has room for: its end. */
+export const filmed = ({ fromUs, toUs }: Stretch): Stretch => ({
+  fromUs: Math.max(fromUs, toUs - LONGEST_FILM_US),
+  toUs,
+});
 
 /** Shortest stretch. */
 const SHORTEST_US = 200_000;

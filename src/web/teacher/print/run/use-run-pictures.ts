@@ -46,7 +46,7 @@ export function useRunPictures(): RunPictures {
     await wholeRecording(run, 'all moments');
     const whole = await runTape(recording, () => isWanted);
     if (whole === null) return;
-    stretch.value = firstStretch(atUs, whole.rows.endUs);
+    stretch.value = firstStretch(whole.rows.endUs, run.present.value?.verdict ?? null);
     tape.value = whole;
   })();
   const endUs = (): number => tape.value?.rows.endUs ?? atUs;
