@@ -169,6 +169,12 @@ describe('the place of a message', () => {
     part.getBoundingClientRect = () => ({ left, top, width, height: 500 }) as DOMRect;
     document.body.append(part);
   }
+  /** The element on top at every place in the window. */
+  let above: Element | null = null;
+  beforeEach(() => {
+    above = null;
+    Object.assign(document, { elementsFromPoint: () => (above === null ? [] : [above]) });
+  });
   afterEach(() => document.querySelectorAll('[data-notices]').forEach((part) => part.remove()));
   async function placeOf(): Promise<string[]> {
     const { page, bar } = withNotices();
@@ -178,10 +184,16 @@ describe('the place of a message', () => {
     return [left, top, width, bottom];
   }
 
-  it('is along the upper edge of the arena', async () => {
-    room('code', 0, 120, 500);
+  it('is along the lower edge of the program', async () => {
     room('arena', 508, 122, 700);
-    expect(await placeOf()).toEqual(['508px', '126px', '700px', 'auto']);
+    room('code', 0, 120, 500);
+    expect(await placeOf()).toEqual(['0px', 'auto', '500px', `${String(window.innerHeight - 616)}px`]);
+  });
+
+  it('is nowhere where a card lies', async () => {
+    room('code', 0, 120, 500);
+    above = document.createElement('section');
+    expect(await placeOf()).toEqual(['', '', '', '']);
   });
 
   it('is at the foot of a page that shows nothing with room for it', async () => {

@@ -8,19 +8,20 @@ const room = (name: string, part: Partial<NoticeRoom> = {}): NoticeRoom => ({
 });
 
 describe('the place of a message', () => {
-  it('is along the upper edge of the arena, whatever else is in sight', () => {
-    const rooms = [room('code', { left: 0 }), room('arena'), room('console', { top: 700 })];
-    expect(noticePlace(rooms)).toEqual({ left: 600, top: 104, width: 700 });
+  it('is along the lower edge of the program, whatever else is in sight', () => {
+    const rooms = [room('arena'), room('code', { left: 0 }), room('console', { top: 700 })];
+    expect(noticePlace(rooms)).toEqual({ left: 0, width: 700, at: { bottom: 596 } });
   });
 
-  it('is over the console, otherwise over the program, where there is no arena', () => {
-    expect(noticePlace([room('board'), room('code', { top: 50 }), room('console', { top: 700 })])?.top).toBe(704);
-    expect(noticePlace([room('board'), room('code', { top: 50 })])?.top).toBe(54);
+  it('is over the console where there is no program, and in the arena, at its upper edge, where nothing else is', () => {
+    expect(noticePlace([room('board'), room('arena'), room('console', { top: 700 })])?.at).toEqual({ top: 704 });
+    expect(noticePlace([room('arena'), room('board', { top: 50 })])?.at).toEqual({ top: 54 });
+    expect(noticePlace([room('arena')])?.at).toEqual({ top: 104 });
   });
 
   it('is not where a message would come to the middle, nor where nothing is in sight', () => {
-    expect(noticePlace([room('arena', { height: 120 })])).toBeNull();
-    expect(noticePlace([room('arena', { width: 200 }), room('code', { left: 5 })])?.left).toBe(5);
+    expect(noticePlace([room('code', { height: 120 })])).toBeNull();
+    expect(noticePlace([room('code', { width: 200 }), room('console', { left: 5 })])?.left).toBe(5);
     expect(noticePlace([room('arena', { width: 0, height: 0 })])).toBeNull();
   });
 });

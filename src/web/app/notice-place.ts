@@ -1,11 +1,12 @@
 /** Place of a message in the window, in CSS px: it is centred between `left` and `left` + `width`. */
 export interface NoticePlace {
   readonly left: number;
-  readonly top: number;
   readonly width: number;
+  /** Its upper edge, or its lower one. */
+  readonly at: { readonly top: number } | { readonly bottom: number };
 }
 
-/** A part of the page that has room for messages along its upper edge. */
+/** A part of the page that has room for messages along an edge. */
 export interface NoticeRoom {
   /** Its name in `data-notices`. */
   readonly name: string;
@@ -15,8 +16,11 @@ export interface NoticeRoom {
   readonly height: number;
 }
 
-/** The best first: the arena is what all look at, and nothing is pressed along its upper edge. */
-const ORDER = ['arena', 'console', 'code', 'board'];
+/**
+ * The best first. Nobody waits for the last lines of a program or a console, and targets lie anywhere in the arena: there, a message
+ * has only the upper edge, which is the farthest from the next step.
+ */
+const ORDER = ['code', 'console', 'board', 'arena'];
 const GAP_PX = 4;
 
 /** Least room for two lines and their button, without covering most of what is below. Chosen by eye. */
@@ -26,5 +30,7 @@ const LEAST = { width: 260, height: 140 } as const;
 export function noticePlace(rooms: readonly NoticeRoom[]): NoticePlace | null {
   const roomy = rooms.filter(({ width, height }) => width >= LEAST.width && height >= LEAST.height);
   const [best] = [...roomy].sort((one, other) => ORDER.indexOf(one.name) - ORDER.indexOf(other.name));
-  return best === undefined ? null : { left: best.left, top: best.top + GAP_PX, width: best.width };
+  if (best === undefined) return null;
+  const { name, left, top, width, height } = best;
+  return { left, width, at: name === 'code' ? { bottom: top + height - GAP_PX } : { top: top + GAP_PX } };
 }
