@@ -2,6 +2,9 @@
 export const missionRobots = ['maqueen-lite', 'maqueen-plus-v2', 'maqueen-plus-v3', 'callibot'] as const;
 export type MissionRobot = (typeof missionRobots)[number];
 
+/** Number of missions on each ladder. */
+export const LADDER = 12;
+
 /** The place of a course on the ladder of missions. */
 export interface Mission {
   /** Name of its folder without the number; the same for each robot. */

@@ -4,108 +4,109 @@ import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick } from 'vue';
 
 import { byId, isThere, tap } from '../../app/testing/find';
-import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, setWindow, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
+import { firstCourse } from '../../session/work/catalogue/first-course';
 import FirstSteps from '../tour/FirstSteps.vue';
-import { useGreeting } from './use-greeting';
-import WelcomeCard from './WelcomeCard.vue';
+import { setUp } from './set-up';
+import WelcomeSlot from './WelcomeSlot.vue';
 
-beforeEach(() => setWindow(1400, 800));
+beforeEach(() => {
+  localStorage.clear();
+  setWindow(1400, 800);
+});
 
 describe('the greeting of a first visit', () => {
-  beforeAll(() => Promise.all([import('../tour/TourBubble.vue'), import('../../session/layout/stages/change-stage'), import('../../session/work/catalogue/ready-courses')])); // prettier-ignore
-  /** A page with the places where the greeting stands. */
+  beforeAll(() => Promise.all([import('./WelcomeCard.vue'), import('../tour/TourBubble.vue'), import('../../session/layout/stages/change-stage'), import('../../session/work/catalogue/ready-courses')])); // prettier-ignore
+  /** A page with the place of the card beside the program, and that above the course of a phone. */
   async function visit(prepare: (page: TestPage) => void = () => undefined): Promise<TestPage> {
-    document.body.insertAdjacentHTML(
-      'beforeend',
-      '<div class="app"><div class="pane-console"></div><div class="pane-code"></div></div>',
-    );
     const page = createPage();
     prepare(page);
-    const Host = defineComponent(() => {
-      const isGreeted = useGreeting(page);
-      return () => [isGreeted.value ? h(WelcomeCard) : null, h(FirstSteps)];
-    });
+    page.scope.run(() => setUp(page));
+    const Host = defineComponent(() => () => [
+      h(WelcomeSlot),
+      h('div', { class: 'pane-arena' }, [h(WelcomeSlot, { inArena: true })]),
+      h(FirstSteps),
+    ]);
     mountOn(page, Host);
     await flushPromises();
     return page;
   }
 
-  it('stands in the empty console and offers three beginnings', async () => {
-    await visit();
-    expect(byId('welcome').closest('.pane-console')).not.toBeNull();
-    named('Willkommen! Womit möchtest du beginnen?');
-    expect([...document.querySelectorAll('.stage b')].map(textOf)).toEqual([
-      '1. Mikrocomputer',
-      '2. Roboter',
-      '3. Parcours bauen',
+  it('stands in the place of the card and offers three beginnings', async () => {
+    const page = await visit();
+    expect(page.layout.card.value).toBe('open');
+    expect(byId('welcome').closest('.pane-arena')).toBeNull();
+    expect(textOf(byId('welcome').querySelector('h2'))).toBe('Womit möchtest du beginnen?');
+    expect([...document.querySelectorAll('.choice')].map(textOf)).toEqual([
+      'Fahren lernen12 Missionen',
+      'Mikrocomputer',
+      'Selber bauen',
     ]);
   });
 
-  it('stands below the program on a phone, and only there', async () => {
+  it('stands above the course on a phone, which begins there', async () => {
     setWindow(390, 800);
     const page = await visit();
-    expect(byId('welcome').closest('.pane-code')).not.toBeNull();
-    page.layout.tab.value = 'arena';
-    await nextTick();
-    expect(isThere('welcome')).toBe(false);
+    expect(page.layout.tab.value).toBe('arena');
+    expect(byId('welcome').closest('.pane-arena')).not.toBeNull();
   });
 
-  it('is not shown to whoever has been greeted, has written something, or looks at a page', async () => {
+  it('stays while somebody writes: it goes with a choice, not with a key', async () => {
+    const page = await visit();
+    page.work.setText('main.py', 'meins = 1\n');
+    await nextTick();
+    expect(isThere('welcome')).toBe(true);
+  });
+
+  it('is not shown to whoever has been greeted, or looks at a page', async () => {
     await visit((page) => page.settings.change({ welcomed: true }));
-    expect(isThere('welcome')).toBe(false);
-    await visit((page) => page.work.setText('main.py', 'meins = 1\n'));
     expect(isThere('welcome')).toBe(false);
     await visit((page) => page.router.open('robots'));
     expect(isThere('welcome')).toBe(false);
     history.replaceState(null, '', '/');
   });
 
-  it('does not come over the output of a run whose program was then taken back', async () => {
-    const page = await visit();
-    const { text } = page.work.open.value;
-    page.work.setText('main.py', 'meins = 1\n');
-    await startRun(page);
-    await page.run.reset();
-    page.work.setText('main.py', text);
-    await nextTick();
-    expect(page.settings.current.value.welcomed).toBe(false);
-    expect(isThere('welcome')).toBe(false);
-  });
-
-  it('goes for good with “Gleich loslegen”', async () => {
-    const page = await visit();
-    await tap('welcome-start');
-    expect(isThere('welcome')).toBe(false);
-    expect(page.settings.current.value.welcomed).toBe(true);
-  });
-
-  it('goes for good with the first run', async () => {
+  it('goes for good with the first run, which leaves the card of the mission', async () => {
     const page = await visit();
     await startRun(page);
     await nextTick();
     expect(isThere('welcome')).toBe(false);
     expect(page.settings.current.value.welcomed).toBe(true);
+    expect(page.layout.card.value).toBe('open');
   });
 
-  it('begins the tour', async () => {
-    const page = await visit();
-    await tap('welcome-tour');
+  it('comes back on request, with the keys, until something else is opened', async () => {
+    const page = await visit((it) => it.settings.change({ welcomed: true }));
+    page.greeting.ask();
     await flushPromises();
-    expect(page.tour.isOpen.value).toBe(true);
-    expect(isThere('tour')).toBe(true);
+    expect(document.activeElement).toBe(byId('welcome').querySelector('h2'));
+    page.work.openings.value += 1;
+    await nextTick();
     expect(isThere('welcome')).toBe(false);
   });
 
-  it('makes room for a tour that is done at its last step and begins anew the next time', async () => {
+  it('is never in the way of a task that was handed out', async () => {
+    const page = await visit();
+    page.work.setTask({ version: 1, checks: [{ type: 'goals' }], handedOut: true } as never);
+    page.greeting.ask();
+    await nextTick();
+    expect(isThere('welcome')).toBe(false);
+  });
+
+  it('makes room for a tour, whose last step leads to the first mission', async () => {
     const page = await visit((it) => it.settings.change({ tourStep: 'help', language: 'de' }));
     page.tour.open();
     await flushPromises();
+    expect(isThere('welcome')).toBe(false);
     expect(textOf(byId('tour-next'))).toBe('Fertig');
+    page.task.close();
     await tap('tour-next');
     expect(isThere('tour')).toBe(false);
     expect(page.settings.current.value.tourStep).toBeNull();
+    await vi.waitFor(() => expect(page.task.isOpen.value).toBe(true));
+    expect(page.task.text.value.title).toBe('Eine Sekunde vorwärts');
   });
 
   it('opens a program that needs no robot for the microcomputer, without the arena', async () => {
@@ -117,30 +118,26 @@ describe('the greeting of a first visit', () => {
     expect(isThere('welcome')).toBe(false);
   });
 
-  it.each([
-    ['robot', false],
-    ['all', true],
-  ] as const)('shows the arena for “%s”, the tools for building: %s', async (stage, tools) => {
-    const page = await visit();
-    await tap(`welcome-${stage}`);
-    await vi.waitFor(() => expect(page.settings.current.value.showTools).toBe(tools));
-    expect(page.settings.current.value.showArena).toBe(true);
-  });
-
-  it('opens the task of the first mission for “robot”', async () => {
+  it('leads to the first mission', async () => {
     const page = await visit();
     await tap('welcome-robot');
-    await vi.waitFor(() => expect(page.task.isOpen.value).toBe(true));
-    expect(page.task.text.value.title).toBe('Eine Sekunde vorwärts');
+    await vi.waitFor(() => expect(page.settings.current.value.welcomed).toBe(true));
+    expect([page.task.text.value.title, page.layout.card.value]).toEqual(['Eine Sekunde vorwärts', 'open']);
   });
 
-  it('opens an empty floor for “all”, the pen in hand; the program stays', async () => {
+  it('leads to the first mission that was not passed yet', async () => {
+    const page = await visit((it) => it.task.stars.keep(firstCourse!.id, 1));
+    await tap('welcome-robot');
+    await vi.waitFor(() => expect(page.task.text.value.title).toBe('Um die Ecke'));
+  });
+
+  it('opens an empty floor with the tools for building; the program stays', async () => {
     const page = await visit();
     const program = page.work.find('main.py')?.text;
     await tap('welcome-all');
-    await vi.waitFor(() => expect(page.editor.tool.value).toBe('pen'));
-    expect(page.work.scene.value.objects).toEqual([]);
+    await vi.waitFor(() => expect(page.work.scene.value.objects).toEqual([]));
+    await vi.waitFor(() => expect(page.mode.current.value).toBe('build'));
     expect(page.work.find('main.py')?.text).toBe(program);
-    expect(page.task.isOpen.value).toBe(false);
+    expect(page.layout.card.value).toBeNull();
   });
 });

@@ -11,7 +11,7 @@ import BoardPane from './BoardPane.vue';
 /** A page with a program for the bare board, its pane, and the board's drawing in it. */
 async function pane(device = 'microbit-v2', wish: Parameters<typeof createPage>[0] = {}) {
   const page = createPage(wish);
-  page.settings.change({ device, robot: 'none', panel: null });
+  page.settings.change({ device, robot: 'none', panel: null, showCard: false });
   const mounted = mountOn(page, BoardPane);
   await flushPromises();
   return { page, mounted };

@@ -22,9 +22,7 @@ export function useConsoleFold({
   console,
 }: Pick<RunParts, 'run'> & Pick<LayoutParts, 'layout'> & Pick<ConsoleParts, 'console'>): ConsoleFold {
   const chosen = shallowRef<'open' | 'folded' | null>(null);
-  const speaks = computed(
-    () => layout.leastConsolePx.value > 0 || run.isWaitingForInput.value || console.shown.value.some(says),
-  );
+  const speaks = computed(() => run.isWaitingForInput.value || console.shown.value.some(says));
   /** A chart that is folded away would be none. */
   const canFold = computed(() => layout.canFold.value && !console.isChart.value);
   const isFolded = computed(() => canFold.value && (chosen.value === null ? !speaks.value : chosen.value === 'folded'));

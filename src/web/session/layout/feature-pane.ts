@@ -4,11 +4,11 @@ import type { Drawn } from '../../kit/features/drawn';
 import type { Pane } from './layout-model';
 
 /**
- * A pane, or the row above the panes. A feature lists them in its `panes.ts`, which comes with the app: the page's first
+ * A pane, the row above the panes, or the card beside the program. A feature lists them in its `panes.ts`, which comes with the app: the page's first
  * picture consists of them.
  */
 export type FeaturePane = Drawn & {
-  readonly place: Pane | 'row';
+  readonly place: Pane | 'row' | 'card';
   /** It is drawn inside the pane of this place, in that pane's slot of this name. */
   readonly slot?: string;
   /** True if it keeps its state while it is hidden. */

@@ -18,6 +18,9 @@ export const hasLittleRoom = (kind: LayoutKind): boolean => kind === 'narrow' ||
 export const PANES = ['code', 'board', 'arena', 'console'] as const;
 export type Pane = (typeof PANES)[number];
 
+/** The card beside the program: unfolded, or its title line alone. */
+export type CardForm = 'open' | 'folded';
+
 /** The arrangement of the panes: which are shown, where, and how large. */
 export interface LayoutModel {
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
@@ -35,11 +38,15 @@ export interface LayoutModel {
   readonly parts: ComputedRef<readonly Part[]>;
   /** Sizes of the panes in px. */
   readonly sizes: ComputedRef<PaneSizes>;
+  /** The card of the task, or the question of a first visit in its place; `null`: there is none. The task sets it. */
+  readonly card: ShallowRef<CardForm | null>;
+  /** True while a newcomer is asked where to begin, in the card's place. The greeting itself sets it. */
+  readonly isGreeting: ShallowRef<boolean>;
+  /** True if the board is its display and its two buttons alone, because a card has its place. */
+  readonly isBoardSmall: ComputedRef<boolean>;
   /** True if the console has nothing to show and may be folded to its head. The console itself sets it. */
   readonly isConsoleFolded: ShallowRef<boolean>;
-  /** Least height of the console, in px; 0: no demand. The greeting of a first visit sets it. */
-  readonly leastConsolePx: ShallowRef<number>;
-  /** True where folding the console gains room: where panes lie beside the arena. */
+  /** True where folding the console gains room: everywhere but on a phone. */
   readonly canFold: ComputedRef<boolean>;
   /** A phone held across: its panes are wide and low. */
   readonly isAcross: Readonly<ShallowRef<boolean>>;
@@ -82,16 +89,16 @@ const LOW: readonly [boolean, string][] = [[true, '(max-height: 699px)']];
 
 /** Sizes that suit each layout, from the picture of the app's look: the arena has what the others leave. */
 const SUGGESTED: Readonly<Record<LayoutKind, Sizes>> = {
-  wide: { code: 376, board: 208, console: 186, top: 0, below: 0 },
-  medium: { code: 384, board: 208, console: 174, top: 0, below: 208 },
-  narrow: { code: 0, board: 264, console: 208, top: 0, below: 0 },
+  wide: { code: 344, board: 268, console: 186, top: 0, below: 0 },
+  medium: { code: 400, board: 208, console: 174, top: 0, below: 208 },
+  narrow: { code: 0, board: 300, console: 208, top: 0, below: 0 },
   phone: { code: 0, board: 0, console: 0, top: 0, below: 0 },
 };
 
 /** Larger sizes for wide windows, whose height limits the arena: it stays as large. In px, chosen by eye. */
 const ROOMY: readonly [Partial<Sizes>, string][] = [
-  [{ code: 560, board: 256, console: 232 }, '(min-width: 1680px) and (min-height: 800px)'],
-  [{ code: 416, board: 232 }, '(min-width: 1440px) and (min-height: 440px)'],
+  [{ code: 528, board: 288, console: 232 }, '(min-width: 1680px) and (min-height: 800px)'],
+  [{ code: 384, board: 268 }, '(min-width: 1440px) and (min-height: 440px)'],
 ];
 
 const ACROSS: readonly [boolean, string][] = [[true, '(min-width: 700px) and (max-height: 599px)']];
@@ -142,17 +149,19 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
   const console = useConsolePlace(arrangement);
   const isAcross = useFirstMatch(ACROSS, false);
   const sizes = useSizes(current, kind, console);
-  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, ...console };
+  const card = shallowRef<CardForm | null>(null);
+  const isBoardSmall = computed(() => card.value === 'open' && arrangement.value !== 'phone');
+  const cards = { card, isGreeting: shallowRef(false), isBoardSmall };
+  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, ...cards, ...console };
 }
 
-type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;
+type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'canFold'>;
 
-/** The state of the console's pane: not folded, no least height. */
+/** The state of the console's pane: not folded. */
 function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
   return {
     isConsoleFolded: shallowRef(false),
-    leastConsolePx: shallowRef(0),
-    canFold: computed(() => arrangement.value === 'wide' || arrangement.value === 'medium'),
+    canFold: computed(() => arrangement.value !== 'phone'),
   };
 }
 
@@ -160,7 +169,7 @@ function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
 function useSizes(
   current: SettingsModel['current'],
   kind: LayoutModel['kind'],
-  { canFold, isConsoleFolded, leastConsolePx }: ConsolePlace,
+  { canFold, isConsoleFolded }: ConsolePlace,
 ): ComputedRef<PaneSizes> {
   const roomy = useFirstMatch<Partial<Sizes>>(ROOMY, {});
   const isLow = useFirstMatch(LOW, false);
@@ -168,13 +177,13 @@ function useSizes(
     const suggested = {
       ...SUGGESTED[kind.value],
       ...(kind.value === 'wide' && roomy.value),
-      ...(canFold.value && isLow.value && LOW_SIZES),
+      ...(kind.value !== 'narrow' && canFold.value && isLow.value && LOW_SIZES),
     };
     const { codePx, boardPx, consolePx, topPx, belowPx, showArena } = current.value;
     return {
       code: codePx ?? suggested.code,
       board: boardPx ?? (showArena ? suggested.board : BOARD_ALONE[kind.value]),
-      console: Math.max(consolePx ?? suggested.console, leastConsolePx.value),
+      console: consolePx ?? suggested.console,
       top: topPx ?? suggested.top,
       below: belowPx ?? suggested.below,
       isConsoleFolded: canFold.value && isConsoleFolded.value,

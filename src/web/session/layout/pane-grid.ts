@@ -22,16 +22,22 @@ export interface Room {
   readonly heightPx: number;
 }
 
-const GAP = '8px';
+export const GAP = '8px';
 /** Least sizes that are still of use, in px. */
-const LEAST = { code: 220, board: 180, console: 96, top: 160, below: 132, arena: 240 } as const;
+export const LEAST = { code: 220, board: 180, console: 96, top: 160, below: 132, arena: 240 } as const;
 /** Height of a folded console: its head and the frame around it. */
-const FOLDED_PX = 48;
+export const FOLDED_PX = 48;
 /** The arena's share of the window while it is being watched. */
 const WATCHED = 2 / 3;
 /** Height of code and board, stacked, while something is unfolded below the board: room for the drawing and the dials, and for an arena in which a robot is seen. Chosen by eye. */
 const TOP_UNFOLDED_PX = 460;
-const BARS_PX = 60 + 8 + 8;
+export const BARS_PX = 60 + 8 + 8;
+/** Share of the height that an arena below the program keeps: its course is 420 px wide on a tablet held upright. */
+const ARENA_SHARE = 0.39;
+
+/** Height of what lies above a stacked arena, which keeps its share where that leaves the program some lines. */
+export const topBeside = (wishedPx: number, belowPx: number, { heightPx }: Room): number =>
+  Math.max(LEAST.top, Math.min(wishedPx, heightPx - BARS_PX - 8 - belowPx - Math.round(ARENA_SHARE * heightPx)));
 
 /** Height of the board below the program while something is unfolded in it. Chosen by eye. */
 const BELOW_UNFOLDED_PX = 330;
@@ -51,6 +57,14 @@ export function withLargeArena(wished: PaneSizes, { widthPx, heightPx }: Room): 
   const left = (px: number): number => Math.round(px * (1 - WATCHED));
   return { ...wished, code: left(widthPx) - 16, top: Math.max(LEAST.top, left(heightPx - BARS_PX) - FOLDED_PX - 16) };
 }
+
+/** The wished sizes, within their limits. */
+export const fitting =
+  (wished: PaneSizes, room: Room): Fit =>
+  (id) => {
+    const { minPx, maxPx } = limitsOf(id, room);
+    return Math.max(minPx, Math.min(maxPx, wished[id]));
+  };
 
 /** The limits within which a splitter can size its pane in this room. */
 export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: number; maxPx: number } {
@@ -77,11 +91,8 @@ export function gridOf(
   if (kind === 'phone' || panes.length < 2) {
     return { columns: REST, rows: REST, areas: `'${only ?? 'code'}'`, splitters: [] };
   }
-  const fit = (id: SplitterId): number => {
-    const { minPx, maxPx } = limitsOf(id, room);
-    return Math.max(minPx, Math.min(maxPx, wished[id]));
-  };
-  if (kind === 'narrow') return stacked(shown, wished, fit);
+  const fit = fitting(wished, room);
+  if (kind === 'narrow') return stacked(shown, wished, room, fit);
   if (!shown.code || !shown.arena) return inRow(shown, wished, fit);
   return kind === 'wide' ? beside(shown, wished, fit) : inColumn(shown, wished, room, fit);
 }
@@ -101,7 +112,7 @@ export function withDeviceRow({ columns, rows, areas, splitters }: PaneGrid): Pa
 }
 
 /** The track that takes the remaining room. */
-const REST = 'minmax(0, 1fr)';
+export const REST = 'minmax(0, 1fr)';
 
 type Columns = Pick<PaneGrid, 'columns' | 'splitters'> & { readonly areas: readonly string[] };
 
@@ -125,12 +136,15 @@ function columnsOf(panes: readonly ('code' | 'board' | 'arena')[], fit: (id: Spl
   return { columns: columns.join(' '), areas, splitters };
 }
 
-type Shown = Readonly<Record<Pane, boolean>>;
-type Fit = (id: SplitterId) => number;
-type Rows = Pick<PaneGrid, 'splitters'> & { readonly rows: readonly string[]; readonly areas: readonly string[] };
+export type Shown = Readonly<Record<Pane, boolean>>;
+export type Fit = (id: SplitterId) => number;
+export type Rows = Pick<PaneGrid, 'splitters'> & {
+  readonly rows: readonly string[];
+  readonly areas: readonly string[];
+};
 
 /** The row of the console and the bar above it; folded it is as high as its head, and has no bar. */
-function consoleRow({ isConsoleFolded }: PaneSizes, fit: Fit): Rows {
+export function consoleRow({ isConsoleFolded }: PaneSizes, fit: Fit): Rows {
   if (isConsoleFolded) return { rows: [GAP, `${FOLDED_PX}px`], areas: ['.', 'console'], splitters: [] };
   const sizePx = fit('console');
   return {
@@ -193,7 +207,7 @@ function inRow(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
 }
 
 /** Code and board on top, the arena below in full width, then the console. */
-function stacked(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
+function stacked(shown: Shown, wished: PaneSizes, room: Room, fit: Fit): PaneGrid {
   const top = columnsOf(
     (['code', 'board'] as const).filter((pane) => shown[pane]),
     fit,
@@ -206,7 +220,8 @@ function stacked(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
   if (top.areas.length > 0) add(REST, `'${top.areas.join(' ')}'`);
   if (shown.arena) {
     if (rows.length > 0) {
-      const topPx = fit('top');
+      const consolePx = shown.console ? (wished.isConsoleFolded ? FOLDED_PX : fit('console')) + 8 : 0;
+      const topPx = topBeside(fit('top'), consolePx, room);
       rows[0] = wished.top === 0 ? 'minmax(0, 0.8fr)' : `${topPx}px`;
       splitters.push({ id: 'top', axis: 'y', sign: 1, sizePx: topPx });
       add(GAP, across('s-top'));

@@ -1,6 +1,7 @@
 import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../../kit/i18n/texts';
+import { cardGrid } from './card-grid';
 import { gridOf, limitsOf, withDeviceRow, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
 import type { WorkParts } from '../work/model/parts';
 import type { LayoutParts } from './parts';
@@ -33,13 +34,26 @@ export function usePaneGrid(
   });
   onScopeDispose(() => observer.disconnect());
 
-  const isUnfolded = computed(() => layout.isShown.value.board && settings.current.value.panel !== null);
+  const isUnfolded = computed(
+    () => layout.isShown.value.board && !layout.isBoardSmall.value && settings.current.value.panel !== null,
+  );
   const sizes = computed(() => {
     const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
     return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
   });
   const grid = computed(() => {
-    const panes = gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value);
+    const [kind, shown, card] = [layout.arrangement.value, layout.isShown.value, layout.card.value];
+    const panes =
+      card === null
+        ? gridOf(kind, shown, sizes.value, room.value)
+        : // An arena that has two thirds of the window leaves one column for all the others.
+          cardGrid(
+            kind === 'wide' && settings.current.value.cinema ? 'medium' : kind,
+            shown,
+            sizes.value,
+            room.value,
+            card,
+          );
     return work.hasSeveral.value ? withDeviceRow(panes) : panes;
   });
   const style = computed(() => ({

@@ -34,6 +34,7 @@ import { WorkModel } from '../work/model/work-model';
 import { createSettings } from '../work/settings/settings-model';
 import type { Work } from '../work/storage/history';
 import { browserEngine, createRun, type RunEngine } from './create-run';
+import { placeCard } from './place-card';
 import type { SessionParts } from './session';
 
 /**
@@ -69,6 +70,7 @@ export function createSession(
   followCourse({ ...mine, ...running });
   const task = createTask({ ...mine, ...running }, window.parent === window, work.programs);
   const mode = createMode({ ...mine, ...running });
+  placeCard({ ...mine, ...sight, task, mode });
   return { ...page, ...mine, ...sight, ...running, host, task, mode };
 }
 

@@ -1,4 +1,5 @@
 // @vitest-environment happy-dom
+import { flushPromises } from '@vue/test-utils';
 import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
@@ -7,8 +8,10 @@ import { briefOf } from '#simulation/task/task-brief';
 import type { Verdict } from '#simulation/task/verdict';
 
 import { editingPage, press, samples } from '../../app/testing/editing';
-import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, setWindow, textOf } from '../../app/testing/mount-on';
+import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
+import { firstCourse } from '../work/catalogue/first-course';
 import TaskCard from './TaskCard.vue';
 
 const PICTURE = 'data:image/png;base64,iVBORw0KGgo=';
@@ -63,7 +66,8 @@ describe('the card of a task', () => {
   it('opens its hints one by one', async () => {
     const { texts, find, task } = await card({ hints: ['Wie **weit**?', 'Zurück.'] });
     expect(texts('[data-testid="hint"]')).toEqual([]);
-    expect(textOf(find('[data-testid="next-hint"]').element)).toBe('Tipp 1 zeigen von 2');
+    const next = () => find('[data-testid="next-hint"]');
+    expect([textOf(next().element), next().attributes('aria-label')]).toEqual(['Tipp', 'Tipp 1 zeigen von 2']);
     await find('[data-testid="next-hint"]').trigger('click');
     expect(texts('[data-testid="hint"]')).toEqual(['Tipp 1Wie weit?']);
     await find('[data-testid="next-hint"]').trigger('click');
@@ -105,32 +109,49 @@ describe('the card of a task', () => {
     expect(textOf(mounted.element)).toContain('<script>alert(1)</script>');
   });
 
-  it('goes with “Los geht’s”, with its cross and with Escape', async () => {
-    const { task, find } = await card({});
-    await press('Los geht’s');
-    expect(task.isOpen.value).toBe(false);
-    task.open();
-    await press('Aufgabe schliessen');
-    expect(task.isOpen.value).toBe(false);
-    task.open();
+  it('folds to its title line and unfolds again, but not by Escape: it covers nothing', async () => {
+    const { task, find, texts } = await card({});
     await find('.body').trigger('keydown', { key: 'Escape' });
-    expect(task.isOpen.value).toBe(false);
+    expect(task.isOpen.value).toBe(true);
+    await press('Aufgabe einklappen');
+    expect([task.isOpen.value, find('.body').exists(), texts('h2')]).toEqual([false, false, ['Parken']]);
+    await press('Aufgabe aufklappen');
+    expect([task.isOpen.value, find('.body').exists()]).toEqual([true, true]);
   });
 
-  it('shows the course of a phone beside it, and its goals alone while the robot drives', async () => {
-    setWindow(390, 844);
-    const page = await editingPage([samples.target], { description: 'Los.' });
-    await startRun(page);
-    page.task.open();
+  it('takes the keys when a task is opened, and says title, text and goals', async () => {
+    const { work, scene, find } = await card({});
+    work.setScene({ ...scene(), description: 'Und jetzt zurück.' }, null);
+    await flushPromises();
+    expect(document.activeElement).toBe(find('h2').element);
+    expect(textOf(find('[role="status"]').element)).toMatch(
+      /^Parken.*Und jetzt zurück\..*Fahre durch den Kontrollpunkt/,
+    );
+  });
+
+  it('says which mission it is, what is new in it, and the stars that were won before', async () => {
+    const page = createPage();
+    page.task.stars.keep(firstCourse!.id, 2);
     const mounted = mountOn(page, TaskCard);
-    await nextTick();
+    expect(textOf(mounted.find('[data-testid="task-kick"]').element)).toBe('Mission 1 von 12');
+    expect(textOf(mounted.find('[data-testid="task-news"]').element)).toBe('neu: forward()');
+    expect(mounted.find('header .stars').attributes('aria-label')).toBe('2 von 3 Sternen');
+    await mounted.find('[data-testid="task-missions"]').trigger('click');
+    expect(page.router.page.value).toEqual({ name: 'missions', id: 'maqueen-lite' });
+  });
+
+  it('has the goals and a hint alone above the course of a phone once it was read', async () => {
+    setWindow(390, 844);
+    const page = await editingPage([samples.target], { description: 'Los.', task: { ...sceneDefaults.task, card: { ...sceneDefaults.card, hints: ['Weiter!'] } } }); // prettier-ignore
     expect(page.layout.tab.value).toBe('arena');
-    expect([mounted.find('.markup').exists(), mounted.find('.goals').exists()]).toEqual([false, true]);
+    const mounted = mountOn(page, TaskCard, { inArena: true });
+    const seen = () => ['.markup', '.goals', '[data-testid="hint"]'].map((css) => mounted.find(css).exists());
+    expect(seen()).toEqual([true, true, false]);
+    await mounted.find('[data-testid="next-hint"]').trigger('click');
+    expect(mounted.find('[data-testid="task-text"]').exists()).toBe(false);
+    expect(seen()).toEqual([true, true, true]);
     await press('Ganze Aufgabe und Tipps');
-    expect([mounted.find('.markup').exists(), named('Los geht’s') !== null]).toEqual([true, true]);
-    page.layout.tab.value = 'code';
-    await nextTick();
-    expect(page.task.isOpen.value).toBe(false);
+    expect(mounted.find('[data-testid="task-text"]').exists()).toBe(true);
   });
 
   it('lists what a teacher has checked besides the goals, with points', async () => {

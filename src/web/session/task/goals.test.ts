@@ -39,7 +39,7 @@ describe('the goals in words', () => {
     expect(said(course([zone('target')]))).toEqual(['target']);
     expect(said(course([zone('target'), zone('target')]))).toEqual(['targets']);
     expect(said(course([zone('target', 0, 1)]))).toEqual(['block']);
-    expect(said(course([zone('target', 0, 3), zone('target')]))).toEqual(['target', 'blocks']);
+    expect(said(course([zone('target', 0, 3), zone('target')]))).toEqual(['blocks', 'target']);
   });
 
   it('are to hold out where there is only a time', () => {

@@ -62,6 +62,11 @@ export function goalsInWords(course: Course, verdict: Verdict | null): readonly 
       of: verdict?.checkpoints.of ?? count,
     });
   }
+  // What is pushed comes first: the robot has driven on to its own target when all is done.
+  if (blocksWanted > 0) {
+    const words = blocksWanted === 1 ? 'block' : 'blocks';
+    goals.push({ words, values: { count: blocksWanted }, done: verdict?.blocks.delivered ?? 0, of: blocksWanted });
+  }
   const targets = robotTargets.length;
   if (targets > 0) {
     const words = count > 0 ? (targets === 1 ? 'thenTarget' : 'thenTargets') : targets === 1 ? 'target' : 'targets';
@@ -71,10 +76,6 @@ export function goalsInWords(course: Course, verdict: Verdict | null): readonly 
       done: verdict?.targets.reached ?? 0,
       of: verdict?.targets.of ?? targets,
     });
-  }
-  if (blocksWanted > 0) {
-    const words = blocksWanted === 1 ? 'block' : 'blocks';
-    goals.push({ words, values: { count: blocksWanted }, done: verdict?.blocks.delivered ?? 0, of: blocksWanted });
   }
   const done = verdict?.state === 'passed' || verdict?.state === 'helped' ? 1 : 0;
   if (task.robots === 'ring' || task.robots === 'catch') goals.push({ words: task.robots, values: {}, done, of: 1 });

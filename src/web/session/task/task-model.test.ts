@@ -6,12 +6,13 @@ import type { RobotSnapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 
+import { samples } from '../../app/testing/editing';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
 import { loadTexts, showLanguage } from '../../kit/i18n';
 import { courses } from '#catalogue/courses';
 import { ladderOf } from '#catalogue/missions';
-import '../work/catalogue/ready-courses';
+import { readyCourse } from '../work/catalogue/ready-courses';
 import { useCourses } from '../work/use-courses';
 
 beforeAll(() => loadTexts('de'));
@@ -27,7 +28,7 @@ async function open(page: TestPage, scene: Scene): Promise<void> {
 describe('the card of the task', () => {
   it('opens with a course that has a text, and with no other', async () => {
     const page = createPage();
-    expect(page.task.isOpen.value).toBe(false); // a first visit begins with the program
+    expect(page.task.card.value).toBe('open'); // the first mission
     await open(page, told('Fahr ins Ziel.'));
     expect([page.task.hasText.value, page.task.isOpen.value]).toEqual([true, true]);
     await open(page, told(''));
@@ -54,17 +55,45 @@ describe('the card of the task', () => {
     expect(page.task.isOpen.value).toBe(true);
   });
 
-  it('stays closed while the course is edited, and goes when a run starts', async () => {
+  it('stays while the robot drives, and folded while the course is edited', async () => {
     const page = createPage();
     await open(page, told('Fahr ins Ziel.'));
     await startRun(page);
-    expect(page.task.isOpen.value).toBe(false);
-    page.task.open();
-    expect(page.task.isOpen.value).toBe(true); // asked for, it is there while the robot drives
+    expect(page.task.card.value).toBe('open');
     page.task.close();
     page.editor.commit({ type: 'course', changes: { description: 'Fahr weiter.' } });
     await nextTick();
-    expect(page.task.isOpen.value).toBe(false);
+    expect(page.task.card.value).toBe('folded');
+  });
+
+  it('is there on request alone where a ready course has no goals', async () => {
+    const page = createPage();
+    useCourses(page).openWhole(readyCourse('empty')!);
+    await nextTick();
+    expect([page.task.hasText.value, page.task.card.value]).toEqual([true, null]);
+    page.task.open();
+    expect(page.task.card.value).toBe('open');
+    page.task.close();
+    expect(page.task.card.value).toBeNull();
+  });
+
+  it('has no words of the empty floor for a course that was drawn on it', async () => {
+    const page = createPage();
+    useCourses(page).openWhole(readyCourse('empty')!);
+    await nextTick();
+    expect(page.task.text.value.text).not.toBe('');
+    page.editor.commit({ type: 'add', objects: [samples.target] });
+    expect(page.task.text.value).toMatchObject({ title: '', text: '' });
+  });
+
+  it('has its place beside the program while the robot drives, and none while something is built', async () => {
+    const page = createPage();
+    expect(page.layout.card.value).toBe('open');
+    page.mode.enter('build');
+    expect(page.layout.card.value).toBeNull();
+    page.mode.enter('drive');
+    page.task.close();
+    expect(page.layout.card.value).toBe('folded');
   });
 
   it('has its hints closed again in each other course', async () => {

@@ -1,10 +1,12 @@
 import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../../kit/i18n';
+import type { CardForm } from '../layout/layout-model';
 import type { RunParts } from '../run/parts';
 import { firstCourse } from '../work/catalogue/first-course';
 import { knownCourses } from '../work/catalogue/known-courses';
 import type { Course } from '#catalogue/course';
+import type { Scene } from '#scene/scene';
 import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import type { Checked } from './checked/checked';
@@ -17,9 +19,14 @@ import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text'
 export interface TaskModel {
   /** The text of the card. */
   readonly text: ComputedRef<ShownText>;
-  /** True if there is anything to read: then there is a card. */
+  /** True if there is anything to read. */
   readonly hasText: ComputedRef<boolean>;
+  /** True if the card is unfolded. */
   readonly isOpen: Readonly<Ref<boolean>>;
+  /** The form of the card; `null`: there is none, because there is nothing to do or nobody has asked for it. */
+  readonly card: ComputedRef<CardForm | null>;
+  /** True from the opening of a task until its card has taken the keys and said what there is to do. */
+  readonly isNew: ShallowRef<boolean>;
   /** Number of hints asked for since the course was opened. */
   readonly hints: ShallowRef<number>;
   /** The ready course that is open, changed or not. */
@@ -29,38 +36,56 @@ export interface TaskModel {
   /** The state of the teacher's checks besides the goals of the course; `null`: nothing has shown it yet. */
   readonly checked: ShallowRef<Checked | null>;
   readonly handIn: HandInModel;
+  /** Unfolds the card. */
   open(): void;
+  /** Unfolds it as that of a task that was just opened. */
+  present(): void;
+  /** Folds it to its title line; one that only a request has opened goes. */
   close(): void;
 }
 
 /**
- * Makes the card's model. The card opens with each newly opened course that has a text, a ready one only if it has
- * goals, and closes when a run starts.
+ * Makes the card's model. A task that has goals, or was written by somebody, always has its card, which unfolds when it
+ * is opened; the text of a ready course without goals is shown on request alone.
  *
  * @param isOwnPage false in the frame of another page: there the card opens only on request
  * @param store storage for the stars; `null`: they last as long as the page is open
  */
 export function createTask(
-  { work, run }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'>,
+  { work, run, settings }: WorkParts & Pick<RunParts, 'run'>,
   isOwnPage: boolean,
   store: Storage | null,
 ): TaskModel {
-  const isOpen = shallowRef(false);
+  const isAsked = shallowRef(false);
   const hints = shallowRef(0);
+  const isNew = shallowRef(false);
   const ready = computed(() => {
     const id = work.work.value.project.course;
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
   });
-  const text = computed(() => taskText(work.scene.value, ready.value, shownLanguage()));
-  const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
-  /** True if the course has goals; without one, the card of a ready course opens only on request. */
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
+  const text = computed(() => {
+    const { scene } = ready.value ?? {};
+    // Goals that were drawn on a floor without any are a task of their own: the floor's words do not speak of it.
+    if (scene !== undefined && hasGoals.value && goalsInWords(scene, null).length === 0)
+      return taskText({ ...work.scene.value, ...withoutWordsOf(scene, work.scene.value) }, null, shownLanguage());
+    return taskText(work.scene.value, ready.value, shownLanguage());
+  });
+  const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
+  const isKept = computed(() => {
+    const { course, task } = work.work.value.project;
+    return isOwnPage && (course === null || task !== undefined || hasGoals.value);
+  });
+  const isOpen = computed(() => hasText.value && (isKept.value ? settings.current.value.showCard : isAsked.value));
+  const show = (isShown: boolean): void => {
+    isAsked.value = isShown;
+    if (isKept.value) settings.change({ showCard: isShown });
+  };
   watch([work.openings, work.arrivals], () => {
     hints.value = 0;
-    isOpen.value = isOwnPage && hasText.value && (ready.value === null || hasGoals.value);
-  });
-  watch(run.isActive, (isActive) => {
-    if (isActive) isOpen.value = false;
+    isAsked.value = false;
+    isNew.value = isKept.value;
+    if (isKept.value) show(true);
   });
   const stars = createKeptStars(store);
   keepStars(run, work, ready, stars);
@@ -69,14 +94,26 @@ export function createTask(
     hasText,
     ready,
     stars,
-    isOpen: computed(() => isOpen.value && hasText.value),
+    isOpen,
+    card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
+    isNew,
     hints,
     checked: shallowRef(null),
     handIn: createHandIn({ work }),
-    open: () => void (isOpen.value = true),
-    close: () => void (isOpen.value = false),
+    open: () => show(true),
+    present() {
+      isNew.value = true;
+      show(true);
+    },
+    close: () => show(false),
   };
 }
+
+/** Name and description of a course, as far as they are not those of the one that it was drawn on. */
+const withoutWordsOf = (first: Scene, { name, description }: Scene): Pick<Scene, 'name' | 'description'> => ({
+  name: name === first.name ? '' : name,
+  description: description === first.description ? '' : description,
+});
 
 /**
  * Stores the stars that a run has won and its program, in a ready course that is unchanged and with the robot of its

@@ -63,6 +63,8 @@ export interface Settings {
   readonly arenaSenses: boolean;
   /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
   readonly showTools: boolean | null;
+  /** The card of a task is unfolded; otherwise it is its title line. */
+  readonly showCard: boolean;
   /** The commands to choose from are open below the program. */
   readonly showCommands: boolean;
   /** The picture follows the robot. */
@@ -126,6 +128,7 @@ export function defaultSettings(language: Language): Settings {
     lidarUnit: 'cm',
     ...newWork,
     showTools: null,
+    showCard: true,
     showCommands: false,
     follow: false,
     tell: false,
@@ -154,6 +157,7 @@ type Flag =
   | 'showArena'
   | 'arenaSenses'
   | 'deviceCheck'
+  | 'showCard'
   | 'showCommands'
   | 'follow'
   | 'tell'
@@ -202,6 +206,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     lidarUnit: LIDAR_UNITS.find((unit) => unit === read.lidarUnit) ?? fallback.lidarUnit,
     arenaSenses: flag('arenaSenses'),
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    showCard: flag('showCard'),
     showCommands: flag('showCommands'),
     follow: flag('follow'),
     tell: flag('tell'),

@@ -1,0 +1,22 @@
+import { computed, watch } from 'vue';
+
+import type { SessionParts } from './session';
+
+type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'>;
+
+/** Gives the card its place in the layout: beside the program while the robot drives, not in the other modes. */
+export function placeCard({ task, layout, mode, settings, work }: Parts): void {
+  const card = computed(() => {
+    if (mode.current.value !== 'drive' || !layout.parts.value.includes('arena')) return null;
+    if (layout.isGreeting.value) return settings.current.value.showCard ? 'open' : 'folded';
+    return task.card.value;
+  });
+  watch(card, (form) => (layout.card.value = form), { immediate: true, flush: 'sync' });
+  // A phone has the course behind a tab: card and course are read together.
+  const bringToFront = (): void => {
+    const isRead = layout.card.value === 'open' && layout.tabs.value.includes('arena');
+    if (isRead && layout.arrangement.value === 'phone') layout.tab.value = 'arena';
+  };
+  watch([work.openings, work.arrivals], bringToFront);
+  watch(layout.isGreeting, (isGreeting) => isGreeting && bringToFront(), { flush: 'sync' });
+}
