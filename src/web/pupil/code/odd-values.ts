@@ -26,7 +26,7 @@ function hintsOf(program: PythonText, reader: Reader, node: SyntaxNode): readonl
     const { from, to } = comma.change;
     return [{ from, to, key: 'error.decimalComma', values: { code: comma.code }, change: comma.change }];
   }
-  return argumentsOf(program, node).flatMap(({ value, keyword }, index) => {
+  return argumentsOf(program, node).flatMap<SlipHint>(({ value, keyword }, index) => {
     const limit = call.item.limits[keyword ?? call.parameters[index]?.name ?? ''];
     const written = value === null ? '' : textOf(program, value);
     if (value === null || limit === undefined || !/^-?\d+(?:\.\d+)?$/.test(written)) return [];

@@ -47,8 +47,8 @@ describe('the editor tells of', () => {
     for (const [call, right] of [
       ['leftArc(0,2)', 'leftArc(0.2)'],
       ['delay(1,5)', 'delay(1.5)'],
-    ])
-      expect(hintsOf(ALL + call)).toMatchObject({ keys: ['error.decimalComma'], mended: `${ALL}${right}` });
+    ] as const)
+      expect(hintsOf(`${ALL}${call}`)).toMatchObject({ keys: ['error.decimalComma'], mended: `${ALL}${right}` });
   });
 
   it.each([
@@ -98,7 +98,7 @@ describe('the editor tells of', () => {
       `${ALL}delay(0)\nsetSpeed(100)\nleftArc(1)\nsetLED(1, 0)\nsetSpeed(x)\ndelay()`,
       'unbekannt',
       '# repeat 4:\nrepeat = 3',
-    ])
+    ] as const)
       expect(hintsOf(program).keys).toEqual([]);
   });
 

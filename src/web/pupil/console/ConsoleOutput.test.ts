@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import ConsoleOutput from './ConsoleOutput.vue';
 
@@ -124,19 +124,15 @@ describe('the console’s output', () => {
     expect(log.findAll('button.place')).toHaveLength(0);
   });
 
-  it('folds the device’s own words behind their name on a phone', async () => {
-    setWindow(390, 800);
-    const { print, log } = output();
+  it('folds the device’s own words into the card that explains them', async () => {
+    const { page, print, log } = output();
     await print(TRACEBACK);
-    expect(log.get('details summary').text()).toBe('Text des Geräts');
-    expect(log.get('details').element.hasAttribute('open')).toBe(false);
-  });
-
-  it('shows them unfolded where there is room', async () => {
-    const { print, log } = output();
-    await print(TRACEBACK);
-    expect(log.find('details').exists()).toBe(false);
-    expect(log.get('pre').classes()).toContain('text--error');
+    expect(log.get('.log > pre').classes()).toContain('text--error');
+    const failure = { type: 'ZeroDivisionError', message: 'division by zero', traceback: TRACEBACK };
+    page.console.addError({ file: 'main.py', line: 2 }, { failure, source: null, table: null });
+    await nextTick();
+    expect(log.find('.log > pre').exists()).toBe(false);
+    expect(log.findAll('[data-entry]')).toHaveLength(1);
   });
 
   it('the traceback of a program that was stopped is no alarm', async () => {

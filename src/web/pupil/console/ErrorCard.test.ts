@@ -36,6 +36,21 @@ describe('the card of an error', () => {
     expect(card.get('code').text()).toContain("name 'pint' isn't defined");
   });
 
+  it('has the device’s own words, with the lines that they name, on a tap', async () => {
+    const page = pageWith('main.py');
+    const traceback = [
+      { id: 1, kind: 'text', tone: 'error', lines: 2, text: 'Traceback\n  File "main.py", line 4\n' },
+    ] as const;
+    const props = { place: { file: 'main.py', line: 2 }, report: nameError, traceback };
+    const card = mountOn(page, ErrorCard, props);
+    const words = card.get('.device').element as HTMLElement;
+    expect(words.style.display).toBe('none');
+    await card.get('[data-testid="error-raw"]').trigger('click');
+    expect(words.style.display).toBe('');
+    named('File "main.py", line 4').click();
+    expect(page.jump.target.value).toEqual({ file: 'main.py', line: 4 });
+  });
+
   it('leads to the line', () => {
     const page = pageWith('main.py');
     page.layout.tab.value = 'console';
@@ -64,7 +79,7 @@ describe('the card of an error', () => {
   it('has no place to lead to for a line typed at the REPL', () => {
     const report = { ...nameError, source: null };
     const card = mountOn(pageWith('main.py'), ErrorCard, { place: null, report });
-    expect(card.find('button').exists()).toBe(false);
+    expect(card.findAll('button').map((it) => it.text())).toEqual(['Was das Gerät sagt']);
     expect(textOf(card.get('p').element)).not.toContain('Zeile');
   });
 
@@ -106,11 +121,12 @@ describe('the card of an error', () => {
     }
   });
 
-  it('leads to the line in which a bracket opens', () => {
+  it('names and leads to the line in which a bracket opens', () => {
     const page = pageWith('main.py');
     const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
     const report = { failure, source: { text: 'print(1\n\nx = 3', line: 3 }, table: null };
-    mountOn(page, ErrorCard, { place: { file: 'main.py', line: 3 }, report });
+    const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 3 }, report });
+    expect(textOf(card.get('p').element)).toBe('Zeile 1: Die Klammer ( in Zeile 1 ist nicht geschlossen.');
     named('Zur Zeile 1').click();
     expect(page.jump.target.value).toEqual({ file: 'main.py', line: 1 });
   });

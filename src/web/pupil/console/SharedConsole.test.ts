@@ -56,6 +56,21 @@ describe('the console of all devices', () => {
     expect(box.textContent).toContain('Nur die letzten 300 Zeilen sind noch da.');
   });
 
+  it('keeps the card of an error while somebody looks back, in place of the traceback', async () => {
+    const { page, box } = await withConsole();
+    const traceback =
+      "Traceback (most recent call last):\n  File \"main.py\", line 1\nNameError: name 'x' isn't defined\n";
+    page.say({ type: 'console', output: [{ text: traceback, device: 0, timeUs: 1_000_000 }] });
+    await vi.waitFor(() => expect(box.textContent).toContain('NameError'));
+    const failure = { type: 'NameError', message: "name 'x' isn't defined", traceback };
+    page.console.addError({ file: 'main.py', line: 1 }, { failure, source: null, table: null });
+    await show(page, { timeUs: 2_000_000 });
+    page.run.look.back();
+    await vi.waitFor(() => expect(box.querySelector('.card')).not.toBeNull());
+    expect(Array.from(box.querySelectorAll('.line .text'), ({ textContent }) => textContent.trim())).toEqual(['one']);
+    expect(box.querySelector('.card .device')?.textContent).toContain('Traceback');
+  });
+
   it('stays where somebody has scrolled to in the present', async () => {
     const { print, box } = await withConsole();
     await scrolled(box, 120);

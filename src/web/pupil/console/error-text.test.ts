@@ -41,6 +41,31 @@ describe('what a screen reader hears of an error', () => {
     expect(sentence).toMatch(/^Fehler im Programm: ./);
   });
 
+  it('has the name that was meant, which comes a moment later', () => {
+    const late = {
+      advice: { key: 'error.unknownName' as const, values: { name: 'vor' } },
+      meant: 'forward',
+      mend: undefined,
+    };
+    expect(errorSentence({ kind: 'exception', exception, timeUs: 5 }, page(), late)).toBe(
+      'Fehler in helfer.py, Zeile 2: Den Namen vor kennt das Programm nicht. Meinst du forward?',
+    );
+  });
+
+  it('names the line in which a bracket opens, wherever the device has noticed it', () => {
+    const parts = page();
+    parts.work.setText('main.py', 'print(1\n\nx = 3');
+    const failure = {
+      type: 'SyntaxError',
+      message: 'invalid syntax',
+      line: 3,
+      traceback: '  File "main.py", line 3\n',
+    };
+    expect(errorSentence({ kind: 'exception', exception: failure, timeUs: 5 }, parts)).toBe(
+      'Fehler in main.py, Zeile 1: Die Klammer ( in Zeile 1 ist nicht geschlossen.',
+    );
+  });
+
   it('is nothing for a program that ended without one', () => {
     expect(errorSentence({ kind: 'finished', exception: null, timeUs: 5 }, page())).toBe('');
   });

@@ -12,7 +12,9 @@ import { mispluggedNotice } from '../../session/work/hardware/misplugged';
 import { fittedNow, robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import { fetchAdvice } from './advice/explain';
-import { placeIn, sourceAt } from './error-text';
+import type { ErrorReport } from './advice/error-advice';
+import { causeOf, isUnread, placeIn, sourceAt } from './error-text';
+import type { DevicePlace } from './jump';
 import type { ConsoleParts } from './parts';
 
 /** Time from the start of the first run until the page fetches what explains errors, in ms. */
@@ -81,12 +83,9 @@ function showEnd(parts: Around, ended: Ended, device: number): void {
   }
   const files = filesThatRan(parts, device);
   const place = placeIn(exception.traceback, files);
-  jump.wrong.value = place === null ? null : { ...place, device };
-  console.addError(
-    place,
-    { failure: exception, source: sourceAt(place, files), table: robotInErrorNow(parts, device) },
-    device,
-  );
+  const report = { failure: exception, source: sourceAt(place, files), table: robotInErrorNow(parts, device) };
+  mark(jump, place === null ? null : { ...place, device }, report);
+  console.addError(place, report, device);
   if (drives) console.addNote('console.motorsOn', device);
   if (device === run.device) console.isTogether.value = false; // the explanation is there
   if (device === run.device && isHidden(parts))
@@ -102,9 +101,21 @@ function filesThatRan({ run, work }: Pick<Around, 'run' | 'work'>, device: numbe
   return filesOfDevice(work.work.value.project, device).map(({ name, text }) => ({ name, text: ran?.[name] ?? text }));
 }
 
-/** True if an error would stay hidden behind a tab of a phone. Where a host has no console here, it shows its own. */
+/** Marks the line of an error, or that of its cause once the page knows it. */
+function mark(jump: ConsoleParts['jump'], place: DevicePlace | null, report: ErrorReport): void {
+  jump.wrong.value = place;
+  if (place === null || !isUnread(report)) return;
+  void fetchAdvice().then(() => {
+    if (jump.wrong.value === place) jump.wrong.value = { ...place, ...causeOf(report, place) };
+  });
+}
+
+/** True if an error would stay hidden behind a tab of a phone: in the code it stands below the program. */
 const isHidden = ({ layout }: Around): boolean =>
-  layout.kind.value === 'phone' && !layout.isShown.value.console && layout.tabs.value.includes('console');
+  layout.kind.value === 'phone' &&
+  !layout.isShown.value.console &&
+  !layout.isShown.value.code &&
+  layout.tabs.value.includes('console');
 
 /** True if the motors turn: they go on when the program is over, as on the real robot. */
 function isDriving(run: RunModel, device: number): boolean {

@@ -23,6 +23,7 @@ export function useRepl({
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
     /** The text in the field: its use at present. */
     hint: computed((): TextKey => {
+      if (run.past.value !== null) return 'console.pastInput';
       if (run.isWaitingForInput.value) return 'console.input';
       if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';
       if (ended.value !== null) return 'console.replInput';
