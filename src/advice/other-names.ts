@@ -149,7 +149,7 @@ const MEANINGS: readonly Meaning[] = [
 
 /** Words around a command that add nothing to it, in the form of `folded`. */
 const BEFORE = /^(?:fahren|fahre|fahr|gehe|geh|drehen|drehe|dreh|setze|lies|mesure[rz]?|mesurer|tourner|tourne|aller|gira|girare|vai|misura|set|get|measure|turn|drive|move|go)(?=.)/; // prettier-ignore
-const AFTER = /(?<=.)(?:fahren|gehen|drehen|messen|setzen)$/;
+const AFTER = /^(.+)(?:fahren|gehen|drehen|messen|setzen)$/;
 
 /** A word without capitals, accents and underscores; `ä` and `ae` are one, as pupils write both. */
 const folded = (word: string): string =>
@@ -174,7 +174,7 @@ const byWord: ReadonlyMap<string, readonly string[]> = (() => {
  */
 export function commandsMeantBy(word: string): readonly string[] {
   const whole = folded(word);
-  const core = whole.replace(AFTER, '').replace(BEFORE, '');
+  const core = whole.replace(AFTER, '$1').replace(BEFORE, '');
   return [...new Set([...(byWord.get(whole) ?? []), ...(byWord.get(core) ?? [])])].filter((it) => it !== word);
 }
 

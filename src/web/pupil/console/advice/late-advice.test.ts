@@ -105,6 +105,15 @@ describe('a call with the wrong number of values', () => {
     expect(lateOf(program).advice).toEqual({ key: 'error.wantsThis', values: { code } });
   });
 
+  it('says for an arc what the number means, with an example', () => {
+    const failure = { type: 'TypeError', message: 'function takes 1 positional arguments but 0 were given' };
+    const source = { text: 'from mbrobot import *\nleftArc()', line: 2 };
+    expect(lateAdvice(failure, source, bare).advice).toEqual({
+      key: 'error.wantsMetres',
+      values: { code: 'leftArc(0.2)' },
+    });
+  });
+
   it('says where nothing goes into them', () => {
     expect(lateOf(`${ALL}button_a.is_pressed(1)`).advice).toEqual({
       key: 'error.wantsNothing',

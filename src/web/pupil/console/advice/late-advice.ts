@@ -99,6 +99,9 @@ function callAdvice({ type, message }: Failure, source: Source, written: Written
     return { key: 'error.selfMissing', values: { name: lastWord(program, callee) } };
   const comma = decimalComma(program, call.node, call.takes);
   if (comma !== null) return commaAdvice(comma, source);
+  const [first, more] = parameters;
+  if (first !== undefined && more === undefined && call.item.limits[first.name]?.unit === 'm')
+    return { key: 'error.wantsMetres', values: { code: `${name}(0.2)` } };
   const wanted = parameters.map(({ name: it, text, rest }) => {
     const usual = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
     return rest ? text.split(':')[0] : `${it}${usual}`;
