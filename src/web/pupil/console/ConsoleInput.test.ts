@@ -71,6 +71,16 @@ describe('the console’s line while the program runs', () => {
     expect(field.attributes('placeholder')).toBe('Eingabe für input()');
   });
 
+  it('takes nothing while somebody looks back, and says why: the device would not answer', async () => {
+    const { page, field, line } = await running();
+    await show(page, { timeUs: 2_000_000 });
+    page.run.look.back();
+    await nextTick();
+    expect(field.element.disabled).toBe(true);
+    expect(field.attributes('placeholder')).toBe('Im Rückblick hört das Gerät nicht zu.');
+    expect(line.find('[data-testid="interrupt"]').exists()).toBe(false);
+  });
+
   it('interrupts with its button and with Ctrl-C, and takes the focus', async () => {
     const { typed, press, field } = await running();
     named('Unterbrechen').click();

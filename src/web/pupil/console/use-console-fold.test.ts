@@ -53,6 +53,18 @@ describe('the console beside the arena', () => {
     expect(isFolded()).toBe(true);
   });
 
+  it('stays closed at a stop, whatever the device says to it', async () => {
+    const { page, print, isFolded } = consoleIn(1366, 625);
+    await startRun(page);
+    await print('Traceback (most recent call last):\n  File "main.py", line 1, in <module>\nKeyboardInterrupt:\n');
+    expect(isFolded()).toBe(true);
+    page.console.quieten();
+    await print('MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2\r\nType "help()" for more information.\r\n>>> ');
+    page.console.addNote('console.interrupted');
+    await nextTick();
+    expect(isFolded()).toBe(true);
+  });
+
   it('opens and closes by hand, until the next run', async () => {
     const { page, print, fold, isFolded } = consoleIn(1366, 625);
     await fold();

@@ -44,6 +44,8 @@ export function useConsoleFold({
   };
 }
 
-/** True if this is something to read: neither the head of a run nor a word about its end. */
+/** True if this is something to read: neither the head of a run nor a word about its end, such as a traceback, which a card explains. */
 const says = (entry: ConsoleEntry): boolean =>
-  entry.kind === 'error' || entry.kind === 'fit' || (entry.kind === 'text' && entry.text.trim() !== '');
+  entry.kind === 'error' ||
+  entry.kind === 'fit' ||
+  (entry.kind === 'text' && entry.tone === 'plain' && entry.text.trim() !== '');

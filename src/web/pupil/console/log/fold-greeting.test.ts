@@ -27,6 +27,16 @@ describe('the greeting of the REPL after a program', () => {
     expect(shown(log, [1])).toMatch(/>>> $/);
   });
 
+  it('is not shown after a stop, which the device tells before the page does', () => {
+    const log = new ConsoleLog();
+    log.add({ kind: 'run', number: 1 });
+    log.write('Traceback (most recent call last):\n  File "main.py", line 1, in <module>\nKeyboardInterrupt:\n');
+    log.write(GREETING);
+    log.quieten();
+    log.add({ kind: 'note', key: 'console.interrupted' });
+    expect(shown(log)).toMatch(/KeyboardInterrupt:\n<note>$/);
+  });
+
   it('stays in the log, which is what is copied', () => {
     const log = new ConsoleLog();
     addRun(log, 1, 'end\n', GREETING);

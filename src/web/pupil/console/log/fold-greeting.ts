@@ -22,7 +22,7 @@ export function foldGreetings(
     if (entry.kind === 'run') {
       run = entry.number;
       isOver = false;
-    } else if (entry.kind !== 'text' && entry.kind !== 'fit') isOver = true; // a note or a card tells how the program ended
+    } else if (entry.kind === 'text' ? entry.tone !== 'plain' : entry.kind !== 'fit') isOver = true; // a traceback, a note or a card tells how the program ended
     const text = entry.kind === 'text' && isOver && !visited.has(run) ? entry.text.replace(GREETING, '') : null;
     if (text === null || entry.kind !== 'text' || text === entry.text) shown.push(entry);
     else if (text !== '') shown.push({ ...entry, text });
