@@ -70,6 +70,20 @@ export function removedDevice(project: Project, place: number): Project {
   return others.length === 0 ? alone : { ...project, devices: { ...devices, others } };
 }
 
+/**
+ * The project with a device back that was taken away from this place. Those that ran its files run them again, unless
+ * they were written on since.
+ *
+ * @param first name of the first device, if it is the only one now
+ */
+export function putBackDevice(project: Project, device: FurtherDevice, place: number, first: string): Project {
+  const { devices = { first, others: [] } } = project;
+  const others = devices.others.map((other) =>
+    other.files === device.files ? { ...other, sameAs: device.name, files: [] } : other,
+  );
+  return { ...project, devices: { ...devices, others: others.toSpliced(place - 1, 0, device) } };
+}
+
 /** The project whose device at this place has another name, also where others run its files. */
 export function renamedDevice(project: Project, place: number, name: string): Project {
   const { devices } = project;

@@ -11,6 +11,8 @@ export interface Notice {
   readonly action?: { readonly key: TextKey; readonly values?: TextValues; readonly run: () => void };
   /** True if the message still holds and its action can be done; the message is closed as soon as it is not. */
   readonly holds?: () => boolean;
+  /** It is shown as long as it holds, however long that is. */
+  readonly stays?: true;
 }
 
 /** The message that is shown now, if any; a new one takes the place of the old. */

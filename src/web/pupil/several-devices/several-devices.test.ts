@@ -19,6 +19,7 @@ import { hardwareNow } from '../../session/work/hardware/use-hardware';
 import { courses } from '#catalogue/courses';
 import { useCourses } from '../../session/work/use-courses';
 import DeviceRow from './DeviceRow.vue';
+import { addDevice, removeDevice } from './change-devices';
 import { firstName, newBoard, newRobot, newTwin } from './new-device';
 
 const finished = { kind: 'finished', exception: null, timeUs: 1 } as const;
@@ -77,6 +78,36 @@ describe('a second device', () => {
     page.work.showDevice(1);
     page.work.removeDevice(1, 'x');
     expect([page.work.hasSeveral.value, page.work.work.value.project.devices]).toEqual([false, undefined]);
+  });
+
+  it('comes back from the message in its place, with what was written, and with those that run its program', () => {
+    const page = pair();
+    page.work.setText('main.py', 'written');
+    page.work.addDevice(newTwin(page), firstName(page));
+    const before = page.work.work.value.project;
+    page.work.showDevice(1);
+    removeDevice(page);
+    expect(page.notices.current.value?.values).toEqual({ text: '«Fernbedienung» ist entfernt.' });
+    page.notices.current.value?.action?.run();
+    expect([page.work.work.value.project, page.work.place.value]).toEqual([before, 1]);
+  });
+
+  it('goes again from the message when it was added, but what was written on it meanwhile is put aside', async () => {
+    const page = createPage();
+    addDevice(page, newBoard(page));
+    expect(page.notices.current.value?.values).toEqual({ text: '«Fernbedienung» ist dazugekommen.' });
+    page.notices.current.value?.action?.run();
+    expect([page.work.hasSeveral.value, page.work.work.value.previous, page.notices.current.value]).toEqual([
+      ...[false, [], null],
+    ]);
+    await startRun(page);
+    addDevice(page, newBoard(page));
+    expect(page.notices.current.value?.values).toEqual({
+      text: '«Fernbedienung» ist dazugekommen. Der Lauf ist zu Ende.',
+    });
+    page.work.setText('main.py', 'written');
+    page.notices.current.value?.action?.run();
+    expect(page.work.work.value.previous[0]?.project.devices?.others[0]?.files[0]?.text).toBe('written');
   });
 
   it('has the name and the colour that the course gives its robot, the first one, too', () => {

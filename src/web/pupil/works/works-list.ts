@@ -85,7 +85,7 @@ export function isFound({ name, versions }: WorkOfPupil, words: string): boolean
 /** The open work as it will be among the earlier ones; none where nobody has written anything. */
 function openEntry(work: Kept): readonly Previous[] {
   const { project, file } = work.work.value;
-  if (project.task === undefined && hasNothingOwn(project)) return [];
+  if (hasNothingOwn(project)) return [];
   return [{ name: workName({ work }), atMs: OPEN_MS, project, ...(file !== undefined && { file }) }];
 }
 

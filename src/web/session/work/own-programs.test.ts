@@ -2,6 +2,7 @@
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { ladderOf } from '#catalogue/missions';
+import { projectOf } from '#catalogue/course';
 import { courses } from '#catalogue/courses';
 import { MAIN } from '#project/project';
 import { soloRun } from '#simulation/run-setup';
@@ -9,6 +10,7 @@ import { soloRun } from '#simulation/run-setup';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
 import './catalogue/ready-courses';
+import { boardPrograms } from './catalogue/board-programs';
 import { useCourses } from './use-courses';
 import { filesOfRun, keepBest, programsOf } from './programs/own-programs';
 
@@ -79,6 +81,22 @@ describe('the pupil’s own programs of missions', () => {
     page.work.setText(MAIN, 'task = 1', true);
     useCourses(page).openAgain(mission(2));
     expect(programsOf(page.work, mission(1).id)).toEqual({});
+  });
+
+  it('leave a task of the class as it is: it comes back from the message, also where nobody has written in it', () => {
+    const page = createPage();
+    const { openAgain, openBoardProgram, openScene } = useCourses(page);
+    const task = { version: 1, id: 'T', handedOut: true };
+    const leaveFor = (open: () => void): unknown => {
+      page.work.openProject({ ...projectOf(mission(1), 'de'), task }, null);
+      open();
+      expect(page.work.work.value.project.task).toBeUndefined();
+      page.notices.current.value?.action?.run();
+      return page.work.work.value.project.task;
+    };
+    expect(leaveFor(() => openAgain(mission(2)))).toEqual(task);
+    expect(leaveFor(() => openBoardProgram(boardPrograms[0]!))).toEqual(task);
+    expect(leaveFor(() => openScene(mission(3)))).toEqual(task);
   });
 
   it('are given up by nobody when the browser has no room: what is open goes on', () => {

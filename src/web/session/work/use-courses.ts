@@ -150,8 +150,9 @@ const withProgram = ({ work }: Pick<WorkParts, 'work'>, source: string): Project
   files: [{ name: MAIN, text: source }],
 });
 
-/** True if nothing of the pupil's own is in a project: not in the files, not in the arena. */
-export const hasNothingOwn = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
+/** True if nothing of the pupil's own is in a project: not in the files, not in the arena; and no task was set for them. */
+export const hasNothingOwn = (project: Project): boolean =>
+  project.task === undefined && isOurProgram(project) && isReadyArena(project.scene);
 
 /** True if nothing of the pupil's own is in the files. */
 const isOurProgram = (project: Project): boolean =>

@@ -33,7 +33,8 @@ export function useOpenings(app: Workplace) {
   /**
    * Opens an arena, the program stays. An arena of the pupil's own is put aside with the program and can be restored.
    */
-  function openScene({ scene, course }: Pick<Project, 'scene' | 'course'>, name: string, isOurs: boolean): void {
+  function openScene({ scene, course }: Pick<Project, 'scene' | 'course'>, name: string, isReady: boolean): void {
+    const isOurs = isReady && work.work.value.project.task === undefined; // a task goes with its arena
     if (!isOurs) leave();
     device.allowRobot();
     work.setScene(scene, course, isOurs ? null : workName(app));

@@ -6,6 +6,7 @@ import {
   filesOfDevice,
   furtherDevice,
   placeOfFiles,
+  putBackDevice,
   removedDevice,
   renamedDevice,
   withDevice,
@@ -109,19 +110,27 @@ export class WorkModel {
     this.showDevice(this.devices.value.length - 1);
   }
 
-  /** Takes a further device away, after putting the whole work aside. Returns whether that was done. */
-  removeDevice(place: number, nameOfOld: string): boolean {
+  /** Takes a further device away. The whole work is put aside if `nameOfOld` is given. Returns whether that was done. */
+  removeDevice(place: number, nameOfOld: string | null): boolean {
     const before = this.work.value.project;
     if (furtherDevice(before, place) === null || this.staysAsItIs()) return false;
     const project = this.locks.changed(before, removedDevice(before, place), false);
     if (project === null) return false;
-    this.keep(nameOfOld);
+    if (nameOfOld !== null) this.keep(nameOfOld);
     const shown = this.place.value;
     this.showDevice(0);
     this.opened.clear();
     this.work.value = { ...this.work.value, project };
     if (shown !== place) this.showDevice(shown > place ? shown - 1 : shown);
     return true;
+  }
+
+  /** Puts a device that was taken away back into its place, and shows it. @param first what the first one was called */
+  putDeviceBack(device: FurtherDevice, place: number, first: string): void {
+    if (this.staysAsItIs()) return;
+    this.opened.clear();
+    this.setProject(putBackDevice(this.work.value.project, device, place, first));
+    this.showDevice(place);
   }
 
   renameDevice(place: number, name: string): void {
