@@ -104,12 +104,13 @@ export const wings = {
   teacher: {
     projector: ['session', 'pupil/console', 'pupil/arena', 'pupil/next-step'],
     print: ['session', 'course/editor', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
-    class: ['session', 'pupil/galleries', 'exchange/share'],
+    desk: ['session', 'pupil/galleries'],
+    class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk'],
     'task-maker': [
       'session', 'course/editor', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
-      'teacher/print',
+      'teacher/print', 'teacher/desk',
     ], // prettier-ignore
-    series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker'],
+    series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker', 'teacher/desk'],
   },
   help: ['session', 'course/editor'],
   app: ['session'],

@@ -4,7 +4,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { appAddress, hostPage, isInFrame, type HostPage } from './hosts';
 import { consoleIn, on, openApp, pasteProgram } from './page';
 import { by, until } from './parts';
-import { courseMenu, fromMenu, toolButton } from './pupil';
+import { courseMenu, fromMenu, mainMenu, openMenu, toolButton } from './pupil';
 
 /** It fills the radio panel, the data log and the console, and ends with an error. */
 const PROGRAM = ['import radio, log', 'radio.on()', 'radio.send("hello")', 'log.add(n=1)', 'print(nn)'];
@@ -104,22 +104,20 @@ const SCREENS = {
     await app.click(by('welcome-tour'));
     await until(app, `${by('tour')} ${by('tour-next')}`);
   },
-  'main menu': async (app: App) => {
-    await app.click(by('menu'));
-    await until(app, by('menu-help'));
-  },
+  'main menu': (app: App) => openMenu(app),
+  'list of the main menu': (app: App) => openMenu(app, 'save'),
   'list of courses': async (app: App) => {
     await app.click('header .course');
     await until(app, by('all-courses'));
   },
   'link to share': async (app: App) => {
-    await fromMainMenu(app, 'menu-share', 'share-dialog');
+    await app.click(by('share'));
     await until(app, by('share-link'));
   },
-  'link to open': (app: App) => fromMainMenu(app, 'menu-open-link', 'open-link-dialog'),
+  'link to open': (app: App) => fromMainMenu(app, 'menu-open', 'open-dialog'),
   'real device': (app: App) => fromMainMenu(app, 'menu-real-device', 'real-device-zip'),
   help: async (app: App) => {
-    await app.click(by('help'));
+    await mainMenu(app, 'help');
     await until(app, by('guide-search'));
   },
   'list of objects': async (app: App) => {
@@ -147,6 +145,10 @@ const SCREENS = {
     await app.goto('./#courses/slalom');
     await until(app, by('open-slalom'));
   },
+  teachers: async (app: App) => {
+    await app.goto('./#teachers');
+    await until(app, by('menu-task'));
+  },
   missions: async (app: App) => {
     await app.goto('./#missions');
     await until(app, by('mission-forward'));
@@ -167,9 +169,10 @@ type Screen = keyof typeof SCREENS;
 const CLOSES: Readonly<Partial<Record<Screen, string>>> = {
   tour: by('tour'),
   'main menu': '[role=menu]',
+  'list of the main menu': '[role=menu]',
   'list of courses': '[role=menu]',
   'link to share': by('share-dialog'),
-  'link to open': by('open-link-dialog'),
+  'link to open': by('open-dialog'),
   'real device': by('real-device-dialog'),
   help: by('guide'),
   'list of objects': by('panel-list'),

@@ -194,13 +194,15 @@ export async function saveReloadLoad(pupil: Pupil): Promise<void> {
   await pasteProgram(app, 'print("other")');
   await pickFile(app, file);
   await mainMenu(app, 'open');
+  await until(app, by('open-files'));
+  await app.click(by('open-files'));
   await expect.poll(() => programIn(app)).toBe('print("mine")');
   expect(await listOf(app)).toEqual(rows);
 }
 
 /** The link to the project that is open, out of the dialog. */
 export async function linkFrom(app: App): Promise<string> {
-  await mainMenu(app, 'share');
+  await app.click(by('share'));
   await until(app, by('share-link'));
   const link = await app.evaluate(
     (css) => document.querySelector<HTMLInputElement>(css)?.value ?? '',

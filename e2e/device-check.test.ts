@@ -1,7 +1,7 @@
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { openApp, typeProgram } from './page';
-import { fromMenu } from './pupil';
+import { openMenu } from './pupil';
 
 const PANEL = '[data-testid=device-check]';
 const MARK = '.cm-deviceMark';
@@ -45,7 +45,9 @@ test(
     await app.press('Escape');
 
     const isItalian = (): Promise<boolean> => app.evaluate(() => document.documentElement.lang === 'it-CH');
-    await fromMenu(app, 'header [aria-label="Menu"]', '[role=menuitemradio][lang=it]', isItalian);
+    await openMenu(app, 'language');
+    await app.click('[role=menuitemradio][lang=it]');
+    await expect.poll(isItalian).toBe(true);
     await expect.poll(() => textOf(app, PANEL)).toContain('Scrivi invece "{}".format(temperature())');
     await app.click('.code-editor .cm-line:last-child');
     await app.press('Home');

@@ -4,6 +4,7 @@ import { expect, type App } from './app';
 import { distance } from './course';
 import { attribute, consoleIn, isEnabled, isThere, on, programIn } from './page';
 import { by, gone, until } from './parts';
+import { beginWith, openMenu } from './pupil';
 
 /** A pupil at a tablet on the first day. */
 export interface Beginner {
@@ -58,21 +59,14 @@ export async function takeTour({ app, look }: Beginner): Promise<void> {
   await gone(app, by('tour'));
 }
 
-async function chooseStage(app: App, stage: 'board' | 'robot'): Promise<void> {
-  await app.click(by('menu'));
-  await until(app, by(`stage-${stage}`));
-  await app.click(by(`stage-${stage}`));
-  await gone(app, '[role=menu]');
-}
-
 /** With the microcomputer alone: a first program is written and run; the display shows it, and button A changes it. */
 export async function writeFirstProgram(beginner: Beginner): Promise<void> {
   const { app, language, look } = beginner;
-  await app.click(by('menu'));
-  await until(app, by('stage-board'));
+  await openMenu(app);
   await look('menu');
-  await app.click(by('stage-board'));
+  await app.press('Escape');
   await gone(app, '[role=menu]');
+  await beginWith(app, 'board');
   await gone(app, on('arena'));
   await expect.poll(() => programIn(app)).toContain('from microbit import *'); // an example to look at first
   const [comment, said] = PROGRAM_WORDS[language];
@@ -119,7 +113,7 @@ async function write({ app, keyboard }: Beginner, lines: readonly string[]): Pro
 
 /** With the robot: an example out of the list of courses is opened, and drives. */
 export async function driveFirst({ app, language, look }: Beginner): Promise<void> {
-  await chooseStage(app, 'robot');
+  await beginWith(app, 'robot');
   await until(app, on('arena'));
   await app.click(by('course'));
   await until(app, '[data-testid^="examples-"]');
@@ -168,9 +162,7 @@ export async function passFirstCourse(
 
 /** The link to it all, out of the dialog. */
 export async function shareIt({ app, look }: Beginner): Promise<string> {
-  await app.click(by('menu'));
-  await until(app, by('menu-share'));
-  await app.click(by('menu-share'));
+  await app.click(by('share'));
   await until(app, by('share-link'));
   await look('share');
   const link = await app.evaluate(

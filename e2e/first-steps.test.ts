@@ -4,6 +4,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until as there } from './parts';
+import { beginWith, mainMenu } from './pupil';
 
 const stepIs = (app: App, step: string): Promise<void> =>
   expect.poll(() => attribute(app, by('tour'), 'data-step')).toBe(step);
@@ -91,7 +92,7 @@ for (const { language, query, entry, folded, engines } of [
     await gone(app, by('guide'));
     await pasteProgram(app, 'from mbrobot import *\nforward()');
     await app.press('Control', 'End');
-    await app.click(by('help'));
+    await mainMenu(app, 'help');
     await expect.poll(() => isAt(app, by('guide-search'))).toBe(true);
     await app.type('leftarc');
     const command = '[data-command="mbrobot.leftArc"]';
@@ -102,30 +103,23 @@ for (const { language, query, entry, folded, engines } of [
   });
 }
 
-async function choose(app: App, stage: 'board' | 'robot' | 'all'): Promise<void> {
-  await app.click(by('menu'));
-  await there(app, by(`stage-${stage}`));
-  await app.click(by(`stage-${stage}`));
-  await gone(app, by(`stage-${stage}`));
-}
-
 test(
   'the microcomputer alone, the robot, the tools: each brings a program that fits',
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app, { language: 'en' });
     await there(app, by('palette'));
-    await choose(app, 'board');
+    await beginWith(app, 'board');
     await gone(app, on('arena'));
     await expect.poll(() => programIn(app)).toContain('from microbit import *');
     await app.click(on('run'));
     await expect.poll(() => isEnabled(app, 'stop')).toBe(true);
 
-    await choose(app, 'robot');
+    await beginWith(app, 'robot');
     await there(app, on('arena'));
     await gone(app, by('palette'));
     await expect.poll(() => programIn(app)).toContain('from mbrobot import *');
-    await choose(app, 'all');
+    await beginWith(app, 'all');
     await there(app, by('palette'));
   },
 );
@@ -133,12 +127,12 @@ test(
 test('whatever is in sight, a pupil’s own program stays', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en' });
   await pasteProgram(app, 'print("mine")');
-  await choose(app, 'board');
+  await beginWith(app, 'board');
   await gone(app, on('arena'));
   expect(await programIn(app)).toBe('print("mine")');
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app)).toContain('mine');
-  await choose(app, 'all');
+  await beginWith(app, 'all');
   await there(app, by('palette'));
   expect(await programIn(app)).toBe('print("mine")');
 });
@@ -149,8 +143,8 @@ test('the greeting is there on a first visit only, and goes with the first run',
   await app.click(on('run'));
   await gone(app, by('welcome'));
   await app.reload();
-  await there(app, by('help'));
-  await app.click(by('help')); // the help comes by the same way as the greeting
+  await there(app, by('menu'));
+  await mainMenu(app, 'help'); // the help comes by the same way as the greeting
   await there(app, by('guide-search'));
   expect(await isThere(app, by('welcome'))).toBe(false);
 });
@@ -169,7 +163,7 @@ for (const theme of ['light', 'dark'] as const) {
 
   test(`axe finds nothing that shuts people out of the help, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
     await openApp(app, { theme, language: 'fr' });
-    await app.click(by('help'));
+    await mainMenu(app, 'help');
     await there(app, by('guide-search'));
     await app.evaluate(() => {
       const folds = document.querySelectorAll<HTMLElement>('[data-testid=guide] [aria-expanded=false]');

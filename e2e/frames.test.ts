@@ -124,13 +124,14 @@ test('the single file says that nothing can be saved there, and throws nowhere',
     await pressInFrame(app, '[data-testid=gallery-close]');
     await expect.poll(() => isInFrame(app, '.gallery')).toBe(false);
   }
-  await openFromMenu(app, 'menu-share');
+  await pressInFrame(app, '[data-testid=share]');
   await untilInFrame(app, '[data-testid=share-copy]');
   await pressInFrame(app, '[data-testid=share-copy]');
   const said = () => app.inFrame('iframe', () => document.querySelector('[data-testid=share-said]')?.textContent ?? '');
   await expect.poll(said).not.toBe('');
   await pressInFrame(app, '[data-testid=share-close]');
-  await openFromMenu(app, 'menu-save');
+  await openFromMenu(app, 'menu-list-save');
+  await pressInFrame(app, '[data-testid=menu-save]');
   await untilInFrame(app, '[data-testid=page-bar-may-be-refused]');
   expect(await app.inFrame('iframe', () => (window as { errors?: string[] }).errors)).toEqual([]);
 });
@@ -141,7 +142,7 @@ async function openFromMenu(app: App, item: string): Promise<void> {
     await app.inFrame('iframe', () => (location.hash = '#courses'));
     return;
   }
-  await pressInFrame(app, 'header.top > button:last-of-type');
+  await pressInFrame(app, '[data-testid=menu]');
   await untilInFrame(app, `[data-testid=${item}]`);
   await pressInFrame(app, `[data-testid=${item}]`);
 }

@@ -162,7 +162,7 @@ const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
   ['?board=calliope-mini-2', () => document.querySelector('header')?.textContent?.includes('Calliope mini 1/2') ?? false], // prettier-ignore
   ['?robot=callibot', () => document.querySelector('header')?.textContent?.includes('Calliope mini 3') ?? false],
   ['?speed=4', () => document.querySelector('header')?.textContent?.includes('4×') ?? false],
-  ['?lang=en&muted=true', () => document.querySelector('[aria-label="Turn sound on"]') !== null],
+  ['?lang=en&muted=true', () => document.querySelector('[data-testid=speed][aria-label$="sound off"]') !== null],
   ['?lang=en&world=slalom', () => document.querySelector('header')?.textContent?.includes('Slalom') ?? false],
   ['?lang=en&task=slalom', () => document.querySelector('header')?.textContent?.includes('Slalom') ?? false],
 ];

@@ -1,6 +1,7 @@
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isThere, on, openApp, pasteProgram, typeProgram } from './page';
+import { until } from './parts';
 
 const open = (app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> => app.click(`[data-testid=panel-${panel}]`);
 
@@ -33,7 +34,7 @@ test(
     await openApp(app, { language: 'en' });
     await typeProgram(app, 'n = 20\nprint("end")');
     await app.click(on('run'));
-    await expect.poll(() => app.text(on('run'))).toContain('Again');
+    await until(app, 'button.stop.over');
     const field = '[data-testid=console-input]';
     await app.click(field);
     await expect.poll(() => app.text('.pane-console .pane-head')).toContain('REPL');

@@ -4,6 +4,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { withKeys } from './keys';
 import { openApp } from './page';
 import { by, gone, until } from './parts';
+import { mainMenu } from './pupil';
 
 /** True if task and timer lie on the course. */
 const coversCourse = (app: App): Promise<boolean> =>
@@ -17,6 +18,13 @@ const coversCourse = (app: App): Promise<boolean> =>
     [by('projector'), '.pane-arena .floor'],
   );
 
+/** Opens the view out of the page for teachers. */
+async function openProjector(app: App): Promise<void> {
+  await mainMenu(app, 'teachers');
+  await until(app, by('menu-projector'));
+  await app.click(by('menu-projector'));
+}
+
 /** Seconds that the timer shows. */
 async function secondsLeft(app: App): Promise<number> {
   const [minutes = NaN, seconds = NaN] = (await app.text(by('timer'))).split(':').map(Number);
@@ -29,9 +37,7 @@ test(
   async ({ app }) => {
     await openApp(app, { welcomed: true, language: 'de', speed: 'max' });
     const keys = withKeys(app).app;
-    await keys.click(by('menu'));
-    await until(app, by('menu-projector'));
-    await keys.click(by('menu-projector'));
+    await openProjector(keys);
     await until(app, by('projector'));
 
     expect(await app.text(`${by('projector')} h2`)).toBe('Geschlossene Linie');
@@ -67,17 +73,13 @@ test(
     expect(await app.evaluate(() => document.documentElement.classList.contains('arena-alone'))).toBe(false);
 
     const before = await app.evaluate(() => Date.now());
-    await keys.click(by('menu'));
-    await until(app, by('menu-projector'));
-    await keys.click(by('menu-projector'));
+    await openProjector(keys);
     await until(app, by('timer'));
     // It has gone on while nobody saw it.
     expect(await secondsLeft(app)).toBeLessThan(599);
     await app.reload();
     await until(app, by('menu'));
-    await keys.click(by('menu'));
-    await until(app, by('menu-projector'));
-    await keys.click(by('menu-projector'));
+    await openProjector(keys);
     await until(app, by('timer'));
     const passed = ((await app.evaluate(() => Date.now())) - before) / 1000;
     expect(await secondsLeft(app)).toBeLessThanOrEqual(Math.ceil(600 - passed));
@@ -92,9 +94,7 @@ test.describe(() => {
     IN_ONE_ENGINE,
     async ({ app }) => {
       await openApp(app, { welcomed: true, language: 'de', speed: 'max' });
-      await app.click(by('menu'));
-      await until(app, by('menu-projector'));
-      await app.click(by('menu-projector'));
+      await openProjector(app);
       await until(app, by('projector-text'));
       /** Elements that are cut off: they could be scrolled, which does not happen at a projector. */
       const cut = (): Promise<readonly string[]> =>

@@ -60,12 +60,32 @@ export async function fromMenu(app: App, opener: string, entry: string, came: ()
 export const courseMenu = (app: App, panel: string): Promise<void> =>
   fromMenu(app, by('course-more'), by(`editor-${panel}`), () => isThere(app, by(`panel-${panel}`)));
 
-/** Chooses something in the main menu: `share`, `save`, `open` … */
+/** Entries of the main menu that stand in one of its lists. */
+const LISTED: Readonly<Record<string, string>> = { save: 'save', 'save-program': 'save', 'save-scene': 'save', print: 'save' }; // prettier-ignore
+
+/** Opens the main menu, or one of its lists. */
+export async function openMenu(app: App, list?: string): Promise<void> {
+  await app.click(by('menu'));
+  await until(app, by('menu-help'));
+  if (list === undefined) return;
+  await app.click(by(`menu-list-${list}`));
+  await until(app, by('menu-back'));
+}
+
+/** Chooses something in the main menu: `save`, `open`, `teachers` … */
 export async function mainMenu(app: App, entry: string): Promise<void> {
-  await app.click('header [aria-label="Menu"]');
+  await openMenu(app, LISTED[entry]);
   await until(app, by(`menu-${entry}`));
   await app.click(by(`menu-${entry}`));
   await gone(app, '[role=menu]');
+}
+
+/** Chooses one of the beginnings out of the greeting, which the logo brings back. */
+export async function beginWith(app: App, stage: 'board' | 'robot' | 'all'): Promise<void> {
+  await app.click(by('logo'));
+  await until(app, by(`welcome-${stage}`));
+  await app.click(by(`welcome-${stage}`));
+  await gone(app, by('welcome'));
 }
 
 /** The rows of the list of objects: the robot's start, and everything in the arena. */

@@ -94,7 +94,7 @@ async function talkUntil(app: App, board: Testing.SimulatedBoard, css: string): 
 const said = (app: App): Promise<string> => app.text(by('real-device-said'));
 
 async function openDialog(app: App): Promise<void> {
-  await app.click('header.top > button:last-of-type');
+  await app.click(by('menu'));
   await until(app, by('menu-real-device'));
   await app.click(by('menu-real-device'));
   await until(app, by('real-device-put'));
@@ -158,7 +158,7 @@ test('a browser without serial lines says so and saves the files instead', async
   await app.evaluate(() => {
     if ('serial' in navigator) Object.defineProperty(navigator, 'serial', { configurable: true, value: undefined });
   });
-  await app.click('header.top > button:last-of-type');
+  await app.click(by('menu'));
   await until(app, by('menu-real-device'));
   await app.click(by('menu-real-device'));
   await until(app, by('real-device-unable'));

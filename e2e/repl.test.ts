@@ -1,6 +1,7 @@
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isEnabled, on, openApp, pasteProgram } from './page';
+import { until } from './parts';
 
 const FIELD = '[data-testid=console-input]';
 
@@ -23,7 +24,7 @@ async function line(app: App, text: string): Promise<void> {
 
 test('after the program the REPL greets as the device does, calculates, and shows an error', async ({ app }) => {
   await start(app, 'total = 20\nprint("end")');
-  await expect.poll(() => app.text(on('run'))).toContain('Again');
+  await until(app, 'button.stop.over');
   expect(await consoleIn(app), 'until one goes to it').not.toContain('>>>');
   await app.click(FIELD);
   await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
@@ -35,7 +36,7 @@ test('after the program the REPL greets as the device does, calculates, and show
 
 test('a function of several lines is written at the REPL and called', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, 'print("end")');
-  await expect.poll(() => app.text(on('run'))).toContain('Again');
+  await until(app, 'button.stop.over');
   await app.click(FIELD);
   await says(app, '>>>');
   await line(app, 'def twice(x):');

@@ -4,17 +4,16 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { loadTexts, showLanguage } from '../kit/i18n';
-import LanguageList from './LanguageList.vue';
-import LanguageMenu from './LanguageMenu.vue';
 import MainList from './MainList.vue';
 import MainMenu from './MainMenu.vue';
 import SpeedList from '../pupil/arena/SpeedList.vue';
 import SpeedMenu from '../pupil/arena/SpeedMenu.vue';
 import { downloads } from './testing/downloads';
 import { press } from './testing/editing';
+import { byId, isThere, pressKey, tap } from './testing/find';
 import { mountOn, named, setWindow, textOf } from './testing/mount-on';
 import { createPage } from './testing/page';
-import { startRun } from './testing/run';
+import { show, startRun } from './testing/run';
 
 const radios = (): readonly HTMLElement[] => [...document.querySelectorAll<HTMLElement>('[role="menuitemradio"]')];
 const checked = (): readonly string[] =>
@@ -24,49 +23,24 @@ const items = (): readonly string[] =>
     textOf(item.querySelector('.page-list-item-title')),
   );
 
-describe('the list of languages', () => {
-  it('names each language in itself and says so to screen readers', () => {
-    mountOn(createPage(), LanguageList);
-    named('Sprache', '[role="menu"]');
-    expect(radios().map((item) => [item.lang, textOf(item)])).toEqual([
-      ['de', 'Deutsch'],
-      ['fr', 'Français'],
-      ['it', 'Italiano'],
-      ['en', 'English'],
-    ]);
-  });
-
-  it('ticks the language of the page, and takes another', async () => {
-    const page = createPage();
-    page.settings.change({ language: 'de' });
-    mountOn(page, LanguageList);
-    await nextTick();
-    expect(checked()).toEqual(['Deutsch']);
-    await press('Italiano', '[role="menuitemradio"]');
-    expect(checked()).toEqual(['Italiano']);
-    expect(page.settings.own.value.language).toBe('it');
-  });
-
-  it('opens from a button that shows the language with two letters', async () => {
-    const page = createPage();
-    page.settings.change({ language: 'fr' });
-    mountOn(page, LanguageMenu);
-    const button = named('Sprache: FR', 'button');
-    expect(textOf(button)).toBe('FR');
-    expect(button.getAttribute('aria-expanded')).toBe('false');
-    button.click();
-    await vi.waitFor(() => named('Français', '[role="menuitemradio"]'));
-    expect(button.getAttribute('aria-expanded')).toBe('true');
-    await press('English', '[role="menuitemradio"]');
-    expect(textOf(button)).toBe('EN');
-  });
-});
-
 describe('the list of speeds', () => {
   it('goes from a quarter to as fast as possible', () => {
     mountOn(createPage(), SpeedList);
     expect(radios().map(textOf)).toEqual(['¼×', '½×', '1×', '2×', '4×', '8×', 'max: so schnell wie möglich']);
     expect(checked()).toEqual(['1×']);
+  });
+
+  it('has the sound above them, ticked while it is on, and says what a change means', async () => {
+    const page = createPage();
+    mountOn(page, SpeedList);
+    const sound = () => named('Ton', '[role="menuitemcheckbox"]');
+    expect(sound().getAttribute('aria-checked')).toBe('true');
+    sound().click();
+    await nextTick();
+    expect([page.settings.own.value.muted, page.notices.current.value?.key]).toEqual([true, 'notice.muted']);
+    sound().click();
+    await nextTick();
+    expect([sound().getAttribute('aria-checked'), page.notices.current.value?.key]).toEqual(['true', 'notice.unmuted']);
   });
 
   it('sets the speed of a run that is under way', async () => {
@@ -81,10 +55,9 @@ describe('the list of speeds', () => {
   });
 });
 
-describe('the button of the speed', () => {
+describe('the button of speed and sound', () => {
   /** A page whose run reaches so much. */
-  async function reaching(achieved: number, wish: 0.5 | 1 | 4 | 'max', width = 1400) {
-    setWindow(width);
+  async function reaching(achieved: number, wish: 0.5 | 1 | 4 | 'max') {
     const page = createPage();
     page.settings.change({ speed: wish });
     const button = mountOn(page, SpeedMenu).get('button');
@@ -94,17 +67,18 @@ describe('the button of the speed', () => {
     return { page, button, text: () => textOf(button.element) };
   }
 
-  it('says its meaning in words before a run, where there is room', () => {
-    setWindow(1400);
-    const button = mountOn(createPage(), SpeedMenu).get('button');
-    expect(textOf(button.element)).toBe('1×Tempo');
-    expect(button.attributes('title')).toBe('Tempo 1×');
+  it('shows the speed, and says in its name what it is for and whether anything is heard', async () => {
+    const page = createPage();
+    const button = mountOn(page, SpeedMenu).get('button');
+    expect([textOf(button.element), button.attributes('aria-label')]).toEqual(['1×', 'Tempo und Ton: 1×']);
+    page.settings.change({ muted: true });
+    await nextTick();
+    expect(button.attributes('aria-label')).toBe('Tempo und Ton: 1×, Ton aus');
   });
 
-  it('says what is reached', async () => {
+  it('shows no more while the run reaches what is wished', async () => {
     const { text, button } = await reaching(3.96, 4);
-    expect(text()).toContain('erreicht 4.0×');
-    expect(button.attributes('title')).toBe('Tempo 4×');
+    expect(text()).toBe('4×');
     expect(button.classes()).not.toContain('speed--slow');
   });
 
@@ -112,7 +86,7 @@ describe('the button of the speed', () => {
     const { text, button } = await reaching(0.62, 1);
     expect(button.classes()).toContain('speed--slow');
     expect(button.attributes('title')).toBe('Dieses Gerät schafft nur 0.62×. Das Ergebnis bleibt gleich.');
-    expect(text()).toContain('erreicht 0.62×');
+    expect(text()).toBe('1×0.62×');
   });
 
   it('does not warn of a tenth', async () => {
@@ -124,12 +98,7 @@ describe('the button of the speed', () => {
   it('says with “max” how fast that is, and never that it is too slow', async () => {
     const { button } = await reaching(0.3, 'max');
     expect(button.classes()).not.toContain('speed--slow');
-    expect(button.attributes('title')).toBe('Tempo max, erreicht 0.30×');
-  });
-
-  it('shows on a phone what is reached only where that is not as wished', async () => {
-    expect((await reaching(1, 1, 390)).text()).toBe('1×');
-    expect((await reaching(0.5, 1, 390)).text()).toBe('1×0.50×');
+    expect(button.attributes('title')).toBe('Tempo und Ton: max, erreicht 0.30×');
   });
 
   it('says that the device is computing while the worker is silent', async () => {
@@ -143,7 +112,21 @@ describe('the button of the speed', () => {
     const { page, text } = await reaching(0.5, 1);
     page.run.pause();
     await nextTick();
-    expect(text()).toBe('1×Tempo');
+    expect(text()).toBe('1×');
+  });
+
+  it('shows a tone, for users who do not hear it; not while the sound is off or the run pauses', async () => {
+    const { page, button } = await reaching(1, 1);
+    const sounds = () => button.classes().includes('sounding');
+    await show(page, { sound: { hz: 440 } });
+    expect(sounds()).toBe(true);
+    page.run.pause();
+    await nextTick();
+    expect(sounds()).toBe(false);
+    page.run.resume();
+    page.settings.change({ muted: true });
+    await nextTick();
+    expect(sounds()).toBe(false);
   });
 });
 
@@ -164,165 +147,172 @@ function mainList(width = 1400) {
 }
 const pressItem = (name: string) => press(name, '[role^="menuitem"]');
 
+/** The lists of the main menu that an entry leads to, as they are shown now. */
+const lists = (): readonly string[] =>
+  [...document.querySelectorAll<HTMLElement>('[data-testid^="menu-list-"]')].map(
+    ({ dataset }) => dataset['testid'] ?? '',
+  );
+const entries = (): number => document.querySelectorAll('[role^="menuitem"]').length;
+const handedOut = { version: 1, id: 'A', handedOut: true };
+
 describe('the main menu', () => {
-  it('has on a large page what has no button there', () => {
+  it('has three parts and one entry for teachers', () => {
     mainList();
+    expect([...document.querySelectorAll('[role="group"]')].map((part) => part.getAttribute('aria-label'))).toEqual([
+      ...['Datei', 'Ansicht', 'Hilfe', null],
+    ]);
     expect(items()).toEqual([
-      'Hilfe',
-      'Rundgang',
-      'Teilen',
-      'Aufs Gerät laden …',
-      'Projekt speichern',
-      'Nur das Programm speichern',
-      'Nur den Parcours speichern',
-      'Datei öffnen …',
-      'Link öffnen …',
-      'Mikrocomputer ausblenden',
-      'Arena ausblenden',
-      'Meine Arbeiten',
-      'Roboter-Galerie',
-      'Aufgabe stellen',
-      'Aufgabenserie machen',
-      'Lösungen prüfen',
-      'Beamer-Ansicht',
+      ...['Meine Arbeiten', 'Öffnen …', 'Speichern', 'Aufs Gerät laden …'],
+      ...['Sprache', 'Hell oder dunkel', 'Bereiche'],
+      ...['Hilfe', 'Rundgang', 'Tasten', 'Roboter-Galerie', 'Für Lehrpersonen'],
     ]);
   });
 
-  it('has on a phone all that the small bar leaves out', () => {
+  it('has on a phone what the small bar leaves out, with what is chosen', () => {
     mainList(390);
-    for (const name of ['Pause', 'Einen Schritt von 20 ms', 'Ton ausschalten', 'Parcours wählen', 'Gerät wählen'])
-      expect(items()).toContain(name);
-    expect(items()).not.toContain('Arena ausblenden'); // there each pane has a tab
+    expect(items().slice(0, 5)).toEqual(['Aufgabe', 'Gerät', 'Tempo und Ton', 'Meine Arbeiten', 'Teilen']);
+    expect(textOf(named('Tempo und Ton1×', '[role="menuitem"]'))).toBe('Tempo und Ton1×');
+    expect(items()).not.toContain('Bereiche'); // there each pane has a tab
   });
 
-  it('has on a tablet held upright the step and the device, which the bar has no room for', () => {
-    mainList(700);
-    expect(items()).toContain('Einen Schritt von 20 ms');
-    expect(items()).toContain('Gerät wählen');
-    expect(items()).not.toContain('Pause');
+  const windows = [['a wide window', 1400], ['a tablet', 1100], ['a tablet held upright', 700], ['a phone', 390]] as const; // prettier-ignore
+  it.each(
+    windows.flatMap(
+      ([name, width]) =>
+        [
+          [name, 'without a task', width],
+          [name, 'with a task', width],
+        ] as const,
+    ),
+  )(
+    // prettier-ignore
+    'has in %s %s at most 16 entries, in each of its lists, too',
+    async (_, what, width) => {
+      const { page } = mainList(width);
+      const task = what === 'with a task' ? handedOut : undefined;
+      page.work.openProject({ ...page.work.work.value.project, ...(task && { task }) }, null);
+      page.settings.change({ tell: true });
+      await nextTick();
+      expect(entries()).toBeLessThanOrEqual(16);
+      expect(lists().length).toBeGreaterThan(2);
+      for (const list of lists()) {
+        await tap(list);
+        expect(entries()).toBeGreaterThan(1);
+        expect(entries()).toBeLessThanOrEqual(16);
+        await tap('menu-back');
+      }
+    },
+  );
+
+  it('leads nobody to the teachers’ page in a task that was handed out, nor where a host says what is shown', async () => {
+    const { page } = mainList(390);
+    expect(items()).toContain('Für Lehrpersonen');
+    page.host.parts.value = ['bar', 'code', 'arena'];
+    await nextTick();
+    expect(items()).not.toContain('Für Lehrpersonen');
+    page.host.parts.value = null;
+    page.work.openProject({ ...page.work.work.value.project, task: handedOut }, null);
+    await nextTick();
+    expect(items()).not.toContain('Für Lehrpersonen');
+    expect(items()).toContain('Abgeben');
   });
 
-  it('opens the help, and the tour where it was left', async () => {
-    const { page, asked } = mainList();
-    await pressItem('Hilfe');
-    expect(page.guide.at.value).toBe('');
-    await pressItem('Rundgang');
-    expect(page.tour.isOpen.value).toBe(true);
-    expect(asked).toEqual(['leave', 'leave']);
+  it('opens a list in its place, and gives the keyboard back to its entry', async () => {
+    mainList();
+    await tap('menu-list-save');
+    expect(items()).toEqual([
+      ...[
+        'Speichern',
+        'Projekt speichern',
+        'Nur das Programm speichern',
+        'Nur den Parcours speichern',
+        'Bild und Druck',
+      ],
+    ]);
+    expect(document.activeElement).toBe(byId('menu-save'));
+    await pressKey('Escape');
+    expect(document.activeElement).toBe(byId('menu-list-save'));
+    await pressKey('ArrowRight');
+    await pressKey('ArrowLeft');
+    expect(document.activeElement).toBe(byId('menu-list-save'));
+  });
+
+  it('opens the help, its keys, and the tour where it was left, once it is gone itself', async () => {
+    setWindow(1400);
+    const page = createPage();
+    const left: (() => void)[] = [];
+    mountOn(page, MainList, { onLeave: (open: () => void) => left.push(open) });
+    for (const entry of ['Hilfe', 'Rundgang', 'Tasten'])
+      await tap([...document.querySelectorAll<HTMLElement>('[role="menuitem"]')].find((it) => textOf(it).startsWith(entry))!); // prettier-ignore
+    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual([null, false]);
+    left[0]?.();
+    left[1]?.();
+    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual(['', true]);
+    left[2]?.();
+    expect(page.guide.at.value).toBe('key-run');
     page.settings.change({ tourStep: 'arena' });
     await nextTick();
     expect(items()).toContain('Rundgang fortsetzen');
   });
 
-  it('opens help and tour only once it is gone itself', async () => {
-    setWindow(1400);
-    const page = createPage();
-    const left: (() => void)[] = [];
-    mountOn(page, MainList, { onLeave: (open: () => void) => left.push(open) });
-    await pressItem('Hilfe');
-    await pressItem('Rundgang');
-    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual([null, false]);
-    for (const open of left) open();
-    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual(['', true]);
-  });
-
-  it('asks for dialogs, lists and the gallery in its place', async () => {
+  it('asks for dialogs, lists and pages in its place', async () => {
     const { asked, page } = mainList(390);
-    for (const name of ['Teilen', 'Aufs Gerät laden …', 'Link öffnen …', 'Parcours wählen', 'Gerät wählen'])
-      await pressItem(name);
-    await pressItem('Roboter-Galerie');
-    expect(asked).toEqual([...['dialog', 'dialog', 'dialog', 'inside', 'inside', 'leave']]);
-    expect(page.router.page.value).toEqual({ name: 'robots', id: null });
-  });
-
-  it('pauses and goes on; before a run there is nothing to pause', async () => {
-    const { page } = mainList(390);
-    expect(named('Pause', '[role="menuitem"]').getAttribute('aria-disabled')).toBe('true');
-    await startRun(page);
-    expect(named('Pause', '[role="menuitem"]').getAttribute('aria-disabled')).toBe('false');
-    await pressItem('Pause');
-    expect(page.run.phase.value).toBe('paused');
-    await pressItem('Weiter');
-    expect(page.run.phase.value).toBe('running');
-  });
-
-  it('makes one step of a run that stands still, none of one that goes', async () => {
-    const { page } = mainList(390);
-    await startRun(page);
-    expect(named('Einen Schritt von 20 ms', '[role="menuitem"]').getAttribute('aria-disabled')).toBe('true');
-    page.run.pause();
-    await nextTick();
-    await pressItem('Einen Schritt von 20 ms');
-    expect(page.sent.at(-1)).toEqual({ type: 'step' });
-  });
-
-  it('turns the sound off and on, and says what that means', async () => {
-    const { page } = mainList(390);
-    await pressItem('Ton ausschalten');
-    expect(page.settings.current.value.muted).toBe(true);
-    expect(page.notices.current.value?.key).toBe('notice.muted');
-    await pressItem('Ton einschalten');
-    expect(page.settings.current.value.muted).toBe(false);
-    expect(page.notices.current.value?.key).toBe('notice.unmuted');
+    for (const id of ['menu-share', 'menu-open', 'menu-real-device', 'menu-course', 'device', 'menu-speed'])
+      await tap(id);
+    await tap('menu-teachers');
+    expect(asked).toEqual(['dialog', 'dialog', 'dialog', 'inside', 'inside', 'inside', 'leave']);
+    expect(page.router.page.value).toEqual({ name: 'teachers', id: null });
   });
 
   it('hides and shows the board and the arena', async () => {
     const { page } = mainList();
-    await pressItem('Mikrocomputer ausblenden');
+    await tap('menu-list-panes');
+    await tap('pane-board');
     expect(page.layout.isShown.value.board).toBe(false);
-    await pressItem('Mikrocomputer zeigen');
+    await tap('pane-board');
     expect(page.layout.isShown.value.board).toBe(true);
-    await pressItem('Arena ausblenden');
+    await tap('pane-arena');
     expect(page.layout.isShown.value.arena).toBe(false);
-    expect(items()).toContain('Arena zeigen');
   });
 
-  it('has a tick for what does not run on the device', async () => {
+  it('has a tick for what does not run on the device, and for the telling of the drive, whose tones come with it', async () => {
     const { page } = mainList();
-    const tick = () => named('Zeigen, was auf dem Gerät nicht läuft', '[role="menuitemcheckbox"]');
-    expect(tick().getAttribute('aria-checked')).toBe('true');
-    await pressItem('Zeigen, was auf dem Gerät nicht läuft');
-    expect(tick().getAttribute('aria-checked')).toBe('false');
-    expect(page.settings.own.value.deviceCheck).toBe(false);
+    const tick = (id: string) => byId(id).getAttribute('aria-checked');
+    expect([tick('device-check-switch'), tick('tell-switch'), isThere('tones-switch')]).toEqual([
+      'true',
+      'false',
+      false,
+    ]);
+    await tap('device-check-switch');
+    await tap('tell-switch');
+    expect(page.settings.own.value).toMatchObject({ deviceCheck: false, tell: true });
+    expect([tick('device-check-switch'), tick('tell-switch'), tick('tones-switch')]).toEqual(['false', 'true', 'true']);
   });
 
-  it('has a tick for the telling of the drive', async () => {
+  it('ticks one language and one of light and dark', async () => {
     const { page } = mainList();
-    const tick = () => named('Fahrt ansagen', '[role="menuitemcheckbox"]');
-    expect(tick().getAttribute('aria-checked')).toBe('false');
-    await pressItem('Fahrt ansagen');
-    expect(tick().getAttribute('aria-checked')).toBe('true');
-    expect(page.settings.own.value.tell).toBe(true);
-  });
-
-  it('ticks one stage, one language and one of light and dark', async () => {
-    const { page } = mainList();
-    page.settings.change({ language: 'de' });
-    await nextTick();
-    expect(checked()).toEqual(['Parcours bauen', 'Deutsch', 'Wie das Gerät']);
+    await tap('menu-list-theme');
+    expect(checked()).toEqual(['Wie das Gerät']);
     await pressItem('Dunkel');
+    await tap('menu-back');
+    await tap('menu-list-language');
+    expect(radios().map((item) => [item.lang, textOf(item)])).toEqual([
+      ...[['de', 'Deutsch'], ['fr', 'Français'], ['it', 'Italiano'], ['en', 'English']], // prettier-ignore
+    ]);
     await pressItem('Français');
+    expect(checked()).toEqual(['Français']);
     expect(page.settings.current.value).toMatchObject({ theme: 'dark', language: 'fr' });
-    expect(checked()).toEqual(['Parcours bauen', 'Français', 'Dunkel']);
-  });
-
-  it('leaves the stages out where a host says what is shown', async () => {
-    const { page } = mainList();
-    page.host.parts.value = ['bar', 'code', 'arena'];
-    await nextTick();
-    expect(document.querySelector('[data-testid^="stage-"]')).toBeNull();
   });
 
   it('is there in all four languages, without a German word left', async () => {
     const { page } = mainList(390);
-    expect(items().length).toBeGreaterThan(12);
     const german = new Set(items());
     for (const language of ['fr', 'it', 'en'] as const) {
       await loadTexts(language);
       showLanguage(language);
       await nextTick();
       expect(items()).toHaveLength(german.size);
-      expect(items().filter((name) => german.has(name) && name !== 'Pause')).toEqual([]);
+      expect(items().filter((name) => german.has(name))).toEqual([]);
     }
     expect(page.settings.own.value.theme).toBe('system');
   });
@@ -348,7 +338,9 @@ describe('the button of the main menu', () => {
   it('opens the menu and closes it with an entry', async () => {
     const { button, page, isOpen } = await opened();
     expect(isOpen()).toBe(true);
-    await pressItem('Arena ausblenden');
+    await tap('menu-list-panes');
+    expect(isOpen()).toBe(true);
+    await tap('pane-arena');
     await flushPromises();
     expect(isOpen()).toBe(false);
     expect(page.settings.current.value.showArena).toBe(false);
@@ -356,8 +348,7 @@ describe('the button of the main menu', () => {
   });
 
   it.each([
-    ['Teilen', 'ShareDialog'],
-    ['Link öffnen …', 'OpenLinkDialog'],
+    ['Öffnen …', 'OpenDialog'],
     ['Aufs Gerät laden …', 'RealDeviceDialog'],
   ])('closes for the dialog behind “%s” and keeps the keyboard', async (name, dialog) => {
     const { asked, button, isOpen } = await opened();
@@ -369,7 +360,7 @@ describe('the button of the main menu', () => {
 
   it('gives its place to the help', async () => {
     const { page, button, isOpen } = await opened();
-    await pressItem('Hilfe');
+    await tap('menu-help');
     expect(isOpen()).toBe(false);
     expect(page.guide.at.value).toBe('');
     expect(document.activeElement).toBe(button);
@@ -382,24 +373,27 @@ describe('the button of the main menu', () => {
     expect(page.router.page.value).toEqual({ name: 'robots', id: null });
   });
 
-  it('shows the list of devices in its place on a phone, which stays while one chooses', async () => {
+  it('is a page on a phone, in which a list takes its place and stays while one chooses', async () => {
     const { page, isOpen } = await opened(390);
-    await pressItem('Gerät wählen');
-    await vi.waitFor(() => named('Roboter-Galerie', '.device-list *, [role^="menuitem"], button'), 20_000);
-    expect(document.querySelector('[data-testid="menu-share"]')).toBeNull();
-    expect(isOpen()).toBe(true);
-    expect(page.router.page.value).toBeNull();
+    await vi.waitFor(() => byId('menu-close'));
+    await tap('device');
+    await vi.waitFor(() => expect(isThere('menu-share')).toBe(false));
+    expect([isOpen(), page.router.page.value]).toEqual([true, null]);
+    await tap('menu-close');
+    expect([isOpen(), isThere('menu-share')]).toEqual([true, true]);
+    await tap('menu-list-language');
+    await pressItem('English');
+    expect([isOpen(), page.settings.current.value.language]).toEqual([false, 'en']);
   });
 
   it('begins anew the next time, with its own entries', async () => {
     const { button, isOpen } = await opened(390);
-    await pressItem('Gerät wählen');
-    await vi.waitFor(() => expect(document.querySelector('[data-testid="menu-share"]')).toBeNull());
-    button.click();
-    await flushPromises();
+    await tap('menu-list-theme');
+    await pressKey('Escape');
+    await tap('menu-close');
     expect(isOpen()).toBe(false);
     button.click();
     await flushPromises();
-    expect(document.querySelector('[data-testid="menu-share"]')).not.toBeNull();
+    expect(isThere('menu-share')).toBe(true);
   });
 });

@@ -1,23 +1,22 @@
 import {
   mdiChip,
+  mdiEyeOutline,
   mdiRobotOutline,
   mdiThemeLightDark,
   mdiTranslate,
-  mdiVolumeHigh,
-  mdiVolumeOff,
+  mdiViewDashboardOutline,
   mdiWeatherNight,
   mdiWhiteBalanceSunny,
 } from '@mdi/js';
 import { languages } from '#core/languages';
 
-import type { Contribution, MenuPart } from '../kit/features/feature';
+import { tick } from '../kit/controls/tick';
+import { listEntry, type Contribution, type MenuPart } from '../kit/features/feature';
 import { LANGUAGES, t } from '../kit/i18n';
 import type { TextKey } from '../kit/i18n/texts';
-import { usePage } from '../kit/parts';
 import { useLayout } from '../session/layout/parts';
 import { useWork, type WorkParts } from '../session/work/model/parts';
 import { THEMES, type Theme } from '../session/work/settings/settings';
-import { switchSound } from './switches';
 
 const themes: Readonly<Record<Theme, { readonly key: TextKey; readonly icon: string }>> = {
   system: { key: 'bar.themeSystem', icon: mdiThemeLightDark },
@@ -25,12 +24,11 @@ const themes: Readonly<Record<Theme, { readonly key: TextKey; readonly icon: str
   dark: { key: 'bar.themeDark', icon: mdiWeatherNight },
 };
 
-/** Language and colours. */
+/** The choices of language and colours. */
 const choices = (settings: WorkParts['settings']): readonly MenuPart[] => [
   {
-    group: 'choices',
+    group: 'language',
     order: 0,
-    heading: () => t('bar.language'),
     entries: () =>
       LANGUAGES.map((language) => ({
         id: language,
@@ -43,9 +41,8 @@ const choices = (settings: WorkParts['settings']): readonly MenuPart[] => [
       })),
   },
   {
-    group: 'choices',
-    order: 10,
-    heading: () => t('bar.theme'),
+    group: 'theme',
+    order: 0,
     entries: () =>
       THEMES.map((theme) => ({
         id: theme,
@@ -58,46 +55,50 @@ const choices = (settings: WorkParts['settings']): readonly MenuPart[] => [
   },
 ];
 
-/** Sound, panes, language and colours. */
-export const contribution: Contribution = {
-  menu() {
-    const app = { ...usePage(), ...useWork(), ...useLayout() };
-    const { settings, layout } = app;
-    const isPhone = (): boolean => layout.kind.value === 'phone';
+/** The panes that can be put away. */
+const panes = (settings: WorkParts['settings']): MenuPart => ({
+  group: 'panes',
+  order: 0,
+  entries() {
+    const { showBoard, showArena } = settings.current.value;
     return [
       {
-        group: 'run',
-        order: 10,
-        entries() {
-          const { muted } = settings.current.value;
-          const icon = muted ? mdiVolumeOff : mdiVolumeHigh;
-          const title = t(muted ? 'bar.unmute' : 'bar.mute');
-          return isPhone() ? [{ id: 'sound', icon, title, act: () => switchSound(app) }] : [];
-        },
+        ...{ id: 'board', testId: 'pane-board', icon: mdiChip, title: t('board.pane') },
+        ...tick(showBoard),
+        act: () => settings.change({ showBoard: !showBoard }),
       },
       {
-        group: 'panes',
+        ...{ id: 'arena', testId: 'pane-arena', icon: mdiRobotOutline, title: t('arena.pane') },
+        ...tick(showArena),
+        act: () => settings.change({ showArena: !showArena }),
+      },
+    ];
+  },
+});
+
+/** Language, colours and panes. */
+export const contribution: Contribution = {
+  menu() {
+    const { settings } = useWork();
+    const { layout } = useLayout();
+    return [
+      {
+        group: 'view',
         order: 0,
         entries() {
-          const { showBoard, showArena } = settings.current.value;
-          if (isPhone()) return []; // each has a tab
+          const { language, theme } = settings.current.value;
+          const isPhone = layout.kind.value === 'phone'; // there each pane has a tab
           return [
-            {
-              id: 'board',
-              icon: mdiChip,
-              title: t(showBoard ? 'bar.hideBoard' : 'bar.showBoard'),
-              act: () => settings.change({ showBoard: !showBoard }),
-            },
-            {
-              id: 'arena',
-              icon: mdiRobotOutline,
-              title: t(showArena ? 'bar.hideArena' : 'bar.showArena'),
-              act: () => settings.change({ showArena: !showArena }),
-            },
+            listEntry('language', { icon: mdiTranslate, title: t('bar.language'), value: languages[language].name }),
+            listEntry('theme', { icon: mdiThemeLightDark, title: t('bar.theme'), value: t(themes[theme].key) }),
+            isPhone
+              ? listEntry('hints', { icon: mdiEyeOutline, title: t('menu.hints') })
+              : listEntry('panes', { icon: mdiViewDashboardOutline, title: t('menu.panes') }),
           ];
         },
       },
       ...choices(settings),
+      panes(settings),
     ];
   },
 };

@@ -1,13 +1,8 @@
-import { computed, onScopeDispose, watch, watchEffect, type ComputedRef } from 'vue';
+import { computed, onScopeDispose, watch, watchEffect } from 'vue';
 
 import type { PageParts } from '../kit/parts';
 import type { RunParts } from '../session/run/parts';
 import type { WorkParts } from '../session/work/model/parts';
-
-/** The tone that the run makes now, in Hz, whether it is heard or not; 0: none. */
-export function useTone({ run }: Pick<RunParts, 'run'>): ComputedRef<number> {
-  return computed(() => (run.phase.value === 'running' ? (run.shown.value?.sound?.hz ?? 0) : 0));
-}
 
 /** Plays the run's sound in time at 1 × and slower, unless muted; reports if the browser does not allow it. */
 export function useSound({

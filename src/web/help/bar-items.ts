@@ -1,8 +1,6 @@
 import type { Component } from 'vue';
 
 import type { BarItem } from '../session/layout/bar-item';
-import HelpButton from './HelpButton.vue';
+import LogoButton from './LogoButton.vue';
 
-export const barItems: readonly BarItem[] = [
-  { place: 'help', kinds: ['wide', 'medium'], view: HelpButton as Component },
-];
+export const barItems: readonly BarItem[] = [{ place: 'brand', view: LogoButton as Component }];

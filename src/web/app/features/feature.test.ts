@@ -6,7 +6,7 @@ import { defineComponent, effectScope, h, nextTick, shallowRef } from 'vue';
 import { guideSections } from '../../help/guide/entries';
 import {
   collected,
-  menuGroups,
+  entriesOf,
   type Contribution,
   type HelpEntry,
   type FeatureEntry,
@@ -41,7 +41,7 @@ const files: Readonly<Record<string, MadeUp>> = {
     contribution: {
       menu: () => [
         {
-          group: 'pages',
+          group: 'help',
           order: 25,
           entries: () => [
             {
@@ -81,11 +81,14 @@ describe('a made-up feature', () => {
 
   it('has an entry in the main menu, at its place, which opens its page', () => {
     const own = collected(files).flatMap((feature) => feature.contribution.menu());
-    const before = { group: 'pages', order: 20, entries: (): readonly FeatureEntry[] => [] } as const;
-    const [group] = menuGroups([...own, before]);
-    expect([group?.name, group?.parts.map(({ order }) => order)]).toEqual(['pages', [20, 25]]);
-    const menu: MenuHost = { leaveFor: (act) => act(), openDialog: () => undefined, showInside: () => undefined };
-    for (const entry of group?.parts[1]?.entries() ?? []) entry.act(menu);
+    const named = (id: string): FeatureEntry => ({ id, title: id, act: () => undefined });
+    const before = { group: 'help', order: 20, entries: () => [named('before')] } as const;
+    const elsewhere = { group: 'files', order: 10, entries: () => [named('elsewhere')] } as const;
+    const entries = entriesOf([...own, before, elsewhere], 'help');
+    expect(entries.map(({ id }) => id)).toEqual(['before', 'trophies']);
+    const nothing = () => undefined;
+    const menu: MenuHost = { leaveFor: (act) => act(), openDialog: nothing, showInside: nothing, showList: nothing };
+    entries[1]?.act(menu);
     expect(location.hash).toBe('#trophies/gold');
   });
 
@@ -122,6 +125,6 @@ describe('a made-up feature', () => {
     const items = [after, ...collected(files).flatMap((feature) => feature.barItems), before];
     expect(itemsAt(items, 'work', 'wide').map(({ order }) => order)).toEqual([undefined, 5, 10]);
     expect(itemsAt(items, 'work', 'medium').map(({ order }) => order)).toEqual([undefined, 10]);
-    expect(itemsAt(items, 'help', 'wide')).toEqual([]);
+    expect(itemsAt(items, 'share', 'wide')).toEqual([]);
   });
 });

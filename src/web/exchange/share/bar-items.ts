@@ -1,6 +1,8 @@
 import type { Component } from 'vue';
 
 import type { BarItem } from '../../session/layout/bar-item';
-import ShareButtons from './ShareButtons.vue';
+import ShareButton from './ShareButton.vue';
 
-export const barItems: readonly BarItem[] = [{ place: 'files', kinds: ['wide'], view: ShareButtons as Component }];
+export const barItems: readonly BarItem[] = [
+  { place: 'share', kinds: ['wide', 'medium', 'narrow'], view: ShareButton as Component },
+];

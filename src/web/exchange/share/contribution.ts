@@ -2,46 +2,54 @@ import {
   mdiContentSaveOutline,
   mdiFileCodeOutline,
   mdiFolderOpenOutline,
-  mdiLinkVariant,
   mdiMapOutline,
   mdiShareVariant,
+  mdiTrayArrowUp,
 } from '@mdi/js';
 
-import type { Contribution, FeatureEntry } from '../../kit/features/feature';
+import { listEntry, type Contribution, type FeatureEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import type { TextKey } from '../../kit/i18n/texts';
+import { useLayout } from '../../session/layout/parts';
+import { useTask } from '../../session/task/parts';
 import { useCommands } from './use-commands';
 
-/** Sharing, saving and opening. */
+const entry = (id: string, icon: string, key: TextKey, act: FeatureEntry['act']): FeatureEntry => ({
+  ...{ id, testId: `menu-${id}`, icon, title: t(key), act },
+});
+
+/** Opening, saving, and on a phone sharing. */
 export const contribution: Contribution = {
   menu() {
     const commands = useCommands();
-    const entry = (id: string, icon: string, key: TextKey, act: FeatureEntry['act']): FeatureEntry => ({
-      id,
-      testId: `menu-${id}`,
-      icon,
-      title: t(key),
-      act,
-    });
+    const { layout } = useLayout();
+    const { task } = useTask();
+    /** A task that was handed out is handed in. */
+    const share = (): FeatureEntry =>
+      task.handIn.isAsked.value
+        ? entry('hand-in', mdiTrayArrowUp, 'bar.handIn', (menu) => menu.leaveFor(task.handIn.open))
+        : entry('share', mdiShareVariant, 'bar.share', (menu) => menu.openDialog(() => import('./ShareDialog.vue')));
     return [
       {
         group: 'files',
-        order: 0,
-        entries: () => [
-          entry('share', mdiShareVariant, 'bar.share', (menu) => menu.openDialog(() => import('./ShareDialog.vue'))),
-        ],
+        order: 10,
+        entries() {
+          return [
+            ...(layout.kind.value === 'phone' ? [share()] : []),
+            entry('open', mdiFolderOpenOutline, 'menu.open', (menu) =>
+              menu.openDialog(() => import('./OpenDialog.vue')),
+            ),
+            listEntry('save', { icon: mdiContentSaveOutline, title: t('menu.save') }),
+          ];
+        },
       },
       {
-        group: 'files',
-        order: 20,
+        group: 'save',
+        order: 0,
         entries: () => [
-          entry('save', mdiContentSaveOutline, 'bar.save', commands.save),
+          { ...entry('save', mdiContentSaveOutline, 'bar.save', commands.save), keys: 'Ctrl+S' },
           entry('save-program', mdiFileCodeOutline, 'menu.saveProgram', commands.saveProgram),
           entry('save-scene', mdiMapOutline, 'menu.saveScene', commands.saveScene),
-          entry('open', mdiFolderOpenOutline, 'menu.openFile', commands.load),
-          entry('open-link', mdiLinkVariant, 'menu.openLink', (menu) =>
-            menu.openDialog(() => import('./OpenLinkDialog.vue')),
-          ),
         ],
       },
     ];

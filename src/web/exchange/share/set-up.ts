@@ -4,8 +4,9 @@ import type { SetUp } from '../../session/models/session';
 import { commandsOf } from './use-commands';
 import { useLinks } from './use-links';
 
-/** Opens links, and saves with Ctrl+S. */
+/** Opens links; saves with Ctrl+S and opens with Ctrl+O. */
 export const setUp: SetUp = (session) => {
   useLinks(session);
-  useCommandKeys({ s: commandsOf({ ...session, ...courseEditorOf(session) }).save });
+  const { save, load } = commandsOf({ ...session, ...courseEditorOf(session) });
+  useCommandKeys({ s: save, o: load });
 };

@@ -18,15 +18,16 @@ const entries = guideSections(allHelpEntries).flatMap((section) => section.entri
 /** The bars, panes and menus whose controls the help explains. */
 const sources = import.meta.glob<string>(
   [
-    '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,LanguageMenu,MainMenu}.vue',
+    '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,MainMenu}.vue',
     '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
     '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaTail,ViewControls,ShowMenu,GhostItems}.vue',
-    '../../{exchange,help}/**/{ShareButtons,HelpButton}.vue',
+    '../../{exchange,help}/**/{ShareButton,LogoButton}.vue',
     '../../course/editor/{EditorActions,EditorMenu}.vue',
     '../../pupil/debug/*.vue',
     '../../pupil/look-back/LookBackHead.vue',
     '../../course/editor/palette/ToolPalette.vue',
     '../../**/contribution.ts',
+    '../../teacher/*/desk-cards.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );
@@ -108,9 +109,9 @@ describe('the help', () => {
       ...{ id, section: 'menu', icon: '', name: () => id, text: () => id, covers: [] },
       ...(after !== undefined && { after }),
     });
-    const sections = guideSections([entry('second', 'first'), entry('first', 'show-arena'), entry('last', 'nothing')]);
+    const sections = guideSections([entry('second', 'first'), entry('first', 'panes'), entry('last', 'nothing')]);
     const ids = sections.find(({ id }) => id === 'menu')?.entries.map(({ id }) => id);
-    expect(ids?.slice(-5)).toEqual(['show-arena', 'first', 'second', 'device-check', 'last']);
+    expect(ids?.slice(-8)).toEqual(['panes', 'first', 'second', 'device-check', 'help', 'tour', 'stages', 'last']);
   });
 
   it('leaves no text empty, in any language, and says nothing in two of them alike', () => {

@@ -48,7 +48,7 @@ const tools: TourStep = {
 };
 const course = seen('course', null, '[data-testid="course"]', MENU);
 const help: TourStep = {
-  ...seen('help', null, '[data-testid="help"]', MENU),
+  ...seen('help', null, MENU),
   isDone: (app) => app.guide.at.value !== null,
 };
 

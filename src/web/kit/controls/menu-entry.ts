@@ -14,6 +14,10 @@ export interface MenuEntry<Host = void> {
   readonly isChosen?: boolean;
   /** True if the entry stands out. Left out: if it is the chosen one of several. */
   readonly isActive?: boolean;
+  /** The present choice, at the end of an entry that leads to the choice. */
+  readonly value?: string | undefined;
+  /** An entry that shows others in the menu's place, which stays open. */
+  readonly leads?: true;
   /** An entry that unfolds others below it: true if it has. */
   readonly isUnfolded?: boolean;
   readonly isDisabled?: boolean | undefined;

@@ -3,8 +3,15 @@ import type { Component } from 'vue';
 import type { MenuEntry } from '../controls/menu-entry';
 import type { LoadedView } from '../loaded-view';
 
-/** The groups of the main menu, in the order in which they are shown. */
-export const MENU_GROUPS = ['help', 'run', 'files', 'stages', 'panes', 'pages', 'choices'] as const;
+/**
+ * The parts of the main menu, in the order in which they are shown; `run` is a phone's, whose bar has no room for it. The
+ * `hints` stand below `view`, on a phone in a list of their own.
+ */
+export const MENU_PARTS = ['run', 'files', 'view', 'hints', 'help', 'teachers'] as const;
+/** The lists that an entry of the menu opens in its place. */
+export const MENU_LISTS = ['save', 'language', 'theme', 'panes', 'hints'] as const;
+export type MenuList = (typeof MENU_LISTS)[number];
+export type MenuGroup = (typeof MENU_PARTS)[number] | MenuList;
 
 /** The main menu, for an entry that was chosen. */
 export interface MenuHost {
@@ -12,6 +19,8 @@ export interface MenuHost {
   leaveFor(open: () => void): void;
   /** Closes the menu and opens a dialog, which emits `close`. */
   openDialog(load: LoadedView): void;
+  /** Shows one of the menu's own lists in its place. */
+  showList(list: MenuList): void;
   /** Shows another list in the menu's place, which may `stay` while one chooses. It emits `leave` with what to open instead. */
   showInside(load: LoadedView, stays?: boolean): void;
 }
@@ -19,13 +28,17 @@ export interface MenuHost {
 /** An entry of the main menu. What may change is asked for when the menu is drawn. */
 export type FeatureEntry = MenuEntry<MenuHost>;
 
+/** An entry that opens one of the menu's own lists, with what is chosen there now. */
+export const listEntry = (list: MenuList, entry: Pick<FeatureEntry, 'icon' | 'title' | 'value'>): FeatureEntry => ({
+  ...entry,
+  ...{ id: list, testId: `menu-list-${list}`, leads: true, act: (menu) => menu.showList(list) },
+});
+
 /** Entries of a feature in one group of the main menu. */
 export interface MenuPart {
-  readonly group: (typeof MENU_GROUPS)[number];
+  readonly group: MenuGroup;
   /** Position within the group: smaller ones come first. */
   readonly order: number;
-  /** A heading above the entries. */
-  readonly heading?: () => string;
   readonly entries: () => readonly FeatureEntry[];
 }
 
@@ -60,11 +73,9 @@ export const collected = <T>(modules: Readonly<Record<string, T>>): readonly T[]
     .sort()
     .map((path) => modules[path] as T);
 
-/** The groups of the main menu that have parts, in order, and in each its parts in order. */
-export const menuGroups = <P extends MenuPart>(
-  parts: readonly P[],
-): readonly { readonly name: string; readonly parts: readonly P[] }[] =>
-  MENU_GROUPS.map((name) => ({
-    name,
-    parts: parts.filter(({ group }) => group === name).sort((one, other) => one.order - other.order),
-  })).filter((group) => group.parts.length > 0);
+/** The entries of a group of the main menu, in their order. */
+export const entriesOf = (parts: readonly MenuPart[], group: MenuGroup): readonly FeatureEntry[] =>
+  parts
+    .filter((part) => part.group === group)
+    .sort((one, other) => one.order - other.order)
+    .flatMap(({ entries }) => entries());

@@ -6,5 +6,5 @@ import SpeedMenu from './SpeedMenu.vue';
 
 export const barItems: readonly BarItem[] = [
   { place: 'run', view: RunControls as Component },
-  { place: 'speed', view: SpeedMenu as Component },
+  { place: 'speed', kinds: ['wide', 'medium', 'narrow'], view: SpeedMenu as Component },
 ];

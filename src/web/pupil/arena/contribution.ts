@@ -1,41 +1,30 @@
-import { mdiPause, mdiPlay, mdiSkipNext } from '@mdi/js';
+import { mdiVolumeHigh, mdiVolumeOff } from '@mdi/js';
 
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
-import { hasLittleRoom } from '../../session/layout/layout-model';
 import { useLayout } from '../../session/layout/parts';
-import { useRun } from '../../session/run/parts';
+import { speedName } from '../../session/run/speed-text';
+import { useWork } from '../../session/work/model/parts';
 
-/** The buttons of the run that a small bar has no room for, and the help on ghosts. */
+/** Speed and sound, for which a phone's bar has no room. */
 export const contribution: Contribution = {
   menu() {
-    const { run } = useRun();
     const { layout } = useLayout();
+    const { settings } = useWork();
     return [
       {
         group: 'run',
-        order: 0,
+        order: 30,
         entries() {
-          if (!hasLittleRoom(layout.kind.value)) return [];
-          const phase = run.phase.value;
-          const isPaused = phase === 'paused';
-          const pause = {
-            id: 'pause',
-            testId: 'pause',
-            icon: isPaused ? mdiPlay : mdiPause,
-            title: t(isPaused ? 'bar.resume' : 'bar.pause'),
-            isDisabled: !isPaused && phase !== 'running',
-            act: () => (isPaused ? run.resume() : run.pause()),
-          };
-          const step = {
-            id: 'step',
-            testId: 'step',
-            icon: mdiSkipNext,
-            title: t('bar.step'),
-            isDisabled: phase === 'running' || phase === 'starting',
-            act: () => run.step(),
-          };
-          return layout.kind.value === 'phone' ? [pause, step] : [step];
+          if (layout.kind.value !== 'phone') return [];
+          const { muted, speed } = settings.current.value;
+          return [
+            {
+              ...{ id: 'speed', testId: 'menu-speed', icon: muted ? mdiVolumeOff : mdiVolumeHigh },
+              ...{ title: t('bar.speedAndSound'), value: speedName(speed), leads: true },
+              act: (menu) => menu.showInside(() => import('./SpeedList.vue')),
+            },
+          ];
         },
       },
     ];

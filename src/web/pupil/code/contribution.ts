@@ -1,5 +1,6 @@
-import { mdiCheckboxBlankOutline, mdiCheckboxMarkedOutline } from '@mdi/js';
+import { mdiUsb } from '@mdi/js';
 
+import { tick } from '../../kit/controls/tick';
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { useWork } from '../../session/work/model/parts';
@@ -9,7 +10,7 @@ export const contribution: Contribution = {
     const { settings } = useWork();
     return [
       {
-        group: 'pages',
+        group: 'hints',
         order: 50,
         entries() {
           const { deviceCheck } = settings.current.value;
@@ -17,10 +18,9 @@ export const contribution: Contribution = {
             {
               id: 'device-check-switch',
               testId: 'device-check-switch',
-              icon: deviceCheck ? mdiCheckboxMarkedOutline : mdiCheckboxBlankOutline,
+              icon: mdiUsb,
               title: t('deviceCheck.setting'),
-              choice: 'checkbox',
-              isChosen: deviceCheck,
+              ...tick(deviceCheck),
               act: () => settings.change({ deviceCheck: !deviceCheck }),
             },
           ];

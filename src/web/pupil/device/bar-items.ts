@@ -4,5 +4,5 @@ import type { BarItem } from '../../session/layout/bar-item';
 import DeviceMenu from './DeviceMenu.vue';
 
 export const barItems: readonly BarItem[] = [
-  { place: 'work', kinds: ['wide', 'medium'], view: DeviceMenu as Component },
+  { place: 'work', order: 20, kinds: ['wide', 'medium', 'narrow'], view: DeviceMenu as Component },
 ];

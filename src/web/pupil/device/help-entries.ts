@@ -9,7 +9,7 @@ export const helpEntries: readonly HelpEntry[] = [
   {
     id: 'gallery',
     section: 'menu',
-    after: 'show-arena',
+    after: 'panes',
     icon: mdiRobotHappyOutline,
     name: () => t(words.gallery),
     text: () => t(helpWords.gallery),

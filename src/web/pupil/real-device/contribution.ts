@@ -7,7 +7,7 @@ export const contribution: Contribution = {
   menu: () => [
     {
       group: 'files',
-      order: 10,
+      order: 20,
       entries: () => [
         {
           id: 'real-device',

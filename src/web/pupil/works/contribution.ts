@@ -3,20 +3,28 @@ import { mdiFolderStarOutline } from '@mdi/js';
 import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
-import { pageMenuPart } from '../../session/layout/page-menu-part';
+import { useVisit } from '../../session/visit/parts';
 import words from './words';
 
+/** The way to the pupil's works; none where a host chooses what is shown. */
 export const contribution: Contribution = {
   menu() {
     const { router } = useLayout();
+    const { host } = useVisit();
     return [
-      pageMenuPart({
-        id: 'works',
-        order: -10, // before the galleries
-        icon: mdiFolderStarOutline,
-        title: () => t(words.title),
-        open: () => router.open('works'),
-      }),
+      {
+        group: 'files',
+        order: 0,
+        entries: () =>
+          host.parts.value !== null
+            ? []
+            : [
+                {
+                  ...{ id: 'works', testId: 'menu-works', icon: mdiFolderStarOutline, title: t(words.title) },
+                  act: (menu) => menu.leaveFor(() => router.open('works')),
+                },
+              ],
+      },
     ];
   },
 };

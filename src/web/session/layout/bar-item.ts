@@ -7,7 +7,7 @@ import type { LayoutKind } from './layout-model';
  * without the bar, the items in place `run` have a strip of their own.
  */
 export interface BarItem {
-  readonly place: 'run' | 'speed' | 'work' | 'files' | 'help';
+  readonly place: 'brand' | 'run' | 'speed' | 'work' | 'share';
   /** Position within the place: smaller ones come first. */
   readonly order?: number;
   /** The layouts that have room for it; left out: all. */

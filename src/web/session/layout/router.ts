@@ -21,6 +21,8 @@ export interface Router {
   idOn(name: string): string | null;
   /** Opens a page, or one thing on it. */
   open(name: string, id?: string): void;
+  /** Leads from a page up to another one: back, where it was opened from there. */
+  up(name: string): void;
   /** Shows another thing in the same place: the back button skips the one before. */
   replace(name: string, id: string): void;
   close(): void;
@@ -46,7 +48,7 @@ export function createRouter(pages: readonly FeaturePage[], back: Back = theBack
   return { page, idOn: (name) => (page.value?.name === name ? page.value.id : null), ...address };
 }
 
-type Ways = Pick<Router, 'open' | 'replace' | 'close'>;
+type Ways = Pick<Router, 'open' | 'up' | 'replace' | 'close'>;
 type Shown = ShallowRef<OpenPage | null>;
 
 const hashOf = (name: string, id?: string): string => (id === undefined ? `#${name}` : `#${name}/${id}`);
@@ -54,7 +56,7 @@ const hashOf = (name: string, id?: string): string => (id === undefined ? `#${na
 /** Opens pages without a trace. */
 function pageOnly(page: Shown, pages: readonly FeaturePage[]): Ways {
   const open = (name: string, id?: string): void => void (page.value = pageAt(hashOf(name, id), pages));
-  return { open, replace: open, close: () => (page.value = null) };
+  return { open, up: open, replace: open, close: () => (page.value = null) };
 }
 
 function inAddress(page: Shown, pages: readonly FeaturePage[], back: Back): Ways {
@@ -75,9 +77,21 @@ function inAddress(page: Shown, pages: readonly FeaturePage[], back: Back): Ways
   return {
     open: (name, id) =>
       back.whenStill(() => {
-        back.push({ [BEFORE]: stepsBefore() ?? back.steps }, hashOf(name, id));
+        const from = page.value?.name;
+        back.push(
+          { [BEFORE]: stepsBefore() ?? back.steps, ...(from !== undefined && { [FROM]: from }) },
+          hashOf(name, id),
+        );
         follow();
       }),
+    up(name) {
+      if (stateOf(FROM) === name) {
+        history.back();
+        return;
+      }
+      history.replaceState(history.state, '', hashOf(name));
+      follow();
+    },
     replace(name, id) {
       history.replaceState(history.state, '', hashOf(name, id));
       follow();
@@ -96,10 +110,13 @@ function inAddress(page: Shown, pages: readonly FeaturePage[], back: Back): Ways
 
 /** Key under which an entry of the history keeps the number of entries before the first page. */
 const BEFORE = 'beforePages';
+/** Key of the name of the page from which one was opened. */
+const FROM = 'openedFrom';
 
 /** Number of entries that the app itself had made in the history when it was last in sight; `null`: no page was opened since. */
 function stepsBefore(): number | null {
-  const state = history.state as Readonly<Record<string, unknown>> | null;
-  const value = state?.[BEFORE];
+  const value = stateOf(BEFORE);
   return typeof value === 'number' ? value : null;
 }
+
+const stateOf = (key: string): unknown => (history.state as Readonly<Record<string, unknown>> | null)?.[key];

@@ -5,9 +5,7 @@ import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
 import { placeOf } from '../../session/task/series/series-place';
 import wayWords from '../../session/task/series/words';
-import { pageMenuPart } from '../../session/layout/page-menu-part';
 import { useWork } from '../../session/work/model/parts';
-import words from './words';
 
 export const contribution: Contribution = {
   menu() {
@@ -31,13 +29,6 @@ export const contribution: Contribution = {
           ];
         },
       },
-      pageMenuPart({
-        id: 'make-series',
-        order: 20,
-        icon: mdiFormatListNumbered,
-        title: () => t(words.title),
-        open: () => router.open('make-series'),
-      }),
     ];
   },
 };

@@ -11,36 +11,22 @@ export const STEP_IDS = [
 ] as const;
 
 /** Controls of the bar above. */
-export const BAR_IDS = [
-  'run',
-  'stop',
-  'pause',
-  'step',
-  'reset',
-  'speed',
-  'sound',
-  'device',
-  'course',
-  'share',
-  'save',
-  'open',
-  'language',
-  'theme',
-  'help',
-  'menu',
-] as const;
+export const BAR_IDS = ['run', 'stop', 'pause', 'step', 'reset', 'speed', 'device', 'course', 'share', 'menu'] as const;
 
 /** The other entries of the menu. */
 export const MENU_IDS = [
-  'stages',
-  'tour',
-  'real-device',
+  'open',
+  'save',
   'save-program',
   'save-scene',
-  'open-link',
-  'show-board',
-  'show-arena',
+  'real-device',
+  'language',
+  'theme',
+  'panes',
   'device-check',
+  'help',
+  'tour',
+  'stages',
 ] as const;
 
 /** Around the program. */
@@ -92,6 +78,7 @@ export const KEY_IDS = [
   'key-run',
   'key-stop',
   'key-save',
+  'key-open',
   'key-help',
   'key-explain',
   'key-leave',

@@ -1,0 +1,30 @@
+import type { LoadedView } from '../loaded-view';
+
+/** The parts of a lesson, in its order. */
+export const DESK_PARTS = ['prepare', 'teach', 'check'] as const;
+
+/** The page for teachers, for a card that was chosen. */
+export interface DeskHost {
+  /** Leaves for another page, from which an arrow leads back. */
+  openPage(name: string): void;
+  /** Leaves for the arena, and does something there. */
+  leaveFor(act: () => void): void;
+  /** Opens a dialog over the page, which emits `close`. */
+  openDialog(load: LoadedView): void;
+}
+
+/** A card on the page for teachers. A feature lists its own in its `desk-cards.ts`, which is loaded with that page. */
+export interface DeskCard {
+  readonly part: (typeof DESK_PARTS)[number];
+  /** Position within the part: smaller ones come first. */
+  readonly order: number;
+  readonly testId: string;
+  readonly icon: string;
+  readonly title: () => string;
+  /** One sentence on what it is for. */
+  readonly about: () => string;
+  readonly open: (desk: DeskHost) => void;
+}
+
+/** The cards of a feature; called in the set-up of the page, so it may ask for models. */
+export type DeskCards = () => readonly DeskCard[];

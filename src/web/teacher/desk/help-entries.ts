@@ -1,0 +1,16 @@
+import { mdiSchoolOutline } from '@mdi/js';
+
+import type { HelpEntry } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import words from './words';
+
+export const helpEntries: readonly HelpEntry[] = [
+  {
+    id: 'teachers',
+    section: 'menu',
+    icon: mdiSchoolOutline,
+    name: () => t(words.title),
+    text: () => t(words.help),
+    covers: ['menu-teachers'],
+  },
+];

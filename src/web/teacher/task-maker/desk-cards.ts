@@ -1,0 +1,17 @@
+import { mdiClipboardEditOutline } from '@mdi/js';
+
+import type { DeskCards } from '../../kit/features/desk-card';
+import { t } from '../../kit/i18n';
+import words from './words';
+
+export const deskCards: DeskCards = () => [
+  {
+    part: 'prepare',
+    order: 10,
+    testId: 'menu-task',
+    icon: mdiClipboardEditOutline,
+    title: () => t(words.title),
+    about: () => t(words.card),
+    open: (desk) => desk.openPage('task'),
+  },
+];
