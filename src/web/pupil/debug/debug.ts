@@ -5,6 +5,7 @@ import { filesOfDevice } from '#project/devices';
 import type { Shown } from '#vm/debug/shown';
 import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
+import { whenIdle } from '../../kit/when-idle';
 import type { PointsOfDevices } from '../../session/run/debug-port';
 import { BreakPoints } from './break-points';
 import { changesBetween, type Before } from './changes';
@@ -107,6 +108,8 @@ export class Debug {
   /** Requests variables of the past, which cost a run, only while they are shown and the time line rests. */
   private followPast(showsVariables: Readonly<Ref<boolean>>): void {
     const { run, work } = this.app;
+    const isPast = (): boolean => run.past.value !== null;
+    watch(isPast, (now) => now && whenIdle(() => void this.past.prepare()), { immediate: true });
     let timer: ReturnType<typeof setTimeout> | undefined;
     watch(
       [run.past, work.place, showsVariables],

@@ -22,6 +22,7 @@ async function opened() {
   const page: TestPage = createPage();
   const workers: { onmessage: ((event: MessageEvent) => void) | null }[] = [];
   const wishes: LookWish[] = [];
+  const sent: string[] = [];
   let answer: Look | null = null;
   const createWorker = () => {
     const worker = {
@@ -29,6 +30,7 @@ async function opened() {
       onerror: null,
       terminate: vi.fn(),
       postMessage(message: { readonly type: string; readonly ask?: number; readonly wish?: LookWish }) {
+        sent.push(message.type);
         if (message.wish === undefined) return;
         wishes.push(message.wish);
         const data = { type: 'looked', ask: message.ask, look: answer };
@@ -45,7 +47,7 @@ async function opened() {
   await show(page, { timeUs: 1_000_000 });
   page.run.pause();
   const knowInputs = (): void => page.say({ type: 'inputs', inputs: [], nowUs: 0 });
-  return { page, past, tell, workers, wishes, knowInputs, answerWith: (look: Look | null) => (answer = look) };
+  return { page, past, tell, workers, wishes, sent, knowInputs, answerWith: (look: Look | null) => (answer = look) };
 }
 let given: Awaited<ReturnType<typeof opened>>;
 beforeEach(async () => (given = await opened()));
@@ -98,6 +100,16 @@ describe('the past of a run', () => {
     knowInputs();
     await back;
     expect(wishes[0]).toMatchObject({ at: { isLine: false }, within: { file: 'plus.py', line: 13 } });
+  });
+
+  it('is made ready while nobody has asked anything', async () => {
+    const { page, past, sent, knowInputs } = given;
+    await past.prepare(); // nobody looks back
+    page.run.look.back();
+    const ready = past.prepare();
+    knowInputs();
+    await ready;
+    expect(sent).toEqual(['look-into', 'look-near']);
   });
 
   it('has no line before the first: what is shown stays', async () => {

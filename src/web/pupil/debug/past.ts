@@ -105,6 +105,15 @@ export class Past {
     return (await this.clientNow())?.why(wish) ?? null;
   }
 
+  /**
+   * Gets ready for the first question: the run is repeated up to the present while nobody waits, else they would wait
+   * for all of it.
+   */
+  async prepare(): Promise<void> {
+    if (this.app.run.past.value === null) return;
+    await (await this.clientNow())?.prepare(this.present(this.device));
+  }
+
   private get device(): number {
     return this.app.work.place.value;
   }

@@ -32,6 +32,15 @@ describe('looking into a run that has been', () => {
     expect(port.postMessage.mock.calls.map(([{ type }]) => type)).toEqual(['look-into', 'look']);
   });
 
+  it('gets near a moment beforehand, but never in the way of a wish', async () => {
+    const { client, port } = opened();
+    await client.prepare(wish.at);
+    void client.look(wish);
+    await asked(port, 1);
+    await client.prepare(wish.at);
+    expect(port.postMessage.mock.calls.map(([{ type }]) => type)).toEqual(['look-into', 'look-near', 'look']);
+  });
+
   it('gives nothing to a wish that a newer one has overtaken', async () => {
     const { client, port, say } = opened();
     const [first, second] = [client.look(wish), client.look(wish)];

@@ -1,6 +1,6 @@
 import type { RunSetup } from '#simulation/run-setup';
 import type { Cause } from '#simulation/causes/causes';
-import type { FromLooker, Look, LookWish, ToLooker, WhyWish } from './worker/look/protocol';
+import type { FromLooker, Instant, Look, LookWish, ToLooker, WhyWish } from './worker/look/protocol';
 
 export type { Instant, Look, LookWish, WhyWish } from './worker/look/protocol';
 
@@ -46,6 +46,12 @@ export class LookClient {
   async why(wish: WhyWish): Promise<readonly Cause[] | null> {
     const found = await this.ask('why', (ask) => ({ type: 'why', ask, wish }));
     return found?.type === 'caused' ? found.causes : null;
+  }
+
+  /** Lets the worker come near a moment before anything is asked, unless something is. */
+  async prepare(at: Instant): Promise<void> {
+    const worker = await this.worker.catch(() => null);
+    if (this.waiting.size === 0) worker?.postMessage({ type: 'look-near', at } satisfies ToLooker);
   }
 
   private async ask(kind: 'look' | 'why', messageOf: (ask: number) => ToLooker): Promise<FromLooker | null> {

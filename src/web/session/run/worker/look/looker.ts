@@ -74,7 +74,10 @@ export class Looker {
     message: Exclude<ToLooker, { type: 'look-into' }>,
     mayGoOn: () => boolean,
   ): Promise<void> {
-    if (message.type === 'look-near') return makeReady(replays, message.at, mayGoOn);
+    if (message.type === 'look-near') {
+      const [near] = BEFORE_US;
+      return replays.park(await replays.at(Math.max(message.at.timeUs - near, 0), mayGoOn));
+    }
     if (message.type === 'why') return this.why(replays, message, mayGoOn);
     const { ask, wish } = message;
     const look = await this.look(replays, wish, mayGoOn);
