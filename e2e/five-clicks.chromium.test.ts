@@ -1,4 +1,8 @@
 import type { Page } from '@playwright/test';
+import { handInOf } from '../src/check/hand-in/read-hand-in';
+import { targetAt } from '../src/check/testing/tasks';
+import { linkOf, projectOfLink } from '../src/project/link/link';
+import { defaultScene } from '../src/scene/scene';
 import { expect, playwrightApp, test } from './app';
 import { on, programIn } from './page';
 import { by } from './parts';
@@ -8,6 +12,20 @@ const MOST = 5;
 
 /** Three commands below the import; how long the robot has to drive, the newcomer has found out. */
 const PROGRAM = ['from mbrobot import *', 'forward()', 'delay(2000)', 'stop()'];
+
+/** A link that a teacher has handed out: drive straight on into a field. */
+function classLink(): string {
+  const scene = { ...defaultScene(), size: [900, 500] as const, objects: [targetAt(560, 250)] };
+  const robot = { ...scene.robot, at: [150, 250] as const };
+  const task = { version: 1, handedOut: true, checks: [{ type: 'goals', id: 'goals' }] };
+  const files = [{ name: 'main.py', text: 'from mbrobot import *\n' }];
+  const made = linkOf(
+    { files, scene: { ...scene, robot }, course: null, task },
+    { courses: () => null, program: true },
+  );
+  if (made === null) throw new Error('There is no link.');
+  return `./#${made.fragment}`;
+}
 
 /** Counts what is really pressed in the page, whoever presses it. */
 async function countPresses(page: Page): Promise<() => Promise<number>> {
@@ -64,5 +82,37 @@ test.describe('on a phone, by touch', () => {
     await passed(page);
     await page.waitForSelector(by('next-mission'));
     expect(await presses()).toBeLessThanOrEqual(MOST);
+  });
+
+  test('a class’s task is solved from its link and handed in with four taps besides typing', async ({ page }) => {
+    const presses = await countPresses(page);
+    await page.addInitScript(() => {
+      const share = (data: ShareData): Promise<void> =>
+        Promise.resolve(void (document.documentElement.dataset['shared'] = data.url));
+      Object.defineProperty(navigator, 'share', { value: share });
+    });
+    await page.goto(classLink());
+    await page.waitForSelector(by('task-card'));
+    expect(await page.locator(by('welcome')).count()).toBe(0);
+    await page.tap('nav button:first-child'); // the program
+    await page.tap(on('editor'));
+    await typeOver(page, PROGRAM);
+    await page.tap(by('run'));
+    await passed(page);
+    await expect(page.locator(by('next-mission'))).toHaveCount(0);
+    await page.tap(by('step-hand-in'));
+    await expect(page.locator(by('hand-in-name'))).toBeFocused();
+    await page.keyboard.press('Enter'); // not without a name
+    await expect(page.locator(by('hand-in-need'))).not.toBeEmpty();
+    await page.keyboard.insertText('Elif K.');
+    await expect(page.locator(by('hand-in-state'))).toContainText('bestanden', { timeout: 30_000 });
+    await page.keyboard.press('Enter');
+    await expect.poll(() => page.getAttribute('html', 'data-shared')).toContain('#');
+    expect(await presses()).toBeLessThanOrEqual(4);
+    const read = projectOfLink(new URL((await page.getAttribute('html', 'data-shared')) ?? '').hash, () => null);
+    const content = 'project' in read ? handInOf(read.project) : null;
+    expect(content).toMatchObject({ handIn: { said: { alias: 'Elif K.', verdict: 'passed' } } });
+    await page.tap(by('hand-in-close'));
+    await expect(page.locator(by('step-hand-in'))).toHaveText('Nochmals abgeben');
   });
 });

@@ -2,9 +2,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import type { SaidRemark } from '#check/hand-in/hand-in';
-import { handInOf } from '#check/hand-in/read-hand-in';
-import type { WorldResult } from '#check/result';
 import { sceneWith, targetAt } from '#check/testing/tasks';
 import { isProjectLink, projectOfLink } from '#project/link/link';
 import { defaultScene } from '#scene/scene';
@@ -15,7 +12,6 @@ import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 import { courses } from '#catalogue/courses';
-import type { TaskLocks } from '../../session/work/model/task-locks';
 import { openAddress } from './open-address';
 import OpenLinkDialog from './OpenLinkDialog.vue';
 import { qrPath, QR_CHARACTERS } from '../../kit/links/qr-code';
@@ -40,69 +36,18 @@ function pageWith(text: string): TestPage {
 }
 afterEach(() => void vi.restoreAllMocks());
 
-describe('a hand-in', () => {
-  const passed: WorldResult = {
-    ...{ id: 'visible', hidden: false, passed: true, reason: null, atMs: 14200, touches: 0 },
-    ...{ held: ['goals'], missed: {}, hash: 'abc', trail: [], trailMs: [] },
-  };
-  /** The dialog on a program in a course with a target; what its run comes to is this. */
-  async function handIn(run: WorldResult | null, noticed: readonly SaidRemark[] = []) {
-    const page = pageWith('print(1)\n');
-    page.work.setScene(sceneWith([targetAt(700, 450)]), null);
-    page.work.locks.task.value = { noticed: () => noticed } as TaskLocks;
-    await nextTick();
-    const prover = vi.fn(() => Promise.resolve(run));
-    mountOn(page, ShareDialog, { prover });
-    await nextTick();
-    await tap('hand-in');
-    await vi.waitFor(() => expect(byId('hand-in-state').textContent).not.toContain('läuft'));
-    return { page, prover };
-  }
-  const inLink = () => {
-    const read = projectOfLink(fieldById('share-link').value.replace(/^.*#/, '#'), readyScene);
-    if ('problem' in read) throw new Error(read.problem.message);
-    const content = handInOf(read.project);
-    return 'handIn' in content ? content.handIn : null;
-  };
-
-  it('is a link with the name that was typed, the verdict and the fingerprint of its run', async () => {
-    const { prover } = await handIn(passed);
-    expect(byId('hand-in-state').textContent).toContain('bestanden nach 14.2 s');
-    await write(byId('hand-in-name'), ' Ada ');
-    expect(inLink()?.said).toEqual({ task: '', alias: 'Ada', verdict: 'passed', tries: 0, hash: 'abc', remarks: [] });
-    expect(inLink()?.project.files).toEqual([{ name: 'main.py', text: 'print(1)\n' }]);
-    expect(prover).toHaveBeenCalledOnce();
-  });
-
-  it('tells what the page has noticed, and shows the pupil that it does', async () => {
-    await handIn(passed, ['hand', 'outside']);
-    expect(byId('hand-in-told').textContent).toMatch(/Hand geholfen.*nicht aus diesem Editor/);
-    expect(inLink()?.said?.remarks).toEqual(['hand', 'outside']);
-  });
-
-  it('says why it has not passed, and can be handed in', async () => {
-    await handIn({ ...passed, passed: false, atMs: null, reason: { code: 'open', params: { done: 0, of: 1 } } });
-    expect(byId('hand-in-state').textContent).toContain('Das Ziel ist nicht erreicht (0 von 1).');
-    expect(inLink()?.said?.verdict).toBe('open');
-  });
-
-  it('can be handed in where no worker can run it', async () => {
-    await handIn(null);
-    expect(byId('hand-in-state').textContent).toContain('trotzdem');
-    expect(inLink()?.said).toMatchObject({ verdict: 'open', hash: '' });
-  });
-
-  it('is none in a course without a goal, and none unless it is wanted', async () => {
+describe('the dialog for sharing', () => {
+  it('leads to handing in where there is something to reach, and not elsewhere', async () => {
     const page = pageWith('print(1)\n');
     page.work.setScene(defaultScene(), null);
-    mountOn(page, ShareDialog, {});
-    await nextTick();
+    mountOn(page, ShareDialog);
     expect(isThere('hand-in')).toBe(false);
-    expect(inLink()?.said).toBeNull();
+    page.work.setScene(sceneWith([targetAt(700, 450)]), null);
+    await nextTick();
+    await tap('hand-in');
+    expect(page.task.handIn.isOpen.value).toBe(true);
   });
-});
 
-describe('the dialog for sharing', () => {
   const link = (): string => fieldById('share-link').value;
   /** Opens the dialog on a program; `closed` counts what it asked for. */
   async function share(text: string) {

@@ -13,19 +13,15 @@ import { CheckRun } from '../../session/run/check-run';
 /** Runs a project's program on its own course, as the teacher's check will; `null`: it cannot be run now. */
 export type Prover = (task: ClassTask, project: Project) => Promise<WorldResult | null>;
 
-/** The share dialog's state of a hand-in. */
+/** The state of a hand-in. */
 export interface HandInWish {
-  /** The project has a task: it can be handed in. */
-  readonly canBe: ComputedRef<boolean>;
-  readonly isOn: Readonly<ShallowRef<boolean>>;
-  turn(on: boolean): void;
   /** The name that the pupil types; it goes along with the link and nowhere else. */
   readonly alias: Readonly<ShallowRef<string>>;
   rename(alias: string): void;
   /** The run in the visible world; `null`: it is being made, or could not be. */
   readonly run: Readonly<ShallowRef<WorldResult | null>>;
   readonly isRunning: Readonly<ShallowRef<boolean>>;
-  /** The statements in the hand-in; `null`: it is shared as usual. */
+  /** The statements in the hand-in; `null`: the project has no task. */
   readonly said: ComputedRef<Said | null>;
 }
 
@@ -48,21 +44,25 @@ export function useHandIn(
     const read = taskOf(project());
     return 'task' in read ? read.task : null;
   });
-  const [isOn, isRunning] = [shallowRef(false), shallowRef(false)];
+  const isRunning = shallowRef(false);
   const alias = shallowRef('');
   const run = shallowRef<WorldResult | null>(null);
   let turn = 0;
-  watch([isOn, () => project()], async ([on, now], before) => {
-    if (!on || task.value === null || (before[0] && isSame(now, before[1]))) return;
-    const mine = ++turn;
-    [run.value, isRunning.value] = [null, true];
-    const found = await prove(task.value, now).catch(() => null);
-    if (mine !== turn) return;
-    [run.value, isRunning.value] = [found, false];
-  });
+  watch(
+    project,
+    async (now, before) => {
+      if (task.value === null || isSame(now, before)) return;
+      const mine = ++turn;
+      [run.value, isRunning.value] = [null, true];
+      const found = await prove(task.value, now).catch(() => null);
+      if (mine !== turn) return;
+      [run.value, isRunning.value] = [found, false];
+    },
+    { immediate: true },
+  );
   onScopeDispose(() => (turn += 1));
   const said = computed((): Said | null =>
-    isOn.value && task.value !== null
+    task.value !== null
       ? {
           task: task.value.id,
           alias: alias.value.trim().slice(0, MOST_ALIAS),
@@ -74,11 +74,13 @@ export function useHandIn(
       : null,
   );
   return {
-    ...{ canBe: computed(() => task.value !== null), isOn, alias, run, isRunning, said },
-    turn: (on) => (isOn.value = on),
+    ...{ alias, run, isRunning, said },
     rename: (text) => (alias.value = text),
   };
 }
+
+/** True if a project can be handed in: it has a task. */
+export const canBeHandedIn = (project: Project): boolean => 'task' in taskOf(project);
 
 /** The verdict of the pupil's page on its run: goals not reached yet may still be. */
 export function verdictOf(run: WorldResult | null): Said['verdict'] {

@@ -66,6 +66,11 @@ describe('the greeting of a first visit', () => {
     await visit((page) => page.router.open('robots'));
     expect(isThere('welcome')).toBe(false);
     history.replaceState(null, '', '/');
+    await visit((page) => {
+      const { project } = page.work.work.value;
+      page.work.openProject({ ...project, task: { version: 1, handedOut: true } }, null);
+    });
+    expect(isThere('welcome')).toBe(false); // whoever comes for a task of the class has begun already
   });
 
   it('goes for good with the first run, which leaves the card of the mission', async () => {

@@ -1,6 +1,9 @@
 // @vitest-environment happy-dom
 import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
+import { nextTick } from 'vue';
 import { handInOf } from '#check/hand-in/read-hand-in';
+import { projectOf } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
 import { noLocks } from '#check/task/task';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
@@ -239,6 +242,27 @@ describe('what is not the task', () => {
     else page.work.setScene({ ...defaultScene(), name: 'Other' }, null);
     expect([page.work.locks.task.value, page.work.work.value.project.task]).toEqual([null, undefined]);
     expect(page.editor.commit(BLOCK)).toBe(true);
+  });
+});
+
+describe('a task that is left before anything was written', () => {
+  const ready = courses.find(({ id }) => id === 'square')!;
+  const sample = { title: {}, source: {}, board: 'microbit-v2' } as unknown as BoardProgram;
+  it.each([
+    ['a sample for the microcomputer', (page: TestPage) => useCourses(page).openBoardProgram(sample)],
+    ['a course', (page: TestPage) => useCourses(page).openWhole(ready)],
+    ['the arena of a course', (page: TestPage) => useCourses(page).openScene(ready)],
+  ])('can be taken back from %s: by the message, and among the earlier works', async (_, leave) => {
+    const page = createPage();
+    const lent = { ...projectOf(ready, 'de'), task: { version: 1, handedOut: true } };
+    page.work.openProject(lent, null);
+    await nextTick();
+    leave(page);
+    expect(page.work.work.value.project.task).toBeUndefined();
+    expect(page.work.work.value.previous[0]?.project.task).toEqual(lent.task);
+    expect(page.notices.current.value?.action?.key).toBe('course.restore');
+    page.notices.current.value?.action?.run();
+    expect(page.work.work.value.project.task).toEqual(lent.task);
   });
 });
 

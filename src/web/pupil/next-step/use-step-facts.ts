@@ -10,7 +10,7 @@ import { usePage, type PageParts } from '../../kit/parts';
 import { useLayout, type LayoutParts } from '../../session/layout/parts';
 import { useMode, type ModeParts } from '../../session/mode/parts';
 import { useRun, type RunParts } from '../../session/run/parts';
-import { goalsInWords } from '../../session/task/goals';
+import { goalsInWords, rulesInWords } from '../../session/task/goals';
 import { useTask, type TaskParts } from '../../session/task/parts';
 import goalWords from '../../session/task/words';
 import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
@@ -92,7 +92,7 @@ function driveOf({ run }: Pick<StepApp, 'run'>, isHoldingOut: boolean): Drive {
 function isGreeted({ settings, work, run }: Pick<StepApp, 'settings' | 'work' | 'run'>): boolean {
   const { project } = work.work.value;
   const isNew = !settings.current.value.welcomed && window.parent === window && run.present.value === null;
-  return isNew && project.course === firstCourse?.id && isAsFound(project);
+  return isNew && project.task === undefined && project.course === firstCourse?.id && isAsFound(project);
 }
 
 const secondsText = (timeUs: number): string => numberText(timeUs / 1_000_000, shownLanguage(), 1);
@@ -164,11 +164,12 @@ function useStepTask(app: StepApp, { verdict, checked, isTask, isPhone }: TaskVi
 
 export const figureOf = ({ done, of }: Goal): string => t('verdict.ofMany', { done, of });
 
-/** The goals of the course in a line, where no card says them. */
-const goalsText = ({ work }: Pick<StepApp, 'work'>): string =>
-  goalsInWords(work.scene.value, null)
-    .map((goal) => t(goalWords.goals[goal.words], goal.values))
-    .join(' · ');
+/** The goals and rules of the course in a line, where no card says them. */
+function goalsText({ work }: Pick<StepApp, 'work'>): string {
+  const goals = goalsInWords(work.scene.value, null).map((goal) => t(goalWords.goals[goal.words], goal.values));
+  const rules = rulesInWords(work.scene.value, null).filter((rule) => rule.words !== 'ownHands');
+  return [...goals, ...rules.map((rule) => t(goalWords.rules[rule.words], rule.values))].join(' · ');
+}
 
 /** The goal that was reached last, in words. */
 function useReached({ run }: Pick<StepApp, 'run'>, { goals }: Pick<TaskView['verdict'], 'goals'>) {

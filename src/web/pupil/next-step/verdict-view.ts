@@ -1,7 +1,5 @@
 import type { Vec } from '#core/geometry';
 import type { Point, Scene, SceneObject, Wall } from '#scene/scene';
-import { isSpiked } from '#simulation/kinds';
-import { briefOf, hasGoal } from '#simulation/task/task-brief';
 import type { Verdict } from '#simulation/task/verdict';
 
 /** One goal of the task and its progress. */
@@ -19,19 +17,6 @@ export function goalsOf({ checkpoints, targets, blocks }: Verdict): readonly Goa
     { id: 'blocks', done: blocks.delivered, of: blocks.of },
   ];
   return goals.filter(({ of }) => of > 0);
-}
-
-/** The prohibitions of the course; and with a time limit alone: to hold out for that time. */
-export function rulesOf({
-  task,
-  objects,
-}: Pick<Scene, 'task' | 'objects'>): readonly ('noTouch' | 'avoidZones' | 'avoidSpikes' | 'holdOut')[] {
-  return [
-    ...(task.noTouch ? (['noTouch'] as const) : []),
-    ...(objects.some(({ type }) => type === 'forbidden') ? (['avoidZones'] as const) : []),
-    ...(!task.noTouch && objects.some(isSpiked) ? (['avoidSpikes'] as const) : []),
-    ...(task.seconds !== null && !hasGoal(briefOf({ task, objects })) ? (['holdOut'] as const) : []),
-  ];
 }
 
 /** Whole seconds that are left, or `null` without a limit. The last one shows until it is over. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { hasTask } from '#simulation/task/task-brief';
 import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
-import { goalsOf, placeToShow, rulesOf, secondsLeft } from './verdict-view';
+import { goalsOf, placeToShow, secondsLeft } from './verdict-view';
 
 const zone = (part: Partial<Zone>): Zone => ({
   type: 'target',
@@ -44,14 +44,6 @@ describe('the task of a course', () => {
       { id: 'targets', done: 0, of: 1 },
       { id: 'blocks', done: 0, of: 3 },
     ]);
-  });
-
-  it('says what must not happen, and spikes only where not everything is forbidden to touch', () => {
-    const spikes = { type: 'spikes', id: 's', at: [0, 0], size: [50, 50], angle: 0 } as const;
-    expect(rulesOf(course([spikes, zone({ type: 'forbidden' })]))).toEqual(['avoidZones', 'avoidSpikes']);
-    expect(rulesOf(course([spikes], { noTouch: true }))).toEqual(['noTouch']);
-    expect(rulesOf(course([], { seconds: 9 }))).toEqual(['holdOut']);
-    expect(rulesOf(course([zone({})], { seconds: 9 }))).toEqual([]);
   });
 });
 

@@ -8,7 +8,7 @@ import { projectOf, type Course } from '#catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
-import { withoutHandedOut } from './model/task-locks';
+import { isHandedOut, withoutHandedOut } from './model/task-locks';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { dateText } from '../../kit/i18n/number-text';
@@ -76,7 +76,7 @@ function useWholeCourses(app: Workplace) {
 
   /** Opens the arena of a course; the program stays. */
   function openScene(course: Course): void {
-    const isReady = isReadyArena(app.work.scene.value);
+    const isReady = !isHandedOut(app.work.work.value.project) && isReadyArena(app.work.scene.value);
     openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
     app.settings.bring(newWork);
   }
