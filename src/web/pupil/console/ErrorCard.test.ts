@@ -126,7 +126,7 @@ describe('the card of an error', () => {
     const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
     const report = { failure, source: { text: 'print(1\n\nx = 3', line: 3 }, table: null };
     const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 3 }, report });
-    expect(textOf(card.get('p').element)).toBe('Zeile 1: Die Klammer ( in Zeile 1 ist nicht geschlossen.');
+    expect(textOf(card.get('p').element)).toBe('Die Klammer ( in Zeile 1 ist nicht geschlossen.');
     named('Zur Zeile 1').click();
     expect(page.jump.target.value).toEqual({ file: 'main.py', line: 1 });
   });

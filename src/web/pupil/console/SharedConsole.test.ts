@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { nextTick } from 'vue';
-import { describe, expect, it, vi } from 'vitest';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { byId } from '../../app/testing/find';
 import { mountOn } from '../../app/testing/mount-on';
@@ -38,6 +38,8 @@ async function withConsole() {
 }
 
 describe('the console of all devices', () => {
+  beforeAll(() => import('./ErrorCard.vue'));
+
   it('follows what is printed again after somebody has looked back', async () => {
     const { page, print, box } = await withConsole();
     await show(page, { timeUs: 2_000_000 });

@@ -27,7 +27,7 @@ export function useExplanation(report: ErrorReport, place: ErrorPlace | null) {
   const cause = computed(() => causeOf(report, place));
   const where = computed(() => {
     const at = cause.value;
-    if (at === null) return null;
+    if (at === null || at !== place) return null; // the sentence names the line of the cause
     return at.file === MAIN ? t('console.errorLine', { line: at.line }) : t('console.errorLineIn', { ...at });
   });
   const meant = computed(() => {

@@ -15,7 +15,7 @@ import { useTask, type TaskParts } from '../../session/task/parts';
 import goalWords from '../../session/task/words';
 import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
 import { useWork, type WorkParts } from '../../session/work/model/parts';
-import { lastPlace } from '../console/log/console-log';
+import { causeOf, reportOf } from '../console/error-text';
 import { useConsole, type ConsoleParts } from '../console/parts';
 import type { Drive, StepFacts, StepTask } from './next-step';
 import { useNextMission } from './use-next-mission';
@@ -97,11 +97,9 @@ function isGreeted({ settings, work, run }: Pick<StepApp, 'settings' | 'work' | 
 
 const secondsText = (timeUs: number): string => numberText(timeUs / 1_000_000, shownLanguage(), 1);
 
-function errorOf({ run, work }: Pick<StepApp, 'run' | 'work'>): StepFacts['error'] {
-  const exception = run.ended.value?.exception ?? null;
-  if (exception === null) return null;
-  const place = lastPlace(exception.traceback, work.files.value.map(({ name }) => name)); // prettier-ignore
-  return { line: place?.line ?? null };
+function errorOf(app: StepApp): StepFacts['error'] {
+  const found = app.run.ended.value === null ? null : reportOf(app.run.ended.value, app);
+  return found && { line: causeOf(found.report, found.place)?.line ?? null };
 }
 
 /** The course in figures. */
