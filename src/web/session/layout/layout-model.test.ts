@@ -111,6 +111,12 @@ describe('the sizes of the panes', () => {
     expect(pageIn(1680, 900).layout.sizes.value).toMatchObject({ code: 528, board: 288 });
   });
 
+  it('give the console the height of the card that stands in it', () => {
+    const page = pageIn(1366, 625);
+    page.layout.leastConsolePx.value = 194;
+    expect(page.layout.sizes.value.console).toBe(194);
+  });
+
   it('fold the console everywhere but on a phone', () => {
     const folded = (width: number, height: number): boolean => {
       const page = pageIn(width, height);

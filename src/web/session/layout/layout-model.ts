@@ -46,6 +46,8 @@ export interface LayoutModel {
   readonly isBoardSmall: ComputedRef<boolean>;
   /** True if the console has nothing to show and may be folded to its head. The console itself sets it. */
   readonly isConsoleFolded: ShallowRef<boolean>;
+  /** Least height of the console, in px; 0: no demand. The card of an error sets it. */
+  readonly leastConsolePx: ShallowRef<number>;
   /** True where folding the console gains room: everywhere but on a phone. */
   readonly canFold: ComputedRef<boolean>;
   /** A phone held across: its panes are wide and low. */
@@ -155,12 +157,13 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
   return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, ...cards, ...console };
 }
 
-type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'canFold'>;
+type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;
 
-/** The state of the console's pane: not folded. */
+/** The state of the console's pane: not folded, no least height. */
 function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
   return {
     isConsoleFolded: shallowRef(false),
+    leastConsolePx: shallowRef(0),
     canFold: computed(() => arrangement.value !== 'phone'),
   };
 }
@@ -169,7 +172,7 @@ function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
 function useSizes(
   current: SettingsModel['current'],
   kind: LayoutModel['kind'],
-  { canFold, isConsoleFolded }: ConsolePlace,
+  { canFold, isConsoleFolded, leastConsolePx }: ConsolePlace,
 ): ComputedRef<PaneSizes> {
   const roomy = useFirstMatch<Partial<Sizes>>(ROOMY, {});
   const isLow = useFirstMatch(LOW, false);
@@ -183,7 +186,7 @@ function useSizes(
     return {
       code: codePx ?? suggested.code,
       board: boardPx ?? (showArena ? suggested.board : BOARD_ALONE[kind.value]),
-      console: consolePx ?? suggested.console,
+      console: Math.max(consolePx ?? suggested.console, leastConsolePx.value),
       top: topPx ?? suggested.top,
       below: belowPx ?? suggested.below,
       isConsoleFolded: canFold.value && isConsoleFolded.value,
