@@ -101,7 +101,9 @@ async function leave(app: App, what: string): Promise<void> {
 const SCREENS = {
   greeting: (app: App) => until(app, by('welcome')),
   tour: async (app: App) => {
-    await app.click(by('welcome-tour'));
+    await app.click(by('menu'));
+    await until(app, by('menu-tour'));
+    await app.click(by('menu-tour'));
     await until(app, `${by('tour')} ${by('tour-next')}`);
   },
   'main menu': (app: App) => openMenu(app),

@@ -36,7 +36,9 @@ export async function takeTour({ app, look }: Beginner): Promise<void> {
   await app.goto('./');
   await until(app, by('welcome'));
   await look('greeting');
-  await app.click(by('welcome-tour'));
+  await app.click(by('menu'));
+  await until(app, by('menu-tour'));
+  await app.click(by('menu-tour'));
   await stepIs(app, 'code');
   await look('tour-code');
   await app.click(by('tour-next'));

@@ -24,11 +24,12 @@ async function pressAt(app: App, css: string): Promise<void> {
   await app.press('Enter');
 }
 
-test('the tour begins in the greeting, waits for real presses, and is gone on with after a reload', async ({ app }) => {
+test('the tour makes the greeting go, waits for real presses, and is gone on with after a reload', async ({ app }) => {
   await openApp(app);
   await there(app, by('welcome'));
   expect(await isAt(app, by('welcome')), 'the greeting does not take the keyboard').toBe(false);
-  await pressAt(app, by('welcome-tour'));
+  await fromMenu(app, 'menu-tour');
+  await gone(app, by('welcome'));
   await stepIs(app, 'code');
   await expect.poll(() => isAt(app, by('tour'))).toBe(true);
   await pressAt(app, by('tour-next'));
@@ -154,7 +155,7 @@ for (const theme of ['light', 'dark'] as const) {
     await openApp(app, { theme, language: 'fr', welcomed: false });
     await there(app, by('welcome'));
     expect(await violationsOn(app), 'with the greeting').toEqual([]);
-    await app.click(by('welcome-tour'));
+    await fromMenu(app, 'menu-tour');
     await stepIs(app, 'code');
     await app.click(by('tour-next'));
     await stepIs(app, 'run');

@@ -55,7 +55,6 @@ test.describe('on a school laptop, with the mouse', () => {
     const presses = await countPresses(page);
     await page.goto('./');
     await page.click(by('welcome-robot'));
-    await page.click(by('task-start'));
     await page.click(on('editor'));
     await typeOver(page, PROGRAM);
     expect(await programIn(playwrightApp('chromium', page))).toBe(PROGRAM.join('\n'));
@@ -73,8 +72,7 @@ test.describe('on a phone, by touch', () => {
     const presses = await countPresses(page);
     await page.goto('./');
     await page.tap(by('welcome-robot'));
-    await page.tap(by('task-start'));
-    await page.tap('nav button:first-child'); // the program
+    await page.tap(by('peek')); // leads to the program
     await page.tap(on('editor'));
     await typeOver(page, PROGRAM);
     expect(await programIn(playwrightApp('chromium', page))).toBe(PROGRAM.join('\n'));

@@ -54,7 +54,6 @@ for (const { width, height, isTouch, language } of [
       await page.goto(link());
       await expect(page.locator('.notice .do')).toBeVisible();
       await expect.poll(() => covered(page)).toEqual([]);
-      await page.click(by('task-start'));
       await expect.poll(() => covered(page)).toEqual([]);
       for (const tab of await page.locator('nav.nav button').all()) {
         await tab.tap();

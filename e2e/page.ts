@@ -18,7 +18,10 @@ export const on = (name: keyof typeof PLACES): string => PLACES[name];
 const EDITOR = on('editor');
 const EDITOR_BOX = '.code-editor .cm-scroller';
 
-/** Opens the app and waits until a program can be typed; `settings` are those of an earlier visit that left the closed line open, unless nobody was greeted in it. */
+/**
+ * Opens the app and waits until a program can be typed; `settings` are those of an earlier visit that left the closed line
+ * open with its card folded, unless nobody was greeted in it.
+ */
 export async function openApp(app: App, settings: Partial<Settings> = {}): Promise<void> {
   if (Object.keys(settings).length > 0) {
     await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
@@ -27,7 +30,10 @@ export async function openApp(app: App, settings: Partial<Settings> = {}): Promi
         localStorage.setItem('parcours.settings', kept.settings);
         if (kept.work !== '') sessionStorage.setItem('parcours.work', kept.work);
       },
-      { settings: JSON.stringify(settings), work: settings.welcomed === false ? '' : closedLine() },
+      {
+        settings: JSON.stringify({ showCard: settings.welcomed === false, ...settings }),
+        work: settings.welcomed === false ? '' : closedLine(),
+      },
     );
   }
   await app.goto('./');

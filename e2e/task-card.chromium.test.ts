@@ -48,21 +48,17 @@ for (const [width, height] of [
 
     await card.locator(by('next-hint')).click();
     await expect(card.locator(by('hint'))).toHaveText(/Wie weit ist es\?/);
-    await page.click(by('task-start'));
-    await expect(card).toBeHidden();
-    await page.click(by('task'));
-    await expect(card.getByText('ohne die Wand')).toBeVisible();
+    await page.click(by('task-close'));
+    await expect(card.getByText('ohne die Wand')).toBeHidden();
+    await page.click(by('task-open'));
     await expect(card.locator(by('hint'))).toHaveCount(1);
     await page.keyboard.press('Escape');
-    await expect(card).toBeHidden();
-    await expect(page.locator(by('task'))).toBeFocused();
+    await expect(card.locator(by('hint')), 'it covers nothing, so nothing closes it').toHaveCount(1);
   });
 
 test('the task is in reach in full screen', async ({ page }) => {
   await openTask(page, 1366, 768);
-  await page.click(by('task-close'));
   await page.click(by('fullscreen'));
-  await page.click(by('task'));
   await expect(page.locator(by('task-text'))).toBeVisible();
   await expect.poll(() => isCovered(page)).toBe(false);
 });
@@ -75,10 +71,33 @@ test('the task comes in the language of the reader', async ({ browser }) => {
   await page.context().close();
 });
 
-test('a run makes the card go; opened again it ticks the goals', async ({ page }) => {
+test('the card stays beside program and course during a run, and ticks the goals', async ({ page }) => {
   await openTask(page, 1366, 768);
   await page.click(on('run'));
-  await expect(page.locator(by('task-card'))).toBeHidden();
-  await page.click(by('task'));
   await expect(page.locator(by('task-goals'))).toBeVisible();
+  await expect.poll(() => isCovered(page)).toBe(false);
 });
+
+test('the keys are on the heading of a task that was just opened', async ({ page }) => {
+  await openTask(page, 1366, 768);
+  await expect(page.locator(by('task-card')).getByRole('heading', { level: 2 })).toBeFocused();
+});
+
+for (const [width, height, leastPx] of [
+  [1366, 625, 240],
+  [1180, 820, 250],
+  [820, 1180, 300],
+] as const)
+  test(`program, card and small board are seen together, ${width} by ${height}`, async ({ page }) => {
+    await openTask(page, width, height);
+    for (const css of ['.pane-code', by('task-card'), '.pane-board', '.pane-arena', '.pane-console'])
+      await expect(page.locator(css)).toBeInViewport({ ratio: 1 });
+    const [code, board] = await Promise.all(
+      ['.pane-code', '.pane-board'].map((css) => page.locator(css).boundingBox()),
+    );
+    expect(code?.height).toBeGreaterThan(leastPx);
+    expect(board?.height).toBeLessThan(150);
+    await page.click(by('board-whole'));
+    await expect(page.locator(by('panel-sensors'))).toBeVisible();
+    await expect(page.locator(by('task-open'))).toBeVisible();
+  });

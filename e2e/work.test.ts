@@ -19,7 +19,7 @@ test('each mission opens with what was written in it', IN_ONE_ENGINE, async ({ a
     await app.click(`${by(`mission-${name}`)} button`);
     await gone(app, by(`mission-${name}`));
     await app.click(by('task-close'));
-    await gone(app, by('task-card'));
+    await until(app, by('task-open'));
   };
   await mission('corner');
   await pasteProgram(app, 'corner = 1\n');

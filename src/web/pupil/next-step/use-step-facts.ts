@@ -13,7 +13,6 @@ import { useRun, type RunParts } from '../../session/run/parts';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
 import { useTask, type TaskParts } from '../../session/task/parts';
 import goalWords from '../../session/task/words';
-import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
 import { useWork, type WorkParts } from '../../session/work/model/parts';
 import { causeOf, reportOf } from '../console/error-text';
 import { useConsole, type ConsoleParts } from '../console/parts';
@@ -66,7 +65,7 @@ export function useStepFacts(app: StepApp, checked: () => CheckedFacts | null) {
   const waiting = useWaiting(app);
   const facts = computed((): StepFacts => ({
     mode: isBuilding.value ? 'build' : 'drive',
-    isGreeted: isGreeted(app),
+    isGreeted: layout.isGreeting.value,
     isPhone: isPhone.value,
     drive: drive.value,
     // Only a run that stands is told in seconds: the running clock would change all this with each picture.
@@ -86,13 +85,6 @@ function driveOf({ run }: Pick<StepApp, 'run'>, isHoldingOut: boolean): Drive {
   if (run.hasEnded.value && !(isHoldingOut && run.isActive.value)) return 'over';
   if (phase === 'paused') return 'paused';
   return phase === 'stopped' || phase === 'killed' ? 'stopped' : 'drives';
-}
-
-/** True on a first visit, as long as the program is the given one. */
-function isGreeted({ settings, work, run }: Pick<StepApp, 'settings' | 'work' | 'run'>): boolean {
-  const { project } = work.work.value;
-  const isNew = !settings.current.value.welcomed && window.parent === window && run.present.value === null;
-  return isNew && project.task === undefined && project.course === firstCourse?.id && isAsFound(project);
 }
 
 const secondsText = (timeUs: number): string => numberText(timeUs / 1_000_000, shownLanguage(), 1);

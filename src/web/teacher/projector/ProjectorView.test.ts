@@ -148,13 +148,6 @@ describe('the projector view', () => {
     expect(page.texts('.robots li')).toEqual(['1Ada angekommen nach 9.0 s', '2Ben angestossen nach 4.5 s']);
   });
 
-  it('closes the card, which says the same', async () => {
-    const page = await projector();
-    page.task.open();
-    await nextTick();
-    expect(page.task.isOpen.value).toBe(false);
-  });
-
   describe('its timer', () => {
     it('is set, started, paused and put back', async () => {
       await projector();
