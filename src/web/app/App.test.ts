@@ -89,6 +89,8 @@ describe('the whole page', () => {
 
   it('has the curves inside the console, which keeps its output meanwhile', async () => {
     await opened(1400);
+    document.querySelector<HTMLElement>('[data-testid="console-fold"]')?.click();
+    await nextTick();
     document.querySelector<HTMLElement>('[data-testid="tab-chart"]')?.click();
     await vi.waitFor(
       () => expect(document.querySelector('.pane-console [data-testid="chart"]')).not.toBeNull(),

@@ -3,8 +3,10 @@ import { flushPromises } from '@vue/test-utils';
 import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { byId } from '../../app/testing/find';
 import { mountOn, named } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
+import FileList from './FileList.vue';
 import FileTabs from './FileTabs.vue';
 
 /** The tabs of a project with these files; the first is open. */
@@ -61,7 +63,8 @@ describe('the tabs of the files', () => {
 
   it('ask for the name of a new file, which is then open and empty', async () => {
     const { page } = tabs('main.py');
-    named('Neue Datei').click();
+    mountOn(page, FileList);
+    byId('new-file').click();
     await vi.dynamicImportSettled();
     const question = page.dialogs.current.value;
     if (question?.kind !== 'name') throw new Error('A file name should be asked for.');

@@ -31,9 +31,16 @@ describe('the pane of the console', () => {
     expect(pane.get('h2').text()).toBe('Konsole');
   });
 
+  it('has nothing to choose while it is folded before the first run', () => {
+    const pane = mountOn(createPage(), ConsolePane);
+    expect(pane.findAll('button').map((it) => it.attributes('data-testid'))).toEqual(['console-fold']);
+  });
+
   it('has nothing to copy or to clear before there is output', async () => {
     const page = createPage();
     mountOn(page, ConsolePane);
+    button('Konsole aufklappen').click();
+    await nextTick();
     expect(button('Ausgabe kopieren').disabled).toBe(true);
     expect(button('Konsole leeren').disabled).toBe(true);
     page.console.addNote('console.stopped');
