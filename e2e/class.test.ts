@@ -208,7 +208,10 @@ test('what a pupil hands in on the page is proved on the teacher’s, who keeps 
   await app.fill(by('hand-in-name'), 'Ada L.');
   await expect.poll(() => app.text(by('hand-in-state')), { timeout: 60_000 }).toContain('bestanden nach 19.5 s');
   await app.evaluate(() => {
-    const writeText = (text: string): Promise<void> => Promise.resolve(void sessionStorage.setItem('copied', text));
+    const writeText = (text: string): Promise<void> => {
+      sessionStorage.setItem('copied', text);
+      return Promise.resolve();
+    };
     Object.defineProperty(navigator, 'clipboard', { value: { writeText }, configurable: true });
   });
   await app.click(by('hand-in-copy'));

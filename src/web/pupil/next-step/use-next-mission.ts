@@ -3,7 +3,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 import type * as Missions from '#catalogue/missions';
 
 import type { StepTask } from './next-step';
-import type { StepApp } from './use-step-facts';
+import type { StepApp } from './step-app';
 
 type App = Pick<StepApp, 'task'>;
 

@@ -2,7 +2,7 @@ import { latePart } from '../../kit/late-part';
 import { lastPlace } from '../console/log/console-log';
 import type { StepAction } from './next-step';
 import { pressGuard } from './press-guard';
-import type { StepApp } from './use-step-facts';
+import type { StepApp } from './step-app';
 
 /** Does what the bar's button says. A second press within a second does nothing. */
 export function useStepActions(app: StepApp): (action: StepAction) => void {

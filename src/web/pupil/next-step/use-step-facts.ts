@@ -2,40 +2,19 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
 import { hasTask } from '#simulation/task/task-brief';
 
-import { useCourseEditor, type CourseEditorParts } from '../../course/editor/state/parts';
 import { useCourseProblems, useWaiting, type CourseProblems } from '../../course/editor/use-course-problems';
 import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
-import { usePage, type PageParts } from '../../kit/parts';
-import { useLayout, type LayoutParts } from '../../session/layout/parts';
-import { useMode, type ModeParts } from '../../session/mode/parts';
-import { useRun, type RunParts } from '../../session/run/parts';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
-import { useTask, type TaskParts } from '../../session/task/parts';
 import goalWords from '../../session/task/words';
-import { useWork, type WorkParts } from '../../session/work/model/parts';
+import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
 import { causeOf, reportOf } from '../console/error-text';
-import { useConsole, type ConsoleParts } from '../console/parts';
 import type { Drive, StepFacts, StepTask } from './next-step';
+import type { StepApp } from './step-app';
 import { useNextMission } from './use-next-mission';
 import { useVerdict } from './use-verdict';
 import type { Goal } from './verdict-view';
 import words from './words';
-
-/** The models that the next step depends on and acts on. */
-export type StepApp = PageParts &
-  RunParts &
-  WorkParts &
-  LayoutParts &
-  TaskParts &
-  ModeParts &
-  CourseEditorParts &
-  ConsoleParts;
-
-export const useStepApp = (): StepApp => ({
-  ...{ ...usePage(), ...useRun(), ...useWork(), ...useLayout(), ...useTask() },
-  ...{ ...useMode(), ...useCourseEditor(), ...useConsole() },
-});
 
 /** The result of a teacher's checks; `null`: the verdict of the course is all there is. */
 export interface CheckedFacts {

@@ -11,10 +11,10 @@ export interface HandInModel {
   /** True if the work has been handed in since it was opened. */
   readonly isDone: Readonly<Ref<boolean>>;
   /** Opens the window, at the name. */
-  open(): void;
-  close(): void;
+  readonly open: () => void;
+  readonly close: () => void;
   /** Notes that a link or file has left the page. */
-  done(): void;
+  readonly done: () => void;
 }
 
 /** Makes the model. Another work begins with nothing handed in. */
