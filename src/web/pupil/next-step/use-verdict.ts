@@ -46,7 +46,7 @@ export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts
     /** Whole seconds that the task leaves; `null` without a limit. */
     left: computed(() => secondsLeft(scene.value.task.seconds, run.snapshot.value?.timeUs ?? 0)),
     /** True if all programs are over and the task is still open; a robot that rolls on may still do it. */
-    isOver: computed(() => state.value === 'open' && run.hasEnded.value),
+    isOver: computed(() => state.value === 'open' && run.hasEnded.value && !run.look.isEarlier.value),
     /** Time of the decision, in s. */
     seconds: computed(() => numberText((verdict.value.atMs ?? 0) / 1000, shownLanguage(), 1)),
     early,

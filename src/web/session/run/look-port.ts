@@ -18,6 +18,9 @@ export class LookPort {
     () => this.past.value !== null && this.past.value.timeUs === this.run.present.value?.timeUs,
   );
 
+  /** True if a moment before the present one is looked at: what is known of the run's end does not belong to it. */
+  readonly isEarlier: ComputedRef<boolean> = computed(() => this.past.value !== null && !this.isAtPresent.value);
+
   /** @param hold pauses simulated time, and requests the newest moments for the recording */
   constructor(
     private readonly run: Readonly<{ present: ShallowRef<Snapshot | null>; recording: ShallowRef<Recording> }>,

@@ -58,7 +58,7 @@ export function createChecked(
    * over. Of a moment of the past the same is asked: the end of the run is not known there.
    */
   const isTime = computed(() => {
-    const isEarlier = run.past.value !== null && !run.look.isAtPresent.value;
+    const isEarlier = run.look.isEarlier.value;
     if (live.value === 'passed' || (run.hasEnded.value && !isEarlier)) return true;
     if (hasTask(work.scene.value) || run.present.value === null) return false;
     const { atMs } = found.value?.worlds[0] ?? { atMs: null };
