@@ -2,7 +2,7 @@
 import { EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { pointLines, showStops, showStopsCalmly, stopMarks } from './marks';
+import { marginOf, pointLines, showStops, showStopsCalmly, stopMarks } from './marks';
 
 function editor(onMove: (lines: readonly number[]) => void = vi.fn()): EditorView {
   return new EditorView({
@@ -45,6 +45,10 @@ describe('the line where the program stands', () => {
     expect(standing(view)).toEqual(['a']);
     showStops(view, [], null);
     expect(standing(view)).toEqual([]);
+  });
+
+  it('is brought into sight also where the editor is only a line or two high', () => {
+    expect([400, 60, 30, 10].map((heightPx) => marginOf(heightPx, 22))).toEqual([40, 19, 4, 0]);
   });
 
   it('is marked no more once the program has been changed', () => {

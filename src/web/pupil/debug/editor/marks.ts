@@ -81,7 +81,16 @@ function standingAt(doc: Text, line: number | null): Standing {
   return { line: Decoration.set([standingLine.range(from)]), mark: RangeSet.of(standingMark.range(from)) };
 }
 
-const toLine = (from: number): StateEffect<unknown> => EditorView.scrollIntoView(from, { y: 'nearest', yMargin: 40 });
+/** Room above and below a line that is brought into view, in px; less where the editor is low, else it would be pushed out. */
+export const marginOf = (heightPx: number, linePx: number): number =>
+  Math.max(0, Math.min(40, (heightPx - linePx) / 2));
+
+function toLine({ scrollDOM, defaultLineHeight }: EditorView, from: number): StateEffect<unknown> {
+  return EditorView.scrollIntoView(from, {
+    y: 'nearest',
+    yMargin: marginOf(scrollDOM.clientHeight, defaultLineHeight),
+  });
+}
 
 /** A bar below that comes with the first stop takes room from the editor: its line is then brought into view again. */
 const staysInView = ViewPlugin.define((view) => {
@@ -90,7 +99,7 @@ const staysInView = ViewPlugin.define((view) => {
   const observer = new ResizeObserver(() => {
     const nowPx = view.scrollDOM.clientHeight;
     const stands = view.state.field(standing, false)?.line.iter();
-    if (nowPx < heightPx && stands?.value) view.dispatch({ effects: toLine(stands.from) });
+    if (nowPx < heightPx && stands?.value) view.dispatch({ effects: toLine(view, stands.from) });
     heightPx = nowPx;
   });
   observer.observe(view.scrollDOM);
@@ -206,6 +215,7 @@ type Marks = [lines: readonly number[], line: number | null, isNew?: boolean];
  */
 export function showStops(view: EditorView, lines: readonly number[], line: number | null, isNew = true): void {
   const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];
-  if (isNew && line !== null && isWithin(view.state.doc, line)) effects.push(toLine(view.state.doc.line(line).from));
+  if (isNew && line !== null && isWithin(view.state.doc, line))
+    effects.push(toLine(view, view.state.doc.line(line).from));
   view.dispatch({ effects });
 }
