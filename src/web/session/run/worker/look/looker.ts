@@ -76,7 +76,8 @@ export class Looker {
   ): Promise<void> {
     if (message.type === 'look-near') {
       const [near] = BEFORE_US;
-      return replays.park(await replays.at(Math.max(message.at.timeUs - near, 0), mayGoOn));
+      replays.park(await replays.at(Math.max(message.at.timeUs - near, 0), mayGoOn));
+      return;
     }
     if (message.type === 'why') return this.why(replays, message, mayGoOn);
     const { ask, wish } = message;
