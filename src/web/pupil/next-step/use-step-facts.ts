@@ -7,7 +7,6 @@ import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
 import goalWords from '../../session/task/words';
-import { firstCourse, isAsFound } from '../../session/work/catalogue/first-course';
 import { causeOf, reportOf } from '../console/error-text';
 import type { Drive, StepFacts, StepTask } from './next-step';
 import type { StepApp } from './step-app';
