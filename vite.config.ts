@@ -240,7 +240,7 @@ function onePage(): Plugin {
 }
 
 /** The late parts that everybody waits for. */
-const FIRST_PARTS = /\/(CodeEditor|MicrobitView|VerdictBar|WelcomeCard)-[^/]*\.js$/;
+const FIRST_PARTS = /\/(CodeEditor|MicrobitView|NextStepBar|WelcomeCard)-[^/]*\.js$/;
 
 /** The sources of the page before anything is pressed; their words come together. */
 const FIRST_SOURCES = [
@@ -248,9 +248,9 @@ const FIRST_SOURCES = [
     'main.ts',
     'pupil/code/CodeEditor.vue',
     'pupil/board/drawing/MicrobitView.vue',
-    'pupil/arena/verdict/VerdictBar.vue',
+    'pupil/next-step/NextStepBar.vue',
   ],
-  ...['help/greeting/WelcomeCard.vue', 'course/editor/EditorBars.vue'],
+  'help/greeting/WelcomeCard.vue',
 ];
 
 /** The files of other words, by whose they are. */
@@ -286,17 +286,17 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
 
 /**
  * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
- * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars, the drawings of the
- * kinds of objects, and the verdict's bar with the words that the projector view tells, too.
+ * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
+ * drawings of the kinds of objects, and the next step's bar with the words that the projector view tells, too.
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
     name: 'editor-bars',
-    test: /\/course\/editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon)/,
+    test: /\/course\/editor\/(EditorActions\.vue|palette\/|parts\/ToolIcon)/,
   },
-  { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
+  { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];
 
 /**
