@@ -92,7 +92,7 @@ test.describe('on a phone, by touch', () => {
     await page.goto(classLink());
     await page.waitForSelector(by('task-card'));
     expect(await page.locator(by('welcome')).count()).toBe(0);
-    await page.tap('nav button:first-child'); // the program
+    await page.tap(by('peek')); // leads to the program
     await page.tap(on('editor'));
     await typeOver(page, PROGRAM);
     await page.tap(by('run'));
