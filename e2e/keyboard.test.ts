@@ -1,7 +1,9 @@
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
-import { consoleIn, isEnabled, isThere, keepDown, on, openApp, pasteProgram } from './page';
+import { consoleIn, isEnabled, isThere, keepDown, on, openApp, pasteProgram, programIn } from './page';
+import { by } from './parts';
+import { fromMenu } from './pupil';
 
 /** Tells every key that goes down or up, the shaking, the tilt and the light. */
 const program = (module: string, pins: readonly string[]): string =>
@@ -81,3 +83,38 @@ for (const [module, drawing, pins, engines] of [
     await expect.poll(() => isEnabled(app, 'stop')).toBe(false);
   });
 }
+
+test('Tab leads through the page and its program, which stays as it is; skip links lead to its parts', async ({
+  app,
+}) => {
+  await openApp(app, { language: 'en' });
+  const program = await programIn(app);
+  await expect(async () => {
+    await app.press('Tab');
+    expect(await isAt(app, by('skip-program'))).toBe(true);
+  }).toPass();
+  await app.press('Enter');
+  expect(await isAt(app, on('editor'))).toBe(true);
+  await expect.poll(() => isThere(app, '.way-out')).toBe(true);
+  await app.press('Tab');
+  expect(await isAt(app, on('editor'))).toBe(false);
+  expect(await programIn(app)).toBe(program);
+});
+
+test('the way back of the browser closes what lies open, one after the other, and the work stays', async ({ app }) => {
+  await openApp(app, { language: 'en' });
+  await pasteProgram(app, 'print("mine")');
+  const isOpen = (part: string): Promise<boolean> => isThere(app, by(part));
+  const back = async (part: string): Promise<void> => {
+    await app.evaluate(() => history.back());
+    await expect.poll(() => isOpen(part)).toBe(false);
+  };
+  await fromMenu(app, by('menu'), by('menu-share'), () => isOpen('share-dialog'));
+  await expect.poll(() => app.evaluate(() => document.querySelector('.app')?.hasAttribute('inert'))).toBe(true);
+  await back('share-dialog');
+  expect(await isAt(app, by('menu'))).toBe(true);
+  await app.evaluate(() => void (location.hash = '#missions'));
+  await expect.poll(() => isOpen('mission-forward')).toBe(true);
+  await back('mission-forward');
+  expect(await programIn(app)).toBe('print("mine")');
+});
