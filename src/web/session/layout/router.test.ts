@@ -132,6 +132,11 @@ describe('the pages over the app', () => {
     expect(framed.idOn('courses')).toBe('meadow');
     framed.close();
     expect([framed.page.value, location.href, history.length]).toEqual([null, address, length]);
+    history.replaceState(null, '', '#robots'); // a link in the frame
+    dispatchEvent(new PopStateEvent('popstate'));
+    expect(framed.page.value).toEqual({ name: 'robots', id: null });
+    framed.close();
+    expect([framed.page.value, location.href, history.length]).toEqual([null, address, length]);
   });
 
   it('are not left again if they are closed already', () => {

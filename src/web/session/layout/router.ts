@@ -53,17 +53,26 @@ type Shown = ShallowRef<OpenPage | null>;
 
 const hashOf = (name: string, id?: string): string => (id === undefined ? `#${name}` : `#${name}/${id}`);
 
-/** Opens pages without a trace. */
+const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
+
+/** Follows the address of a frame, and adds nothing to its history. */
 function pageOnly(page: Shown, pages: readonly FeaturePage[]): Ways {
-  const open = (name: string, id?: string): void => void (page.value = pageAt(hashOf(name, id), pages));
-  return { open, up: open, replace: open, close: () => (page.value = null) };
+  const show = (hash: string): void => void (page.value = pageAt(hash, pages));
+  const arrive = (): void => show(location.hash);
+  addEventListener('popstate', arrive);
+  onScopeDispose(() => removeEventListener('popstate', arrive));
+  const open = (name: string, id?: string): void => show(hashOf(name, id));
+  function close(): void {
+    page.value = null;
+    if (pageAt(location.hash, pages) !== null) bare();
+  }
+  return { open, up: open, replace: open, close };
 }
 
 function inAddress(page: Shown, pages: readonly FeaturePage[], back: Back): Ways {
   const began = page.value === null ? null : location.hash;
   /** True while `close` goes back in the history: a page that the visit began with is then not wanted either. */
   let isLeaving = false;
-  const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
   const follow = (): void => {
     isLeaving = false;
     page.value = pageAt(location.hash, pages);
