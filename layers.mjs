@@ -89,7 +89,7 @@ export const wings = {
     ], // prettier-ignore
     code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
     locks: ['session', 'course/editor', 'pupil/code'],
-    device: ['session', 'pupil/arena'],
+    device: ['session', 'pupil/arena', 'pupil/several-devices'],
     galleries: ['session', 'pupil/device'],
     works: ['session', 'pupil/galleries'],
     'real-device': ['session/work'],

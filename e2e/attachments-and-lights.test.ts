@@ -6,6 +6,7 @@ import { distance, drive, ends, sceneOf } from './course';
 import { runInNode } from './in-node';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram } from './page';
 import { by, choose, gone, until } from './parts';
+import { openDeviceSettings } from './pupil';
 import { parseScene } from '../src/scene/parse';
 import { defaultScene } from '../src/scene/scene';
 
@@ -38,7 +39,7 @@ test(
     await until(app, by('arena'));
     await expect.poll(async () => (await paintOf(app, 'moving', defaultScene().size)).length).toBeGreaterThan(0);
     await expect.poll(() => paintAhead(app)).toEqual([]);
-    await app.click(by('device'));
+    await openDeviceSettings(app);
     await until(app, by('option-P1'));
     await choose(app, 'P1', 'claw');
     await app.press('Escape');
@@ -74,7 +75,7 @@ test(
     const { x, y } = middleOf(await paintOf(app, 'blocks', sceneOf('carry').size));
     await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
     expect([Math.abs(x - 1000) < 80, Math.abs(y - 650) < 70], `${String(x)}, ${String(y)}`).toEqual([true, true]);
-    await app.click(by('device'));
+    await openDeviceSettings(app);
     await until(app, by('option-S1'));
     expect(
       await app.evaluate((css) => document.querySelector<HTMLSelectElement>(css)?.value ?? null, by('option-S1')),
@@ -229,7 +230,7 @@ for (const theme of ['light', 'dark'] as const) {
       expect(await violationsOn(app), 'what the arena shows').toEqual([]);
       await app.press('Escape');
       await gone(app, by('show-trace'));
-      await app.click(by('device'));
+      await openDeviceSettings(app);
       await until(app, `.device-card ${by('options-reset')}`);
       await until(app, `.device-card ${by('seed')}`);
       expect(await violationsOn(app), 'options of a used robot').toEqual([]);

@@ -75,8 +75,10 @@ test('the solution shows on demand, and passes', IN_ONE_ENGINE, async ({ app }) 
 test('a number makes the same maze for everyone: typed, changed and opened', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en' });
   await app.click('header .course');
-  await until(app, by('new-maze'));
-  await app.click(by('new-maze'));
+  await until(app, by('all-courses'));
+  await app.click(by('all-courses'));
+  await until(app, by('random-maze'));
+  await app.click(`${by('random-maze')} h3 a`);
   await until(app, by('random-seed'));
   await app.click(by('random-new'));
   await app.fill(by('random-seed'), '4711');

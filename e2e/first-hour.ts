@@ -118,6 +118,8 @@ export async function driveFirst({ app, language, look }: Beginner): Promise<voi
   await beginWith(app, 'robot');
   await until(app, on('arena'));
   await app.click(by('course'));
+  await until(app, by('samples'));
+  await app.click(by('samples'));
   await until(app, '[data-testid^="examples-"]');
   await app.click('[data-testid^="examples-"]');
   await until(app, '[data-testid^="example-"]');

@@ -80,6 +80,14 @@ export async function mainMenu(app: App, entry: string): Promise<void> {
   await gone(app, '[role=menu]');
 }
 
+/** Opens all settings of the device that is shown. */
+export async function openDeviceSettings(app: App): Promise<void> {
+  await app.click(by('device'));
+  await until(app, by('device-all'));
+  await app.click(by('device-all'));
+  await until(app, '.device-card');
+}
+
 /** Chooses one of the beginnings out of the greeting, which the logo brings back. */
 export async function beginWith(app: App, stage: 'board' | 'robot' | 'all'): Promise<void> {
   await app.click(by('logo'));

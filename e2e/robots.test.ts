@@ -3,6 +3,7 @@ import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, choose, gone, until } from './parts';
+import { openDeviceSettings } from './pupil';
 
 const isAt = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.activeElement?.matches(selector) === true, css);
@@ -29,6 +30,9 @@ test('the gallery opens by keyboard, a page tells of its robot, Escape leads bac
 }) => {
   await openApp(app, { language: 'en' });
   await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), by('device'));
+  await app.press('Enter');
+  await until(app, by('device-all'));
+  await tabTo(app, by('device-all'));
   await app.press('Enter');
   await until(app, by('gallery'));
   await tabTo(app, by('gallery'));
@@ -82,7 +86,7 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app, { language: 'en' });
-    await openDevice(app);
+    await openDeviceSettings(app);
     await app.click(by('robot-maqueen-plus-v2'));
     await until(app, by('option-P1'));
     await expect.poll(() => robotName(app)).toBe('Maqueen Plus V2');
@@ -210,6 +214,9 @@ for (const theme of ['light', 'dark'] as const) {
     async ({ app }) => {
       await openApp(app, { theme, language: 'en', robot: 'maqueen-lite', device: 'calliope-mini-3', reality: 0.5 });
       await openDevice(app);
+      await until(app, `.device-panel ${by('misplugged')}`);
+      expect(await violationsOn(app), 'the menu of the device').toEqual([]);
+      await app.click(by('device-all'));
       await until(app, `.device-card ${by('misplugged')}`);
       await until(app, by('seed'));
       expect(await violationsOn(app), 'the device panel').toEqual([]);

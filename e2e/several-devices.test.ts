@@ -30,7 +30,6 @@ while True:
         radio.send("stop")
     sleep(50)
 `;
-const FILES = '.pane-code .pane-head [aria-haspopup="menu"]';
 const card = (place: number, part: string): string => `.device-row .card:nth-child(${String(place + 1)}) ${part}`;
 const lines = (app: App): Promise<string> =>
   app.evaluate(() => document.querySelector('[data-testid="console"]')?.textContent ?? '');
@@ -39,7 +38,7 @@ const lines = (app: App): Promise<string> =>
 async function addRemote(app: App, press: (css: string) => Promise<void>): Promise<void> {
   await openApp(app);
   await pasteProgram(app, ROBOT);
-  await press(FILES);
+  await press(by('device'));
   await until(app, by('add-device'));
   await press(by('add-device'));
   await until(app, by('add-device-board'));
@@ -93,7 +92,7 @@ test(
     expect(await isAt(app, card(0, '.round'))).toBe(true);
     await tabTo(app, card(1, '.select'));
     await app.press('Enter');
-    await app.click(FILES);
+    await app.click(by('device'));
     await until(app, by('device-remove'));
     await app.click(by('device-remove'));
     await gone(app, by('device-card'));
@@ -110,7 +109,7 @@ test(
     await app.click(toolButton('start'));
     await expect.poll(async () => (await robotIn(app)).xMm).toBe(FIRST[0]);
     await app.click(by('add-start'));
-    await app.click(FILES);
+    await app.click(by('device'));
     await until(app, by('add-device'));
     await app.click(by('add-device'));
     await until(app, by('add-device-robot'));

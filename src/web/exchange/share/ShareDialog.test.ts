@@ -13,7 +13,7 @@ import { createPage, type TestPage } from '../../app/testing/page';
 import { readyScene } from '../../session/work/catalogue/ready-courses';
 import { courses } from '#catalogue/courses';
 import { openAddress } from './open-address';
-import OpenLinkDialog from './OpenLinkDialog.vue';
+import OpenDialog from './OpenDialog.vue';
 import { qrPath, QR_CHARACTERS } from '../../kit/links/qr-code';
 import ShareDialog from './ShareDialog.vue';
 
@@ -234,11 +234,11 @@ describe('the dialog that opens a link', () => {
   async function dialog(text = 'meins = 1\n') {
     const page = pageWith(text);
     const closed = vi.fn();
-    mountOn(page, OpenLinkDialog, { onClose: closed });
+    mountOn(page, OpenDialog, { onClose: closed });
     await nextTick();
     const open = async (address: string): Promise<void> => {
       await write(byId('open-link'), address);
-      byId('open-link-dialog').dispatchEvent(new Event('submit', { cancelable: true }));
+      byId('open-dialog').dispatchEvent(new Event('submit', { cancelable: true }));
       await nextTick();
     };
     const problem = (): string => textOf(document.querySelector('#open-link-problem'));

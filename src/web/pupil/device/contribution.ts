@@ -25,7 +25,7 @@ export const contribution: Contribution = {
                 {
                   ...{ id: 'device', testId: 'device', icon: mdiRobotOutline, title: t('device.title') },
                   ...{ value: name.value, leads: true },
-                  act: (menu) => menu.showInside(() => import('./DeviceList.vue'), true),
+                  act: (menu) => menu.showInside(() => import('./DevicePanel.vue'), true),
                 },
               ],
       },

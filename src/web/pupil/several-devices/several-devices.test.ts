@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { nextTick } from 'vue';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 
 import { robotColors } from '#scene/scene';
 
@@ -11,7 +11,7 @@ import { pictureOf, startRun } from '../../app/testing/run';
 import AppDialog from '../../app/AppDialog.vue';
 import { useTurnToRun } from '../../app/use-turn-to-run';
 import DeviceList from '../device/DeviceList.vue';
-import FileList from '../code/FileList.vue';
+import DevicePanel from '../device/DevicePanel.vue';
 import ConsolePane from '../console/ConsolePane.vue';
 import SharedConsole from '../console/SharedConsole.vue';
 import { colorsOfDevices } from '../../session/work/hardware/device-colors';
@@ -21,6 +21,7 @@ import { useCourses } from '../../session/work/use-courses';
 import DeviceRow from './DeviceRow.vue';
 import { addDevice, removeDevice } from './change-devices';
 import { firstName, newBoard, newRobot, newTwin } from './new-device';
+import { setUp } from './set-up';
 
 const finished = { kind: 'finished', exception: null, timeUs: 1 } as const;
 const program = ({ work }: TestPage): string => work.open.value.text;
@@ -33,13 +34,19 @@ function pair(): TestPage {
   return page;
 }
 
+/** Opens the device's menu, which gives way to what it leads to. */
+function openPanel(page: TestPage): void {
+  mountOn(page, DevicePanel, { onLeave: (open: () => void) => open() });
+}
+
 describe('a second device', () => {
-  it('is added from the menu of files: asked is only whether it has a robot', async () => {
+  it('is added from the device’s menu: asked is only whether it has a robot', async () => {
     const page = createPage();
-    mountOn(page, FileList);
+    page.scope.run(() => setUp(page));
+    openPanel(page);
     await tap('add-device');
     mountOn(page, AppDialog);
-    await nextTick();
+    await vi.waitFor(() => byId('add-device-board'), 20_000);
     expect(textOf(document.querySelector('h2'))).toBe('Weiteres Gerät');
     await tap('add-device-board');
     expect(page.work.devices.value).toEqual(['Roboter', 'Fernbedienung']);
@@ -58,7 +65,7 @@ describe('a second device', () => {
     page.work.showDevice(0);
     expect(program(page)).toBe('from mbrobot import *\n');
     page.work.showDevice(2);
-    mountOn(page, FileList);
+    openPanel(page);
     await tap(named('Eigenes Programm', '[role="menuitem"]'));
     page.work.setText('main.py', 'own');
     page.work.showDevice(1);
@@ -70,7 +77,7 @@ describe('a second device', () => {
     page.work.setText('main.py', 'written');
     page.work.addDevice(newRobot(page), firstName(page));
     page.work.showDevice(1);
-    mountOn(page, FileList);
+    openPanel(page);
     await tap('device-remove');
     expect(page.work.devices.value).toEqual(['Roboter', 'Roboter 2']);
     const kept = page.work.work.value.previous[0]?.project.devices?.others[0];
@@ -138,7 +145,7 @@ describe('a second device', () => {
 
   it('gets another name, which no other device has', async () => {
     const page = pair();
-    mountOn(page, FileList);
+    openPanel(page);
     mountOn(page, AppDialog);
     await tap('device-rename');
     const field = document.getElementById('device-name') as HTMLInputElement;
@@ -161,7 +168,7 @@ describe('a second device', () => {
     while (page.work.devices.value.length < 8) page.work.addDevice(newRobot(page), firstName(page));
     expect(new Set(page.work.devices.value).size).toBe(8);
     mountOn(page, DeviceRow);
-    mountOn(page, FileList);
+    openPanel(page);
     expect(idsShown('add-device')).toEqual([]);
   });
 });

@@ -103,6 +103,12 @@ export class WorkModel {
   /** The file that was open last, by the place of the device that has it. */
   private readonly opened = new Map<number, string>();
 
+  /** Number of times that somebody wished for one more device: what it shall be is asked elsewhere. */
+  readonly deviceWishes = shallowRef(0);
+  wishDevice(): void {
+    if (!this.staysAsItIs()) this.deviceWishes.value += 1;
+  }
+
   /** Adds a device and shows it. @param first what the first one is called if it was alone */
   addDevice(device: FurtherDevice, first: string): void {
     if (this.staysAsItIs()) return;
