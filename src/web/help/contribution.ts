@@ -25,7 +25,8 @@ export const contribution: Contribution = {
           };
           return [
             {
-              ...{ id: 'help', testId: 'menu-help', icon: mdiHelpCircleOutline, title: t(help), keys: 'F1' },
+              ...{ id: 'help', testId: 'menu-help', icon: mdiHelpCircleOutline, title: t(help) },
+              ...(layout.kind.value !== 'phone' && { value: 'F1' }),
               act: (menu) => menu.leaveFor(guide.open),
             },
             {

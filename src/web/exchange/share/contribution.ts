@@ -47,7 +47,7 @@ export const contribution: Contribution = {
         group: 'save',
         order: 0,
         entries: () => [
-          { ...entry('save', mdiContentSaveOutline, 'bar.save', commands.save), keys: 'Ctrl+S' },
+          { ...entry('save', mdiContentSaveOutline, 'bar.save', commands.save), value: 'Ctrl+S' },
           entry('save-program', mdiFileCodeOutline, 'menu.saveProgram', commands.saveProgram),
           entry('save-scene', mdiMapOutline, 'menu.saveScene', commands.saveScene),
         ],
