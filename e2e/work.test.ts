@@ -1,4 +1,5 @@
 import { expect, test } from './app';
+import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { openApp, pasteProgram, programIn, typeProgram } from './page';
 import { by, gone, until } from './parts';
@@ -32,3 +33,34 @@ test('each mission opens with what was written in it', IN_ONE_ENGINE, async ({ a
   await app.reload();
   await expect.poll(() => programIn(app)).toBe('square = 1\n');
 });
+
+test(
+  'my work is a page: what was written in a mission is found by its text, and opened again',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en' });
+    await pasteProgram(app, 'first = 1\n');
+    await app.click('header .course');
+    await until(app, by('missions'));
+    await app.click(by('missions'));
+    await until(app, by('mission-corner'));
+    await app.click(`${by('mission-corner')} button`);
+    await gone(app, by('mission-corner'));
+    await app.click(by('task-close'));
+    await pasteProgram(app, 'corner = 2\n');
+
+    await app.click('header .course');
+    await until(app, by('my-works'));
+    await app.click(by('my-works'));
+    await until(app, by('works-search'));
+    await app.fill(by('works-search'), 'first = 1');
+    await gone(app, by('work-corner-maqueen-lite'));
+    await app.click(`${by('work-forward-maqueen-lite')} button`);
+    await expect.poll(() => app.text(by('work-program'))).toContain('first = 1');
+    expect(await app.evaluate(() => location.hash)).toBe('#works/forward-maqueen-lite');
+    expect(await violationsOn(app)).toEqual([]);
+    await app.click(by('work-open'));
+    await gone(app, by('works-search'));
+    await expect.poll(() => programIn(app)).toBe('first = 1\n');
+  },
+);

@@ -13,6 +13,7 @@ import { nothingKept, openedFrom } from '../session/work/model/keep-work';
 import { workToText } from '../session/work/storage/history';
 import type { TabStorage } from '../session/work/storage/tab-storage';
 import { setWindow } from './testing/mount-on';
+import { downloads } from './testing/downloads';
 import { createPage, createParts, type TestPage } from './testing/page';
 import { inputsOf, show, startRun } from './testing/run';
 
@@ -120,7 +121,7 @@ describe('what a tab has kept', () => {
     expect(again.work.open.value.text).toBe('new = 2\n');
   });
 
-  it('has no room any more: that is said', async () => {
+  it('has no room any more: that is said, with a button that saves it as a file', async () => {
     vi.useFakeTimers();
     const page = await pageWith({ ...nothingKept.storage, save: () => false });
     page.work.setText('main.py', 'new = 2\n');
@@ -128,6 +129,11 @@ describe('what a tab has kept', () => {
     await vi.advanceTimersByTimeAsync(1000);
     vi.useRealTimers();
     await vi.waitFor(() => expect(page.notices.current.value?.key).toBe('files.storageFull'), 20_000);
+    const saved = downloads();
+    page.notices.current.value?.action?.run();
+    await vi.waitFor(() => expect(saved.map(({ name }) => name)).toEqual([expect.stringMatching(/\.parcours\.json$/)]));
+    expect(await saved[0]?.blob.text()).toContain('new = 2');
+    vi.restoreAllMocks();
   });
 });
 

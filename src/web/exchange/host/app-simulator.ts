@@ -22,7 +22,7 @@ import { withoutHandedOut } from '../../session/work/model/task-locks';
 import { workName } from '../../session/work/work-name';
 import { isSameWork } from '../../session/work/storage/history';
 import { travelling } from '../../session/work/settings/travelling';
-import { presentProject } from '../share/save-work';
+import { presentProject } from '../../session/work/save-work';
 import { heldSettings } from '../../session/visit/held-settings';
 import { hostDebugger, listenToDebugger } from './host-debugger';
 import { hostInputs } from './host-inputs';

@@ -18,7 +18,7 @@ import { elsewhereOf } from '../elsewhere/parts';
 import { tellOfCourse } from '../elsewhere/tell-of-course';
 import { openRun } from './open-run';
 import { linkReason, reasonOf } from './problem-words';
-import { presentProject } from './save-work';
+import { presentProject } from '../../session/work/save-work';
 import words from './words';
 
 /**

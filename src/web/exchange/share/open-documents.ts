@@ -3,7 +3,7 @@ import { inMB, mostBytes, stemOf } from '#intake/formats';
 
 import type { PageParts } from '../../kit/parts';
 import type { Workplace } from '../../session/work/model/parts';
-import { KEPT_ANYWAY } from '../../session/work/storage/history';
+import { MOST_AT_ONCE } from '../../session/work/storage/history';
 import { hasNothingOwn } from '../../session/work/use-courses';
 import { useOpenings } from '../../session/work/use-openings';
 import { isReadyArena } from '../../session/work/catalogue/examples';
@@ -36,9 +36,9 @@ export interface Taken {
  * put aside like work of one's own. What cannot be opened gives a message.
  */
 export async function openDocuments(app: TakesDocuments, taken: readonly Taken[]): Promise<void> {
-  if (taken.length > KEPT_ANYWAY) {
+  if (taken.length > MOST_AT_ONCE) {
     // More would push earlier ones, and the pupil's own work, out of what is kept.
-    refuse(app, t(words.tooManyFiles, { count: taken.length, max: KEPT_ANYWAY }));
+    refuse(app, t(words.tooManyFiles, { count: taken.length, max: MOST_AT_ONCE }));
     return;
   }
   const refusals: string[] = [];

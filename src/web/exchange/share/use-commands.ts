@@ -34,8 +34,8 @@ export function commandsOf(app: TakesFiles) {
     take,
     load,
     /** Saves everything as one file. */
-    save: (): void => late(import('./save-work'), ({ saveProject }) => saveProject(app)),
-    saveScene: (): void => late(import('./save-work'), ({ saveScene }) => saveScene(app)),
+    save: (): void => late(import('../../session/work/save-work'), ({ saveProject }) => saveProject(app)),
+    saveScene: (): void => late(import('../../session/work/save-work'), ({ saveScene }) => saveScene(app)),
     /** Saves the file that is shown. */
     saveProgram: (): void => saveFile(app, app.work.open.value),
   };

@@ -6,7 +6,8 @@ import { useRun } from '../../session/run/parts';
 import { useHardware } from '../../session/work/hardware/use-hardware';
 import { useWork } from '../../session/work/model/parts';
 import { takeOver } from '../../session/work/take-over';
-import { isFound, isOfTab, worksOf, type WorkOfPupil } from './works-list';
+import { CROWDED_CHARACTERS, sizeOf } from '../../session/work/storage/history';
+import { isFound, charactersOf, isOfTab, worksOf, type WorkOfPupil } from './works-list';
 import type words from './words';
 
 /** The sorts of works that can be shown alone. */
@@ -21,6 +22,9 @@ const belongsTo: Readonly<Record<Filter, (work: WorkOfPupil) => boolean>> = {
 };
 export const FILTERS = Object.keys(belongsTo) as readonly Filter[];
 
+const bySize = (works: readonly WorkOfPupil[]): readonly WorkOfPupil[] =>
+  [...works].sort((one, other) => charactersOf(other) - charactersOf(one));
+
 /** The works of the page, with what was searched for and which are shown. Called in the set-up of the page. */
 export function useWorks() {
   const app = { ...usePage(), ...useRun(), ...useWork(), ...useLayout() };
@@ -33,12 +37,16 @@ export function useWorks() {
   const all = computed(() => [...works.value.ladders.flatMap((ladder) => ladder.works), ...works.value.others]);
   const isShown = (work: WorkOfPupil): boolean =>
     belongsTo[filter.value](work) && (search.value.trim() === '' || isFound(work, search.value));
+  /** True if room is short: then the largest works come first. */
+  const isCrowded = computed(
+    () => app.work.unsaved.value === 'full' || sizeOf(app.work.work.value) >= CROWDED_CHARACTERS,
+  );
   const shown = computed(() => ({
     ladders: works.value.ladders
       .map(({ robot, works: own }) => ({ robot, all: own, works: own.filter(isShown) }))
       .filter((ladder) => ladder.works.length > 0),
-    others: works.value.others.filter(isShown),
+    others: isCrowded.value ? bySize(works.value.others.filter(isShown)) : works.value.others.filter(isShown),
   }));
   const count = (of: Filter): number => all.value.filter(belongsTo[of]).length;
-  return { app, works, all, shown, search, filter, count };
+  return { app, works, all, shown, search, filter, count, isCrowded };
 }

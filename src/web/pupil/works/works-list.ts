@@ -12,6 +12,7 @@ import { isSameArena } from '../../session/work/catalogue/same-arena';
 import type { WorkModel } from '../../session/work/model/work-model';
 import { filesByDevice, programsOf, type OwnProgram } from '../../session/work/programs/own-programs';
 import type { Previous } from '../../session/work/storage/history';
+import { packedText } from '../../session/work/storage/stored-project';
 import { hasNothingOwn } from '../../session/work/use-courses';
 import { workName } from '../../session/work/work-name';
 
@@ -71,6 +72,10 @@ export const lastOf = ({ versions }: WorkOfPupil): Version | null =>
 
 /** Time of the newest version, in ms since 1970; 0: there is none. */
 export const newestOf = (work: WorkOfPupil): number => lastOf(work)?.atMs ?? 0;
+
+/** The room that its earlier works take, in characters. */
+export const charactersOf = ({ versions }: WorkOfPupil): number =>
+  versions.reduce((sum, { entry }) => sum + (entry === undefined ? 0 : packedText(entry.project).length), 0);
 
 /** True if a tab that was closed has left it. */
 export const isOfTab = ({ versions }: WorkOfPupil): boolean => versions.some(({ entry }) => entry?.isOfTab === true);

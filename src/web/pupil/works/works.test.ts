@@ -7,12 +7,14 @@ import { courses } from '#catalogue/courses';
 import { MAIN } from '#project/project';
 
 import { byId, isThere, tap, write } from '../../app/testing/find';
-import { mountOn, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import AppDialog from '../../app/AppDialog.vue';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
 import { keepBest } from '../../session/work/programs/own-programs';
-import { DELETED_MS } from '../../session/work/storage/history';
+import { DELETED_MS, type Previous } from '../../session/work/storage/history';
 import { useCourses } from '../../session/work/use-courses';
+import { setUp } from './set-up';
 import WorksPage from './WorksPage.vue';
 
 beforeAll(() => loadTexts('de'));
@@ -130,6 +132,34 @@ describe('the page of the pupil’s works', () => {
     page.work.work.value = { ...page.work.work.value, deleted: [{ ...garage!, deletedMs: Date.now() - DELETED_MS }] };
     await tap('works-deleted');
     expect(isThere('work-deleted')).toBe(false);
+  });
+
+  it('asks what may go when works need much room, names the largest first, and drops none by itself', async () => {
+    const page = await pupil();
+    setUp(page);
+    const before = page.work.work.value.previous;
+    const { project } = page.work.work.value;
+    const large = (name: string, size: number, atMs: number): Previous => ({
+      ...{ name, atMs, project: { ...project, course: null, files: [{ name: MAIN, text: name.repeat(size) }] } },
+    });
+    const works = [large('a', 1_000_000, 9), large('b', 2_000_000, 8), large('c', 10, 7)];
+    page.work.work.value = { ...page.work.work.value, previous: [...works, ...before] };
+    await nextTick();
+    expect(page.notices.current.value?.values).toEqual({ text: expect.stringContaining('Was darf weg?') });
+    expect(textOf(byId('works-crowded'))).toContain(`${String(before.length + 3)} Arbeiten mit 3 MB`);
+    expect(others().slice(0, 2)).toEqual(['b', 'a']);
+    await tap(byId('work-other').querySelector('button')!);
+    await tap('work-more');
+    await tap('work-remove');
+    expect(others()[0]).toBe('a');
+    await tap('works-deleted');
+    await tap('works-forget');
+    mountOn(page, AppDialog);
+    await nextTick();
+    await tap(named('Jetzt ganz löschen', '.dialog-card button'));
+    expect([page.work.work.value.deleted, page.work.work.value.previous.length]).toEqual([
+      ...[undefined, before.length + 2],
+    ]);
   });
 
   it('shows the missions that were begun on a phone, and a work in the place of the list', async () => {

@@ -33,8 +33,10 @@ import { useLiveEdits } from '../work/model/use-live-edits';
 import { WorkModel } from '../work/model/work-model';
 import { createSettings } from '../work/settings/settings-model';
 import type { Work } from '../work/storage/history';
+import { memoryStorage } from '../work/storage/memory-storage';
 import { browserEngine, createRun, type RunEngine } from './create-run';
 import { placeCard } from './place-card';
+import { sayUnsaved } from './say-unsaved';
 import type { SessionParts } from './session';
 
 /**
@@ -59,7 +61,7 @@ export function createSession(
   keepWork(
     work,
     opened.storage,
-    () => page.notices.show({ kind: 'error', key: 'files.storageFull' }),
+    (why) => sayUnsaved({ ...page, work, settings }, why),
     (savedMs) => void import('../work/take-over').then(({ takeOver }) => takeOver({ ...page, work }, savedMs)),
   );
   const mine = { work, settings };
@@ -129,12 +131,12 @@ function followCourse({ work, run, hand, runStart }: Pick<WorkParts, 'work'> & R
   useLiveEdits(run, work, hand, runStart);
 }
 
-/** The store for stars and programs of courses: none on a page that stores no work, or if the browser forbids it. */
+/** The store for stars and programs of courses: none on a page that stores no work; if the browser forbids one, for this visit. */
 function starStore({ keepsWork }: HostWish): Storage | null {
   try {
     return keepsWork ? localStorage : null;
   } catch {
-    return null;
+    return memoryStorage();
   }
 }
 

@@ -6,6 +6,7 @@ import { defaultScene } from '#scene/scene';
 import { createPage } from '../../app/testing/page';
 import { stamped, workToText, type Previous, type Work } from './storage/history';
 import { stubDatabase } from './storage/testing/memory-database';
+import { copiesOf } from './storage/tab-storage';
 import { programsOf } from './programs/own-programs';
 import { takeOver } from './take-over';
 
@@ -70,5 +71,28 @@ describe('what closed tabs have left', () => {
     const page = createPage();
     await takeOver(page, 9000);
     expect(textsOf(page)).toEqual([['a', 5000]]);
+  });
+
+  it('stays under the name of a tab until the list that is stored has it; then the five newest copies do', async () => {
+    const copies = (): readonly string[] => copiesOf(localStorage).map(([tab]) => tab);
+    for (const place of [1, 2, 3, 4, 5, 6, 7]) leave(`tab ${String(place)}`, place, work(`work ${String(place)}`));
+    const page = createPage();
+    await takeOver(page, 9000);
+    expect([textsOf(page).length, copies().length]).toEqual([7, 7]);
+    const later = createPage();
+    later.work.work.value = { ...later.work.work.value, previous: page.work.work.value.previous };
+    await takeOver(later, 9000);
+    expect([textsOf(later).length, copies()]).toEqual([7, ['tab 3', 'tab 4', 'tab 5', 'tab 6', 'tab 7']]);
+  });
+
+  it('is not what was deleted here', async () => {
+    leave('one', 5000, work('a'));
+    const page = createPage();
+    await takeOver(page, 9000);
+    page.work.deleteWorks(page.work.work.value.previous);
+    const later = createPage();
+    later.work.work.value = page.work.work.value;
+    await takeOver(later, 9000);
+    expect([textsOf(later), later.work.work.value.deleted?.length]).toEqual([[], 1]);
   });
 });

@@ -4,12 +4,11 @@
  */
 import { filesByDevice, keepLast } from './programs/own-programs';
 import { withAll } from './storage/all-works';
-import { entriesIn } from './storage/database';
-import { allCopies, DISK_COPY } from './storage/disk-copy';
+import { dropCopies, laterCopies } from './storage/copies';
 import { savedMsOf, type Previous } from './storage/history';
 import { wholeWork } from './storage/large-work';
 import { workFromText } from './storage/read-work';
-import { copiesOf, newer, tabName } from './storage/tab-storage';
+import { tabName } from './storage/tab-storage';
 import { courseName } from './catalogue/first-course';
 import { lateModel, type WithLate } from '../../kit/state/late-models';
 import type { WorkParts } from './model/parts';
@@ -19,6 +18,9 @@ import { hasNothingOwn } from './use-courses';
 
 /** Prefix of the lock of an open tab: see `keep-work.ts`. */
 const LOCK = 'parcours.tab.';
+
+/** Number of copies of closed tabs that stay though their works are taken over. Chosen: tabs that a browser brings back. */
+const KNOWN_COPIES = 5;
 
 const takingOver = lateModel((): { going?: Promise<void> } => ({}));
 
@@ -30,11 +32,28 @@ export function takeOver(app: Pick<WorkParts, 'work'> & WithLate, nowMs: number)
   const { work } = app;
   if (work.programs === null) return Promise.resolve();
   return (takingOver(app).going ??= leftWorks(nowMs)
-    .then((left) => put(work, left))
+    .then((left) => takeAll(work, left))
     .catch(() => undefined)); // a browser that forbids storage has left nothing
 }
 
-function put(work: WorkModel, left: readonly Previous[]): void {
+/** The works under the name of a tab, and when it saved them. */
+interface Left {
+  readonly tab: string;
+  readonly savedMs: number;
+  readonly works: readonly Previous[];
+}
+
+/**
+ * Takes the works over. Copies from which nothing new came are in the list that is stored: of those only the newest stay,
+ * for a browser that brings its tabs back.
+ */
+function takeAll(work: WorkModel, left: readonly Left[]): Promise<void> {
+  const known = left.filter(({ works }) => !put(work, works)).sort((one, other) => other.savedMs - one.savedMs);
+  return dropCopies(known.slice(KNOWN_COPIES).map(({ tab }) => tab));
+}
+
+/** @returns whether any of the works is new here */
+function put(work: WorkModel, left: readonly Previous[]): boolean {
   const before = work.work.value;
   const gone = (before.deleted ?? []).map(({ project }) => project);
   const previous = withAll(before.previous, left, [before.project, ...gone]);
@@ -42,20 +61,22 @@ function put(work: WorkModel, left: readonly Previous[]): void {
   for (const { project, atMs } of left)
     if (project.course !== null && project.task === undefined)
       keepLast(work, project.course, { atMs, files: filesByDevice(project) });
+  return previous !== before.previous;
 }
 
-async function leftWorks(nowMs: number): Promise<readonly Previous[]> {
+async function leftWorks(nowMs: number): Promise<readonly Left[]> {
   const open = await openTabs();
   const own = tabName(sessionStorage);
   if (own !== null) open.add(own);
-  const texts = new Map(copiesOf(localStorage));
-  for (const { name, text } of await entriesIn(allCopies()).catch(() => [])) {
-    const tab = name.slice(DISK_COPY.length);
-    texts.set(tab, newer(texts.get(tab) ?? null, text) ?? text);
-  }
-  const closed = [...texts].filter(([tab]) => !open.has(tab));
-  // What cannot be read hides nothing else.
-  return (await Promise.all(closed.map(([, text]) => worksIn(text, nowMs).catch(() => [])))).flat();
+  const closed = [...(await laterCopies())].filter(([tab]) => !open.has(tab));
+  // A copy that cannot be read hides no other, and stays.
+  const read = closed.map(([tab, text]) =>
+    worksIn(text, nowMs).then(
+      (works): Left[] => [{ tab, savedMs: savedMsOf(text), works }],
+      () => [],
+    ),
+  );
+  return (await Promise.all(read)).flat();
 }
 
 async function worksIn(text: string, nowMs: number): Promise<readonly Previous[]> {

@@ -5,7 +5,7 @@ import { draftOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 
 import { t } from '../../kit/i18n';
-import { presentProject } from '../../exchange/share/save-work';
+import { presentProject } from '../../session/work/save-work';
 import { useShareLink } from '../../exchange/share/use-share-link';
 import { useWork } from '../../session/work/model/parts';
 import { coursePng } from './picture-parts';

@@ -6,7 +6,7 @@ import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task'
 import { projectOfTask } from '#check/task/write-task';
 import { exactCos, exactSin } from '#core/exact-math';
 
-import { presentProject } from '../../exchange/share/save-work';
+import { presentProject } from '../../session/work/save-work';
 import { isHandedOut, withoutHandedOut } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import { workName } from '../../session/work/work-name';

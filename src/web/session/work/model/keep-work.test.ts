@@ -7,6 +7,8 @@ import { serializeScene } from '#scene/serialize';
 
 import { savedMsOf } from '../storage/history';
 import { stubDatabase } from '../storage/testing/memory-database';
+import { copyOnDisk } from '../storage/disk-copy';
+import { copiesOf } from '../storage/tab-storage';
 import { keepWork, openedFrom, openTabStorage } from './keep-work';
 import { WorkModel } from './work-model';
 
@@ -24,7 +26,7 @@ async function openPage(): Promise<WorkModel> {
   const model = new WorkModel(work ?? first(), Date.now);
   const scope = effectScope(true);
   scopes.push(scope);
-  scope.run(() => keepWork(model, storage, () => said.push('lost')));
+  scope.run(() => keepWork(model, storage, (why) => said.push(why ?? 'saved')));
   return model;
 }
 const programIn = (model: WorkModel): string | undefined => model.files.value[0]?.text;
@@ -167,7 +169,7 @@ describe('the work that is kept', () => {
     expect((await textOf())?.length).toBe(70);
   });
 
-  it('is not overwritten by another tab, and of six tabs the five newest are kept', async () => {
+  it('is not overwritten by another tab: of six tabs all are kept', async () => {
     const database = stubDatabase();
     for (let tab = 0; tab < 6; tab += 1) {
       sessionStorage.clear();
@@ -177,8 +179,8 @@ describe('the work that is kept', () => {
       dies();
     }
     const kept = [...database.entries.values()].map((entry) => JSON.stringify(entry));
-    expect(kept).toHaveLength(5);
-    for (const tab of [1, 2, 3, 4, 5]) expect(kept.join()).toContain(`tab ${String(tab)}`);
+    expect(kept).toHaveLength(6);
+    for (const tab of [0, 1, 2, 3, 4, 5]) expect(kept.join()).toContain(`tab ${String(tab)}`);
     expect(await textOf()).toBe('tab 5');
   });
 
@@ -241,12 +243,12 @@ describe('the work that is kept', () => {
     const model = await openPage();
     isFull = true;
     await typeFor(model, 3000);
-    expect(said).toEqual(['lost']);
+    expect(said).toEqual(['full']);
     isFull = false;
     await typeFor(model, 1500);
     isFull = true;
     await typeFor(model, 3000);
-    expect(said).toEqual(['lost', 'lost']);
+    expect(said).toEqual(['full', 'saved', 'full']);
   });
 
   it('is safe if only the disk has room for it, and nothing is reported', async () => {
@@ -259,6 +261,35 @@ describe('the work that is kept', () => {
     isFull = false;
     browserIsKilled();
     expect((await textOf())?.length).toBe(20);
+  });
+
+  it('is nowhere where the browser forbids storing, and that is told', async () => {
+    const refuses = vi.spyOn(globalThis, 'localStorage', 'get').mockImplementation(() => {
+      throw new DOMException('denied', 'SecurityError');
+    });
+    const model = await openPage();
+    model.setText('main.py', 'private');
+    await vi.advanceTimersByTimeAsync(700);
+    refuses.mockRestore();
+    expect(said).toEqual(['forbidden']);
+  });
+
+  it('gets room in the storage for text from copies of other tabs that are on the disk, too', async () => {
+    stubDatabase();
+    const first = await openPage();
+    first.setText('main.py', 'first');
+    await vi.advanceTimersByTimeAsync(700);
+    dies();
+    sessionStorage.clear();
+    const [other] = Object.keys(Object.fromEntries(copiesOf(localStorage)));
+    const second = await openPage();
+    isFull = true;
+    second.setText('main.py', 'second');
+    await vi.advanceTimersByTimeAsync(450);
+    isFull = false; // one of the copies was given up
+    await vi.advanceTimersByTimeAsync(700);
+    expect(copiesOf(localStorage).map(([tab]) => tab)).not.toContain(other);
+    expect([said, (await copyOnDisk(other ?? null))?.includes('first')]).toEqual([[], true]);
   });
 
   it('goes to the storage for text alone where there is no database', async () => {

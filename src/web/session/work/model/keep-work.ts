@@ -12,6 +12,7 @@ import {
   type TabStorage,
   type TextStore,
 } from '../storage/tab-storage';
+import type { Unsaved } from './unsaved';
 import type { WorkModel } from './work-model';
 
 /** Longest time from a change until the work is saved, in ms, even while more changes follow. */
@@ -27,13 +28,16 @@ export interface Opened {
   readonly work: Work | null;
 }
 
-/** A storage for pages that store nothing: where the browser forbids it, or a host brings the work. */
+/** A storage for pages that store nothing, as a host brings the work. */
 const forgetful: TabStorage = { load: () => null, save: () => true };
+
+/** The storage where the browser forbids storing: in some private windows, for some sites. */
+const forbidden: TabStorage = { load: () => null, save: () => false };
 
 /** The state of a page that stores nothing. */
 export const nothingKept: Opened = { storage: forgetful, work: null };
 
-/** This tab's storage, or one that forgets where the browser forbids storing. */
+/** This tab's storage, or one that takes nothing where the browser forbids storing. */
 export async function openTabStorage(): Promise<TabStorage> {
   try {
     const [session, local]: [TextStore, TextStore] = [sessionStorage, localStorage];
@@ -48,7 +52,7 @@ export async function openTabStorage(): Promise<TabStorage> {
     const copy = isAlone || name === null ? await Promise.race([copyOnDisk(name).catch(() => null), late]) : null;
     return await withPieces({ ...storage, load: () => newer(storage.load(), copy) });
   } catch {
-    return forgetful;
+    return forbidden;
   }
 }
 
@@ -76,13 +80,13 @@ async function withPieces(storage: TabStorage): Promise<TabStorage> {
 /**
  * Saves the work shortly after every change, also while it goes on changing, and at once when the page is left.
  *
- * @param onLost called when it can be saved nowhere; not again until saving has worked in between
+ * @param onLost called with the reason when it can be saved nowhere, and with `null` once it can be again
  * @param onFirst called once, with the first copy's time in ms: from now on the copies of closed tabs can be looked for
  */
 export function keepWork(
   model: WorkModel,
   storage: TabStorage,
-  onLost: () => void,
+  onLost: (why: Unsaved | null) => void,
   onFirst: (savedMs: number) => void = () => undefined,
 ): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -117,8 +121,9 @@ export function keepWork(
       // That part of the app cannot be loaded: the storage for text has to do.
     }
     if (kept === 'again') saveSoon();
-    if (kept === 'lost' && !isLost) onLost();
-    isLost = kept === 'lost';
+    const isNow = kept === 'lost';
+    if (isNow !== isLost) onLost(isNow ? (storage === forbidden ? 'forbidden' : 'full') : null);
+    isLost = isNow;
   }
   function saveSoon(): void {
     if (timer !== undefined) return;

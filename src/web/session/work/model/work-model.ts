@@ -18,6 +18,7 @@ import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
+import type { Unsaved } from './unsaved';
 import { withoutHandedOut, WorkLocks } from './task-locks';
 import { putAside, type Deleted, type Previous, type Work } from '../storage/history';
 import { withDeleted, withoutDeleted } from './deleted-works';
@@ -57,6 +58,8 @@ export class WorkModel {
   isBrought = false;
   /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
+  /** The reason why the work is stored nowhere; `null`: it is stored. */
+  readonly unsaved: ShallowRef<Unsaved | null> = shallowRef(null);
   readonly locks = new WorkLocks();
   /** The store of the pupil's programs for ready courses (`own-programs.ts`); `null`: none. */
   programs: Storage | null = null;
@@ -269,6 +272,12 @@ export class WorkModel {
   /** Puts deleted works back among the earlier ones. */
   bringBack(deleted: readonly Deleted[]): void {
     this.work.value = withoutDeleted(this.work.value, deleted);
+  }
+
+  /** Forgets everything that was deleted, to make room. */
+  forgetDeleted(): void {
+    const { deleted: _, ...work } = this.work.value;
+    this.work.value = work;
   }
 
   private put(project: Project, open: string, nameOfOld: string | null, file?: string): void {

@@ -1,6 +1,6 @@
 import type { Project } from '#project/project';
 
-import { withRoom, type Previous } from './history';
+import type { Previous } from './history';
 import { packedText } from './stored-project';
 
 /**
@@ -20,7 +20,7 @@ export function withAll(
     return isNew;
   });
   if (others.length === 0) return previous;
-  return withRoom([...previous, ...others].sort((one, other) => other.atMs - one.atMs));
+  return [...previous, ...others].sort((one, other) => other.atMs - one.atMs);
 }
 
 /** The text of everything that was written and built, whatever hardware it is for. */

@@ -4,6 +4,7 @@
  */
 import { createDiskWriter } from './disk-writer';
 import { savedMsOf, type Work } from './history';
+import { dropDoubled } from './copies';
 import { LargeWork } from './large-work';
 
 export { wholeWork } from './large-work';
@@ -42,6 +43,7 @@ export function createDiskSaver(tab: string): DiskSaver {
         const isSmaller = await large.setApart(work, savedMs).catch(() => false);
         if (isSmaller) return 'again';
       }
+      if (!isSaved && (await dropDoubled(tab).catch(() => false))) return 'again';
       return isSaved || (await isWritten) ? 'kept' : 'lost';
     },
   };

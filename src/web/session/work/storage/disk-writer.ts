@@ -1,7 +1,6 @@
 /** Writes the copies of `disk-copy.ts`. */
 import { inStore, type Entry } from './database';
-import { allCopies, DISK_COPY } from './disk-copy';
-import { COPIES, surplus } from './tab-storage';
+import { DISK_COPY } from './disk-copy';
 
 /** Puts text onto the disk. Returns whether the newest text is there. */
 export type DiskWriter = (text: string, savedMs: number) => Promise<boolean>;
@@ -32,12 +31,4 @@ export function createDiskWriter(tab: string): DiskWriter {
   };
 }
 
-/** Puts a copy there, and deletes the oldest where there are too many. */
-const put = (entry: Entry): Promise<void> =>
-  inStore('readwrite', (store) => {
-    store.put(entry);
-    const names = store.getAllKeys(allCopies());
-    names.onsuccess = () => {
-      for (const name of surplus(names.result.map(String), entry.name, COPIES)) store.delete(name);
-    };
-  });
+const put = (entry: Entry): Promise<void> => inStore('readwrite', (store) => void store.put(entry));

@@ -24,14 +24,11 @@ export interface Deleted extends Previous {
 /** For so long deleted work can be brought back, in ms. */
 export const DELETED_MS = 30 * 24 * 3600 * 1000; // chosen: a month of lessons
 
-/** Number of the newest pieces of earlier work that are kept however large they are. */
-export const KEPT_ANYWAY = 5;
+/** The most files of works that can be opened at once. Chosen: more than anybody means to. */
+export const MOST_AT_ONCE = 5;
 
-/**
- * Older ones are kept as long as all together are shorter than this (characters). Chosen: some eighty missions, or thirty
- * courses that were built; it is saved with every change, and must cost no frame.
- */
-export const KEPT_CHARACTERS = 120_000;
+/** From this size of all works together on (characters) the page asks which may go. Chosen: half of what tablets surely have. */
+export const CROWDED_CHARACTERS = 3_000_000; // some two thousand missions
 
 /** Everything that a tab stores: the open work and what was put aside. */
 export interface Work {
@@ -49,17 +46,15 @@ export interface Work {
 /** Puts `entry` aside, newest first; the same work is kept once, but of two files that say the same both stay. */
 export function putAside(previous: readonly Previous[], entry: Previous): readonly Previous[] {
   const others = previous.filter(({ file, project }) => file !== entry.file || !isSameWork(project, entry.project));
-  return withRoom([entry, ...others]);
+  return [entry, ...others];
 }
 
-/** As many of these as there is room for, the first ones in any case. */
-export function withRoom(entries: readonly Previous[]): readonly Previous[] {
-  let left = KEPT_CHARACTERS;
-  return entries.filter(({ project }, place) => {
-    left -= packedText(project).length;
-    return place < KEPT_ANYWAY || left >= 0;
-  });
-}
+/** The size of all works, with those that were deleted and can come back, in characters. */
+export const sizeOf = ({ project, previous, deleted = [] }: Work): number =>
+  [project, ...[...previous, ...deleted].map((entry) => entry.project)].reduce(
+    (sum, one) => sum + packedText(one).length,
+    0,
+  );
 
 /** True if two projects are the same: files, course, hardware, task and hand-in. */
 export function isSameWork(one: Project, other: Project): boolean {

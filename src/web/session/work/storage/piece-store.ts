@@ -3,10 +3,11 @@
  * text.
  */
 import { inStore, type Entry } from './database';
+import { DISK_COPY } from './disk-copy';
 import type { Piece } from './pieces';
 
-/** Entries of the database that were not used for this long are deleted. Chosen: holidays. */
-const FORGOTTEN_MS = 60 * 24 * 3600 * 1000;
+/** Pieces that were not used for this long are deleted. Chosen: a year of school and its holidays. */
+const FORGOTTEN_MS = 400 * 24 * 3600 * 1000;
 
 /** Stores pieces; done once they are on the disk. Rejects where the browser has no such store or no room. */
 export async function putPieces(pieces: readonly Piece[], nowMs: number): Promise<void> {
@@ -15,10 +16,7 @@ export async function putPieces(pieces: readonly Piece[], nowMs: number): Promis
   });
 }
 
-/**
- * The pieces of these names, as far as they exist. Entries of the database that were not used for a long time are
- * deleted.
- */
+/** The pieces of these names, as far as they exist. Those that were not used for a long time are deleted. */
 export async function getPieces(names: readonly string[], nowMs: number): Promise<ReadonlyMap<string, string>> {
   const found = new Map<string, string>();
   await inStore('readwrite', (store) => {
@@ -34,7 +32,8 @@ export async function getPieces(names: readonly string[], nowMs: number): Promis
     old.onsuccess = () => {
       if (old.result === null) return;
       const { primaryKey } = old.result;
-      if (typeof primaryKey === 'string' && !names.includes(primaryKey)) store.delete(primaryKey);
+      const isPiece = typeof primaryKey === 'string' && !primaryKey.startsWith(DISK_COPY);
+      if (isPiece && !names.includes(primaryKey)) store.delete(primaryKey);
       old.result.continue();
     };
   });

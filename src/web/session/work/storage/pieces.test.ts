@@ -46,4 +46,18 @@ describe('work with a picture of 1.4 MB as floor, here and in two earlier projec
   it('asks for no piece where a program only talks of one', () => {
     expect(piecesIn(workToText({ project: small, open: 'main.py', previous: [] }))).toEqual([]);
   });
+
+  it('holds the five newest earlier works itself; all before them lie apart once there is need, be they ever so small', () => {
+    const many = Array.from({ length: 300 }, (_, at) => {
+      const files = [{ name: 'main.py', text: `mission = ${String(at)}` }];
+      return earlier({ ...small, files }, 300 - at);
+    });
+    const crowded = { ...work, project: small, previous: many };
+    const first = splitWork(crowded, () => false);
+    const kept = new Map(first.loose.map(({ name, text }) => [name, text]));
+    const second = splitWork(crowded, (name) => kept.has(name));
+    expect([first.loose.length, second.loose.length]).toEqual([295, 0]);
+    expect(second.text.length).toBeLessThan(40_000);
+    expect(workFromText(joinWork(second.text, kept))).toEqual(crowded);
+  });
 });

@@ -7,7 +7,7 @@ import type { Project } from '#project/project';
 import type { Background } from '#scene/scene';
 
 import { memoOf } from '#core/memo';
-import { textOfWork, type Work } from './history';
+import { textOfWork, type Previous, type Work } from './history';
 import { packed, packedText, sceneText } from './stored-project';
 
 /** The name of a piece: `{ "parcours.piece": name }` stands in its place. */
@@ -17,6 +17,9 @@ const KEY = 'parcours.piece';
  * Parts shorter than this (characters) stay with the work. Chosen: five earlier projects of this size take little room.
  */
 const PIECE_CHARACTERS = 20_000;
+
+/** Number of the newest works for which this holds; every work before them may lie apart, whatever its size. */
+const WITH_THE_WORK = 5;
 
 /** A part of the work that may be stored apart. */
 export interface Piece {
@@ -46,9 +49,11 @@ export function splitWork(work: Work, isKept: (name: string) => boolean): { text
     const bare = sceneText({ ...project.scene, background: null });
     return packed(project, `{"background":${reference(piece)},${bare.slice(1)}`);
   }
-  const text = textOfWork(work, projectText(work.project), ({ project }) =>
-    standIn(projectPiece(project), packedText(project)),
-  );
+  const near = new Set<Previous>(work.previous.slice(0, WITH_THE_WORK));
+  const text = textOfWork(work, projectText(work.project), (entry) => {
+    const { project } = entry;
+    return standIn(near.has(entry) ? largePiece(project) : projectPiece(project), packedText(project));
+  });
   return { text, loose: [...loose.values()] };
 }
 
@@ -81,10 +86,10 @@ const backgroundPiece = memoOf((background: Background): Piece | null => {
   return isLarge ? pieceOf(JSON.stringify(background)) : null;
 });
 
-const projectPiece = memoOf((project: Project): Piece | null => {
-  const text = packedText(project);
-  return text.length >= PIECE_CHARACTERS ? pieceOf(text) : null;
-});
+const projectPiece = memoOf((project: Project): Piece => pieceOf(packedText(project)));
+
+const largePiece = (project: Project): Piece | null =>
+  packedText(project).length >= PIECE_CHARACTERS ? projectPiece(project) : null;
 
 /** A piece, named by two FNV-1a sums and the length of its text: no two pieces of one pupil have the same name. */
 function pieceOf(text: string): Piece {

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
 import { defaultProjectSettings, type Project } from '#project/project';
+import { serializeScene } from '#scene/serialize';
 import { defaultScene } from '#scene/scene';
 
-import { KEPT_ANYWAY, KEPT_CHARACTERS, putAside, workToText, type Previous } from './history';
+import { CROWDED_CHARACTERS, putAside, workToText, type Previous } from './history';
 import { defaultSettings, settingsFromText } from '../settings/settings';
 import { unpackProject, workFromText } from './read-work';
 import { packedText } from './stored-project';
@@ -85,6 +86,17 @@ describe('stored work', () => {
     expect(kept.map(({ file }) => file)).toEqual(['Anna', 'Beat']);
   });
 
+  it('stored before works were deleted and came from tabs is read as it was', () => {
+    const scene = serializeScene(defaultScene());
+    const old = (text: string): string =>
+      `{"files":[{"name":"main.py","text":"${text}"}],"scene":${scene},"course":null}`;
+    const text = `{"savedMs":5,"version":1,"project":${old('new')},"open":"main.py","previous":[{"name":"Linie","atMs":3,"file":"Anna","project":${old('before')}}]}`;
+    expect(workFromText(text)).toEqual({
+      ...{ project: project('new'), open: 'main.py' },
+      previous: [{ name: 'Linie', atMs: 3, file: 'Anna', project: project('before') }],
+    });
+  });
+
   it('never stops the app when it is broken', () => {
     for (const text of ['', '{', 'null', '{"version":2}', '[1]']) expect(workFromText(text)).toBeNull();
   });
@@ -99,17 +111,10 @@ describe('stored work', () => {
     expect(kept([...names, '6'])).toEqual(['6', '11', '10', '9', '8', '7', '5', '4', '3', '2', '1', '0']);
   });
 
-  it('gives up the oldest where all are too long, but never one of the newest five', () => {
-    const long = (sign: string): string => sign.repeat(KEPT_CHARACTERS / 4);
-    expect(kept(['a', 'b', ...['c', 'd', 'e', 'f', 'g'].map(long)]).map(([sign]) => sign)).toEqual([
-      'g',
-      'f',
-      'e',
-      'd',
-      'c',
-    ]);
-    expect(kept(['a', 'b', 'c', 'd', 'e', 'f', 'g'].map(long))).toHaveLength(KEPT_ANYWAY);
-    expect(kept(['a', long('b'), 'c', 'd', 'e', 'f', 'g']).at(-1)).toBe('a');
+  it('gives up none of them, however large they are', () => {
+    const long = (sign: string): string => sign.repeat(CROWDED_CHARACTERS / 4);
+    const all = kept(['a', 'b', ...['c', 'd', 'e', 'f', 'g'].map(long)]);
+    expect(all.map(([sign]) => sign)).toEqual(['g', 'f', 'e', 'd', 'c', 'b', 'a']);
   });
 });
 

@@ -21,13 +21,8 @@ const WORK = 'parcours.work';
 const COPY = 'parcours.copy.';
 const LAST = 'parcours.last';
 
-/** Number of copies that are stored, this tab's included. */
-export const COPIES = 5;
 /** A longer text (characters) takes the tab's own storage a while: 270,000 took 5 ms, and the shared one 1 ms (Chromium). */
 export const SLOW = 30_000;
-/** No pupil's work is longer than this (characters); a browser gives a page about five million. */
-const HUGE = 1_000_000;
-
 /**
  * Storage of one browser tab. `session` belongs to the tab and survives its reloads; `local` is shared by all tabs, where
  * every tab writes a copy under its own name, so that no tab overwrites another's work.
@@ -52,13 +47,10 @@ export function createTabStorage(
       return own !== null && !isAlone ? own : newer(own, copyOf(local, from ?? get(local, LAST)));
     },
     save(text, isLeaving = false) {
-      const copied = set(local, COPY + name, text) || makeRoom(local, name, text);
+      const copied = set(local, COPY + name, text);
       const waits = copied && isAlone && !isLeaving && text.length > SLOW;
       const kept = waits || set(session, WORK, text);
-      if (copied && get(local, LAST) !== name) {
-        set(local, LAST, name);
-        prune(local, name, COPIES);
-      }
+      if (copied && get(local, LAST) !== name) set(local, LAST, name);
       return kept && copied;
     },
   };
@@ -82,23 +74,8 @@ function copyOf(local: TextStore, name: string | null): string | null {
   return name === null ? null : get(local, COPY + name);
 }
 
-/**
- * Gives up copies of other tabs, the oldest first, until `text` has room. For a huge text none is given up, since it
- * might still not fit.
- */
-function makeRoom(local: TextStore, name: string, text: string): boolean {
-  if (text.length > HUGE) return false;
-  for (let left = COPIES - 1; left >= 1; left -= 1) {
-    prune(local, name, left);
-    if (set(local, COPY + name, text)) return true;
-  }
-  return false;
-}
-
-/** Removes copies of other tabs beyond `count`. */
-function prune(local: TextStore, own: string, count: number): void {
-  for (const key of surplus(copyKeys(local), COPY + own, count)) local.removeItem(key);
-}
+/** Removes the copy of a tab. */
+export const dropCopy = (local: TextStore, tab: string): void => local.removeItem(COPY + tab);
 
 function copyKeys(local: TextStore): readonly string[] {
   const keys = Array.from({ length: local.length }, (_, index) => local.key(index) ?? '');
@@ -108,12 +85,6 @@ function copyKeys(local: TextStore): readonly string[] {
 /** The copy of each tab, by its name. */
 export const copiesOf = (local: TextStore): readonly (readonly [tab: string, text: string])[] =>
   copyKeys(local).map((key) => [key.slice(COPY.length), get(local, key) ?? '']);
-
-/** The names of copies beyond `count`, never the tab's own; they begin with the time a tab was opened, so the oldest go first. */
-export function surplus(names: readonly string[], own: string, count: number): readonly string[] {
-  const others = names.filter((name) => name !== own).sort();
-  return others.slice(0, Math.max(0, others.length - (count - 1)));
-}
 
 // A browser may forbid storage altogether (private windows, embedded pages): the app then works without.
 function get(store: TextStore, key: string): string | null {

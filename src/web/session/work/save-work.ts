@@ -3,11 +3,11 @@ import type { Project } from '#project/project';
 import { serializeScene } from '#scene/serialize';
 
 import type { PageParts } from '../../kit/parts';
-import type { WorkParts } from '../../session/work/model/parts';
-import { saveText } from '../../session/work/save-file';
-import { nameToSave, workName } from '../../session/work/work-name';
-import { fileName } from '../../session/work/save-file';
-import { travelling } from '../../session/work/settings/travelling';
+import type { WorkParts } from './model/parts';
+import { saveText } from './save-file';
+import { nameToSave, workName } from './work-name';
+import { fileName } from './save-file';
+import { travelling } from './settings/travelling';
 
 /** The present work with the settings of its run, to be saved or shared. */
 export function presentProject({ work, settings }: WorkParts): Project {
