@@ -20,6 +20,9 @@ export interface Splitter {
 
 const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: 'topPx', below: 'belowPx' } as const;
 
+/** Height of the row of devices with the gap below it. */
+const DEVICE_ROW_PX = 84;
+
 /** The panes' grid as CSS variables, and the splitters that are in it. Sizes always fit the window. */
 export function usePaneGrid(
   { layout, settings, work }: WorkParts & Pick<LayoutParts, 'layout'>,
@@ -42,18 +45,15 @@ export function usePaneGrid(
     return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
   });
   const grid = computed(() => {
+    // The row of devices takes its height from all others.
+    const rowPx = work.hasSeveral.value ? DEVICE_ROW_PX : 0;
+    const free = { ...room.value, heightPx: room.value.heightPx - rowPx };
     const [kind, shown, card] = [layout.arrangement.value, layout.isShown.value, layout.card.value];
     const panes =
       card === null
-        ? gridOf(kind, shown, sizes.value, room.value)
+        ? gridOf(kind, shown, sizes.value, free)
         : // An arena that has two thirds of the window leaves one column for all the others.
-          cardGrid(
-            kind === 'wide' && settings.current.value.cinema ? 'medium' : kind,
-            shown,
-            sizes.value,
-            room.value,
-            card,
-          );
+          cardGrid(kind === 'wide' && settings.current.value.cinema ? 'medium' : kind, shown, sizes.value, free, card);
     return work.hasSeveral.value ? withDeviceRow(panes) : panes;
   });
   const style = computed(() => ({
