@@ -66,7 +66,7 @@ export const wings = {
     run: [],
     work: ['session/run'],
     visit: ['session/run', 'session/work'],
-    mode: ['session/run', 'session/work'],
+    mode: ['session/run', 'session/work', 'session/visit'],
     layout: ['session/run', 'session/work', 'session/visit', 'session/mode'],
     task: ['session/run', 'session/work', 'session/layout'],
     models: ['session/run', 'session/work', 'session/visit', 'session/layout', 'session/task', 'session/mode'],

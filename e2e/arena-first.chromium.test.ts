@@ -145,17 +145,23 @@ test('the cinema gives the arena two thirds of the window, and back', async ({ p
   const share = async (): Promise<number> => ((await page.locator('.pane-arena').boundingBox())?.width ?? 0) / 1366;
   await openAt(page, [1366, 625], { language: 'de' });
   const before = await share();
-  await page.click(by('cinema'));
+  const turn = async (): Promise<void> => {
+    await page.click(by('show'));
+    await page.click(by('cinema'));
+  };
+  await turn();
   await expect.poll(share).toBeGreaterThan(0.65);
-  await page.click(by('cinema'));
+  await turn();
   await expect.poll(share).toBe(before);
 });
 
-test('robot and nearest obstacle fill the arena at a tap, and the whole arena at the next', async ({ page }) => {
+test('robot and nearest obstacle fill the arena, and the whole arena is shown again', async ({ page }) => {
   await openAt(page, [1366, 768], { language: 'de' });
   const before = await courseWidth(page);
+  await page.click(by('show'));
   await page.click(by('near'));
-  await expect(page.locator(by('near'))).toHaveCount(0);
+  await expect.poll(() => courseWidth(page)).toBeGreaterThan(before);
+  await page.click(by('show'));
   await page.click(by('fit'));
   await expect.poll(() => courseWidth(page)).toBe(before);
 });

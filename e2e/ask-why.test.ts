@@ -40,7 +40,7 @@ async function lookBackAt(app: App): Promise<void> {
   await pasteProgram(app, PROGRAM);
   await app.click(on('run'));
   await expect.poll(() => console(app)).toContain('ready');
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('time-rail'));
 }
 

@@ -141,7 +141,7 @@ test(
 );
 
 test(
-  'what the arena shows is switched by keyboard and kept: path, line sensors, centre of rotation',
+  'what the arena shows is switched by keyboard and kept: path, centre of rotation',
   IN_ONE_ENGINE,
   async ({ app }) => {
     const isOn = (id: string): Promise<string | null> => attribute(app, by(`show-${id}`), 'aria-checked');
@@ -149,7 +149,6 @@ test(
     await enter(app, by('show'));
     await until(app, by('show-trace'));
     for (const [id, name] of [
-      ['spots', 'Line sensors'],
       ['centre', 'Centre of rotation'],
       ['trace', 'Path'],
     ] as const) {
@@ -164,7 +163,7 @@ test(
     await until(app, on('editor'));
     await enter(app, by('show'));
     await until(app, by('show-trace'));
-    for (const id of ['cone', 'spots', 'centre', 'trace']) expect(await isOn(id), id).toBe('true');
+    for (const id of ['centre', 'trace']) expect(await isOn(id), id).toBe('true');
     await app.press('Escape');
     await gone(app, by('show-trace'));
 

@@ -4,7 +4,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { appAddress, hostPage, isInFrame, type HostPage } from './hosts';
 import { consoleIn, on, openApp, pasteProgram } from './page';
 import { by, until } from './parts';
-import { courseMenu, fromMenu, mainMenu, openMenu, toolButton } from './pupil';
+import { build, courseMenu, fromMenu, mainMenu, openMenu } from './pupil';
 
 /** It fills the radio panel, the data log and the console, and ends with an error. */
 const PROGRAM = ['import radio, log', 'radio.on()', 'radio.send("hello")', 'log.add(n=1)', 'print(nn)'];
@@ -123,12 +123,11 @@ const SCREENS = {
     await until(app, by('guide-search'));
   },
   'list of objects': async (app: App) => {
-    await until(app, toolButton('pen'));
     await courseMenu(app, 'list');
     await until(app, `${by('panel-list')} .item`);
   },
   print: async (app: App) => {
-    await until(app, toolButton('pen'));
+    await build(app);
     await fromMenu(app, by('course-more'), by('editor-print'), () =>
       app.evaluate((css) => document.querySelector(css) !== null, by('print-dialog')),
     );

@@ -139,11 +139,11 @@ for (const language of ['de', 'en'] as const)
 
 test('the telling is switched on by keyboard, says so and is remembered', async ({ page }) => {
   await open(page, { language: 'de' satisfies Language, welcomed: true });
-  await page.focus(by('show'));
+  await page.focus(by('menu'));
   await page.keyboard.press('Enter');
   const item = page.getByRole('menuitemcheckbox', { name: /^Fahrt ansagen/ });
   await expect(item).not.toBeChecked();
-  for (let i = 0; i < 10 && !(await item.evaluate((it) => it === document.activeElement)); i += 1)
+  for (let i = 0; i < 40 && !(await item.evaluate((it) => it === document.activeElement)); i += 1)
     await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await expect(item).toBeChecked();

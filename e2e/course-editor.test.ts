@@ -16,7 +16,18 @@ import {
 } from './course-tasks';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
-import { canUndo, clearAll, courseMenu, fromMenu, listOf, openEditor, rowsIn, toolButton, withMouse } from './pupil';
+import {
+  build,
+  canUndo,
+  clearAll,
+  courseMenu,
+  fromMenu,
+  listOf,
+  openEditor,
+  rowsIn,
+  toolButton,
+  withMouse,
+} from './pupil';
 
 test('with the mouse: a track is drawn, and the robot follows it', async ({ app }) => {
   await drawTrackAndFollow(withMouse(app));
@@ -211,8 +222,8 @@ async function lookAt(app: App, panel: string): Promise<readonly string[]> {
 
 for (const theme of ['light', 'dark'] as const)
   test(`axe finds nothing that shuts people out of the course editor, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
-    await openApp(app, { theme, language: 'en', showTools: true });
-    await until(app, toolButton('pen'));
+    await openApp(app, { theme, language: 'en' });
+    await build(app);
     const pupil = withMouse(app);
     for (const tool of ['pen', 'block', 'zone', 'label', 'start']) {
       await pupil.chooseTool(tool);

@@ -184,7 +184,6 @@ export async function saveReloadLoad(pupil: Pupil): Promise<void> {
   expect(file.name).toMatch(/\.parcours\.json$/);
 
   await app.reload();
-  await until(app, by('course-more'));
   await expect.poll(() => programIn(app)).toBe('print("mine")');
   expect(await listOf(app)).toEqual(rows);
   expect(await canUndo(app)).toBe(true); // what was built before can still be taken back
@@ -226,7 +225,6 @@ export async function shareWith(pupil: Pupil, another: () => Promise<Pupil>): Pr
   expect(await listOf(other)).not.toEqual(rows);
   await other.goto(link);
   await expect.poll(() => programIn(other)).toBe(STRAIGHT_ON);
-  await until(other, by('course-more'));
   expect(await listOf(other)).toEqual(rows);
   await other.click(on('run'));
   await meetsWall(other);

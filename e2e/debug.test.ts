@@ -78,8 +78,8 @@ test(
     await openApp(app);
     await pasteProgram(app, `${'# far down\n'.repeat(40)}from mbrobot import *\nwhile True:\n    delay(50)`);
     await app.click(on('run'));
-    await until(app, by('look-back-open'));
-    await app.click(by('look-back-open'));
+    await until(app, by('mode-lookBack'));
+    await app.click(by('mode-lookBack'));
     await until(app, by('step-bar'));
     const isInSight = (): Promise<boolean> =>
       app.evaluate(() => {
@@ -107,7 +107,7 @@ test(
     await expect.poll(() => at(app)).toMatch(/ 9$/);
     await app.click(by('step-into'));
     await expect.poll(() => at(app)).toMatch(/ 3$/);
-    await app.click(by('look-back-close'));
+    await app.click(by('mode-drive'));
     await gone(app, by('step-bar'));
   },
 );

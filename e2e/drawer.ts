@@ -94,7 +94,7 @@ export async function opened(app: App, ...objects: readonly SceneObject[]): Prom
     scene: { ...scene, size: SIZE, robot: { ...scene.robot, at: [1100, 80] }, objects, background: null },
   });
   await app.evaluate((text) => {
-    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'en' }));
+    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'en', showTools: true }));
     sessionStorage.setItem('parcours.work', text);
   }, JSON.stringify(work));
   await app.goto('./');

@@ -109,7 +109,6 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app, { language: 'en' });
-    await there(app, by('palette'));
     await beginWith(app, 'board');
     await gone(app, on('arena'));
     await expect.poll(() => programIn(app)).toContain('from microbit import *');

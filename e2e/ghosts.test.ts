@@ -58,7 +58,7 @@ test('the last run is raced against when it is chosen, and hidden again', IN_ONE
 test('a run out of a file is raced against by the next one', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await run(app, drive(50));
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await watchSaving(app);
   await until(app, by('save-run'));
   await app.click(by('save-run'));

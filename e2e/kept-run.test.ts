@@ -94,12 +94,12 @@ test('a run of the page is saved, is the same on the command line, and opens aga
   await pasteProgram(app, PROGRAM.trimEnd());
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app)).toContain('number 9');
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   const { name, text } = await saved(app);
   expect(name).toMatch(/\.run\.json$/);
   const { code, said } = parcours('replay', file('page.json', text), '--quiet');
   expect([code, said]).toEqual([0, expect.stringContaining(`hash ${read(text).result.traceHash.slice(0, 16)}`)]);
-  await app.click(by('look-back-close'));
+  await app.click(by('mode-drive'));
   await gone(app, by('time-rail'));
   await dropFile(app, { name, text });
   await until(app, by('time-rail'));
@@ -117,7 +117,7 @@ test('a run is passed on as a link, from its start or to the same moment', IN_ON
   await pasteProgram(app, PROGRAM.trimEnd());
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app)).toContain('number 15');
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('time-rail'));
   await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
   await app.press('Home');

@@ -2,7 +2,7 @@ import type { Point } from '../src/scene/scene';
 import { expect, type App } from './app';
 import { on } from './page';
 import { by } from './parts';
-import { toolButton, toolsCame, type Pupil } from './pupil';
+import { build, toolButton, toolsCame, type Pupil } from './pupil';
 
 /** More presses than the page has places where the keyboard stops. */
 const PLACES = 80;
@@ -76,6 +76,7 @@ export function withKeys(plain: App): Pupil {
   return {
     app,
     async chooseTool(tool) {
+      await build(app);
       // Out of the arena by its letter, from elsewhere in the palette.
       if (await isAt(app, on('arena'))) {
         await app.press(LETTERS[tool] ?? '');

@@ -21,7 +21,6 @@ test('a link that was made elsewhere opens, and one that is made here opens else
   await openEditor(app);
   await app.goto(`./#${made?.fragment ?? ''}`);
   await expect.poll(() => programIn(app)).toContain(FORTY_LINES.split('\n').slice(0, 8).join('\n')); // the editor has no lines that are out of sight
-  await until(app, by('course-more'));
   const link = await linkFrom(app);
   const read = projectOfLink(link.slice(link.indexOf('#')), none);
   expect('project' in read && read.project.scene).toEqual(scene);

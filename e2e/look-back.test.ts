@@ -1,7 +1,7 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
-import { keepDown, on, openApp, pasteProgram, robotIn, type Shown } from './page';
+import { isThere, keepDown, on, openApp, pasteProgram, robotIn, type Shown } from './page';
 import { by, gone, until } from './parts';
 import { clearAll, listOf, openEditor, withMouse } from './pupil';
 
@@ -40,7 +40,7 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   const start = await robotIn(app);
   await app.click(on('run'));
   await expect.poll(() => output(app)).toContain('number 30'); // the words about the robot may be a second late
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('time-rail'));
   const far = await robotAtRest(app);
   expect(await violationsOn(app)).toEqual([]);
@@ -68,7 +68,7 @@ test('what was left drives along as a ghost as soon as something goes another wa
   );
   await app.click(on('run'));
   await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(400);
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('time-rail'));
   await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
   await app.press('Home');
@@ -92,14 +92,15 @@ test(
     await pupil.draw([[350, 700]]);
     const before = await listOf(app);
     await app.click(on('run'));
-    await app.click(by('look-back-open'));
+    await app.click(by('mode-lookBack'));
     await until(app, by('time-rail'));
     await pupil.draw([[700, 200]]);
     await pupil.draw([[200, 200], [500, 200]]); // prettier-ignore
     await app.press('Delete');
     await until(app, by('time-rail'));
-    await app.click(by('look-back-close'));
+    await app.click(by('mode-drive'));
     await gone(app, by('time-rail'));
+    expect(await isThere(app, '[data-tool]')).toBe(false);
     expect(await listOf(app)).toEqual(before);
     await until(app, '[data-tool="block"][aria-pressed="true"]');
   },

@@ -116,6 +116,7 @@ const STEP_PX = 1;
 
 /** Draws one line that never ends, up and down and always a little to the right. */
 async function draw(page: Page, done: Done, isOver: () => boolean): Promise<void> {
+  await page.click(by('mode-build'));
   await page.click('[data-tool=pen]');
   await expect.poll(() => page.locator(by('arena')).evaluate((it) => it.style.cursor)).not.toBe('progress');
   const box = await page.locator(by('arena')).boundingBox();

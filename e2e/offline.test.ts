@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { expect, test, type App } from './app';
 import { consoleIn, on, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
-import { toolButton, withMouse } from './pupil';
+import { build, withMouse } from './pupil';
 import { openHost, release, type Host } from './release';
 import { savedFiles, watchSaving } from './transfer';
 
@@ -84,7 +84,7 @@ test('after one visit everything works without a network', async ({ app }) => {
   }
   expect(await programIn(app)).toContain('without a network');
   const pupil = withMouse(app);
-  await until(app, toolButton('pen'));
+  await build(app);
   await pupil.chooseTool('pen');
   await pupil.draw([[300, 450], [500, 470], [700, 450]]); // prettier-ignore
   await watchSaving(app);

@@ -69,6 +69,7 @@ export async function typeProgram(app: App, source: string): Promise<void> {
 
 /** Replaces the program in the editor by pasting, as from a worksheet: quick, and without the editor's own indentation. */
 export async function pasteProgram(app: App, source: string): Promise<void> {
+  if ((await modeOf(app)) === 'build') await enterMode(app, 'drive'); // building has no program in sight
   await app.click(EDITOR_BOX);
   await app.press('Control', 'a');
   await app.evaluate(
@@ -89,6 +90,21 @@ export const isThere = (app: App, css: string): Promise<boolean> =>
 /** The value of an attribute of the first such element; `null` without element or attribute. */
 export const attribute = (app: App, css: string, name: string): Promise<string | null> =>
   app.evaluate((of) => document.querySelector(of.css)?.getAttribute(of.name) ?? null, { css, name });
+
+type ArenaMode = 'drive' | 'build' | 'lookBack';
+
+/** The mode of the arena; `null`: there is just one, or the arena is out of sight. */
+const modeOf = async (app: App): Promise<string | null> =>
+  (await attribute(app, '[data-testid^="mode-"][aria-checked="true"]', 'data-testid'))?.replace('mode-', '') ?? null;
+
+/** Enters a mode of the arena, unless it is the present one. */
+export async function enterMode(app: App, mode: ArenaMode): Promise<void> {
+  const button = `[data-testid="mode-${mode}"]`;
+  await expect.poll(() => isThere(app, button)).toBe(true);
+  if ((await modeOf(app)) === mode) return;
+  await app.click(button);
+  await expect.poll(() => modeOf(app)).toBe(mode);
+}
 
 /** The text in the editor, all of it: of a long one the page holds only the lines near those in sight. */
 export function programIn(app: App): Promise<string> {

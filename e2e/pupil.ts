@@ -1,7 +1,7 @@
 import type { Point } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, type App } from './app';
-import { isThere, openApp } from './page';
+import { enterMode, isThere, openApp } from './page';
 import { by, gone, until } from './parts';
 
 /** Somebody who uses the course editor in one way alone: with fingers, by keyboard or with a mouse. */
@@ -19,6 +19,13 @@ export const SIZE: Point = [1200, 900];
 /** A tool by its button. */
 export const toolButton = (tool: string): string => `[data-tool="${tool}"]`;
 
+/** Begins to build, and waits for the tools. */
+export async function build(app: App): Promise<void> {
+  await enterMode(app, 'build');
+  await until(app, '[data-tool]');
+  await until(app, by('course-more'));
+}
+
 /** Waits until the code of the tools has come, which the first of them fetches: the arena's cursor shows it. */
 export const toolsCame = (app: App): Promise<void> =>
   expect
@@ -29,17 +36,17 @@ export const toolsCame = (app: App): Promise<void> =>
 export const withMouse = (app: App): Pupil => ({
   app,
   async chooseTool(tool) {
+    await build(app);
     await app.click(toolButton(tool));
     await toolsCame(app);
   },
   draw: async (places) => app.draw(await inWindow(app, SIZE, places)),
 });
 
-/** Opens the page as a first visit finds it, at full speed, and waits for the tools. */
+/** Opens the page at full speed, and builds. */
 export async function openEditor(app: App): Promise<void> {
   await openApp(app, { language: 'en', speed: 'max' });
-  await until(app, toolButton('pen'));
-  await until(app, by('course-more'));
+  await build(app);
 }
 
 /**
@@ -57,8 +64,10 @@ export async function fromMenu(app: App, opener: string, entry: string, came: ()
 }
 
 /** Opens a window about the course out of the menu beside undo. */
-export const courseMenu = (app: App, panel: string): Promise<void> =>
-  fromMenu(app, by('course-more'), by(`editor-${panel}`), () => isThere(app, by(`panel-${panel}`)));
+export async function courseMenu(app: App, panel: string): Promise<void> {
+  await build(app);
+  await fromMenu(app, by('course-more'), by(`editor-${panel}`), () => isThere(app, by(`panel-${panel}`)));
+}
 
 /** Entries of the main menu that stand in one of its lists. */
 const LISTED: Readonly<Record<string, string>> = { save: 'save', 'save-program': 'save', 'save-scene': 'save', print: 'save' }; // prettier-ignore
@@ -116,9 +125,15 @@ export const rowsIn = (app: App): Promise<readonly string[]> =>
 
 /** Takes everything out of the arena. The room that the task took goes to the arena. */
 export async function clearAll(app: App): Promise<void> {
+  await build(app);
   await fromMenu(app, by('course-more'), by('editor-clear'), async () => !(await isThere(app, by('verdict'))));
 }
 
 /** True if there is something to take back. */
-export const canUndo = (app: App): Promise<boolean> => isThere(app, `${by('undo')}:not([disabled])`);
-export const canRedo = (app: App): Promise<boolean> => isThere(app, `${by('redo')}:not([disabled])`);
+export const canUndo = (app: App): Promise<boolean> => can(app, 'undo');
+export const canRedo = (app: App): Promise<boolean> => can(app, 'redo');
+
+async function can(app: App, what: 'undo' | 'redo'): Promise<boolean> {
+  await build(app);
+  return isThere(app, `${by(what)}:not([disabled])`);
+}

@@ -52,7 +52,7 @@ test('on a low phone the arena has the display and the buttons of the board abov
   await openAt(page, 360, 640);
   await page.click('nav >> text=Arena');
   await expect(page.locator('.pane-arena .mini')).toBeVisible();
-  await page.click(by('tools-toggle'));
+  await page.click(by('mode-build'));
   await expect(page.locator('.pane-arena .mini')).toBeHidden();
 });
 

@@ -61,7 +61,7 @@ async function openPictures(app: App, program: string): Promise<void> {
   await pasteProgram(app, program.trimEnd());
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app), { timeout: 60_000 }).toContain('done');
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('save-run'));
   await app.click(by('save-run'));
   await until(app, by('save-run-pictures'));
@@ -137,7 +137,7 @@ test('a film that would be too long says so', IN_ONE_ENGINE, async ({ app }) => 
   await pasteProgram(app, 'from mbrobot import *\nleft()\ndelay(40000)\nstop()\nprint("done")');
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app), { timeout: 60_000 }).toContain('done');
-  await app.click(by('look-back-open'));
+  await app.click(by('mode-lookBack'));
   await until(app, by('save-run'));
   await app.click(by('save-run'));
   await until(app, by('save-run-pictures'));

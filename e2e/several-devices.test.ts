@@ -3,7 +3,7 @@ import { inWindow } from './arena';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
-import { on, openApp, pasteProgram, programIn, robotIn } from './page';
+import { enterMode, on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, gone, until } from './parts';
 import { openEditor, toolButton } from './pupil';
 import { tablet, withFingers } from './touch';
@@ -109,6 +109,7 @@ test(
     await app.click(toolButton('start'));
     await expect.poll(async () => (await robotIn(app)).xMm).toBe(FIRST[0]);
     await app.click(by('add-start'));
+    await enterMode(app, 'drive');
     await app.click(by('device'));
     await until(app, by('add-device'));
     await app.click(by('add-device'));
@@ -122,7 +123,6 @@ test(
     await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start[0] + 20);
     await app.click(on('stop'));
     await app.click(by('reset')); // both are where they start again
-    await app.click(toolButton('hand'));
     await app.draw(await inWindow(app, [1200, 900], [FIRST])); // the hand takes the robot of the device that is shown
     await until(app, `${card(0, '.select')}[aria-pressed="true"]`);
   },

@@ -58,6 +58,7 @@ for (const [width, height] of [
 
 test('the task is in reach in full screen', async ({ page }) => {
   await openTask(page, 1366, 768);
+  await page.click(by('show'));
   await page.click(by('fullscreen'));
   await expect(page.locator(by('task-text'))).toBeVisible();
   await expect.poll(() => isCovered(page)).toBe(false);

@@ -35,10 +35,8 @@ for (const { width, height, isTouch } of LOOKS)
         const use = (css: string): Promise<void> => (isTouch ? page.tap(css) : page.click(css));
         await openApp(app, { language, welcomed: true });
         const arena = page.locator('nav.nav button').nth(2);
-        if (await arena.isVisible()) {
-          await arena.tap();
-          await use(by('tools-toggle')); // elsewhere the tools are unfolded
-        }
+        if (await arena.isVisible()) await arena.tap();
+        await use(by('mode-build'));
         await expect(page.locator('[data-tool]')).toHaveCount(12);
         expect(await outOfReach(page, '[data-tool]')).toEqual([]);
 

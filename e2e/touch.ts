@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { inWindow } from './arena';
 import { playwrightApp, type App, type Place } from './app';
-import { SIZE, toolButton, toolsCame, type Pupil } from './pupil';
+import { build, SIZE, toolButton, toolsCame, type Pupil } from './pupil';
 
 /** A tablet held upright. */
 export const tablet = { viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true } as const;
@@ -90,6 +90,7 @@ export async function withFingers(page: Page): Promise<Pupil & { readonly finger
     app,
     fingers,
     async chooseTool(tool) {
+      await build(app);
       await fingers.tap(toolButton(tool));
       await toolsCame(app);
     },

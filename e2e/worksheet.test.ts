@@ -4,7 +4,7 @@ import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { closedLine, isThere, openWork, programIn } from './page';
 import { by, until } from './parts';
-import { fromMenu } from './pupil';
+import { build, fromMenu } from './pupil';
 
 /** The work of a teacher: a task with a start program, a model solution and a hidden world. */
 function teachersWork(): string {
@@ -78,7 +78,7 @@ test(
   async ({ app }) => {
     test.setTimeout(90_000);
     await openWork(app, teachersWork());
-    await until(app, by('course-more'));
+    await build(app);
     await fromMenu(app, by('course-more'), by('editor-print'), () => isThere(app, by('print-dialog')));
     await app.click(by('print-sheet'));
     await until(app, by('sheet-page'));

@@ -29,7 +29,7 @@ const DRIVING_MS = 6_000;
 async function chooseTool(page, tool) {
   if (tool === undefined) return;
   const button = page.locator(`[data-tool="${tool}"]`);
-  if (!(await button.isVisible())) await page.click('[data-testid="tools-toggle"]');
+  if (!(await button.isVisible())) await page.click('[data-testid="mode-build"]');
   await button.click();
 }
 

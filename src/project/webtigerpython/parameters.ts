@@ -19,7 +19,7 @@ const LAYOUT: ReadonlySet<string> = new Set([
 const TAKEN: ReadonlySet<string> = new Set([
   ...['code', 'device', 'playground'],
   ...['show', 'board', 'robot', 'task', 'world', 'seed', 'reality', 'speed', 'theme', 'muted', 'dialect', 'origin'],
-  ...['color', 'flag'],
+  ...['color', 'flag', 'mode'],
 ]);
 
 /** Parameters that platforms and search machines append to any link. */

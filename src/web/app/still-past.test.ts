@@ -40,7 +40,7 @@ describe('while somebody looks back', () => {
     page.run.look.back();
     page.editor.undo();
     expect(page.ids()).toEqual([samples.block.id]);
-    page.run.look.leave();
+    page.mode.enter('build');
     page.editor.undo();
     expect(page.ids()).toEqual([]);
   });
@@ -61,12 +61,5 @@ describe('while somebody looks back', () => {
     page.run.look.leave();
     page.work.addDevice(newBoard(page), 'A');
     expect(page.work.devices.value).toHaveLength(2);
-  });
-
-  it('only the hand works, and the tool comes back with the present', async () => {
-    const page = await lookingBack();
-    expect(page.editor.tool.value).toBe('hand');
-    page.run.look.leave();
-    expect(page.editor.tool.value).toBe('pen');
   });
 });

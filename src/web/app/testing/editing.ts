@@ -28,6 +28,8 @@ export async function editingPage(
 ): Promise<EditingPage> {
   const page = createPage();
   page.work.setScene({ ...defaultScene(), size: [1200, 900], objects, ...more }, null);
+  page.mode.enter('build');
+  page.editor.choose('hand');
   await nextTick(); // another course begins with nothing selected
   joinEditor(page.editor);
   const scene = (): Scene => page.work.scene.value;

@@ -369,7 +369,7 @@ describe('what is selected', () => {
 });
 
 describe('the palette', () => {
-  const palette = async (form = 'words') => {
+  const palette = async (form = 'bench') => {
     const page = await editingPage();
     const mounted = mountOn(page, ToolPalette, { form });
     const tool = (id: ArenaTool) => mounted.get<HTMLButtonElement>(`[data-tool="${id}"]`);
@@ -397,11 +397,11 @@ describe('the palette', () => {
     const { mounted, tool, focused, editor } = await palette();
     const stops = () => mounted.findAll('[tabindex="0"]').map((it) => it.attributes('data-tool'));
     tool('hand').element.focus();
-    await keyOn(tool('hand').element, 'ArrowDown');
+    await keyOn(tool('hand').element, 'ArrowRight');
     expect([focused(), stops()]).toEqual(['select', ['select']]);
     await keyOn(tool('select').element, 'End');
-    expect(focused()).toBe('ruler');
-    await keyOn(tool('ruler').element, 'ArrowRight');
+    expect(focused()).toBe('start');
+    await keyOn(tool('start').element, 'ArrowRight');
     expect(focused()).toBe('hand');
     expect(editor.tool.value).toBe('hand'); // arrow keys move without choosing
   });
@@ -411,15 +411,15 @@ describe('the palette', () => {
     await keyOn(tool('hand').element, 'ArrowDown');
     expect(focused()).toBe('rotate');
     await keyOn(tool('rotate').element, 'ArrowRight');
-    expect(focused()).toBe('pen');
+    expect(focused()).toBe('ruler');
   });
 
-  it('shows names in a column only; screen readers hear them always', async () => {
-    expect(textOf((await palette('words')).tool('pen').element)).toBe('Stift');
+  it('shows names wherever they have room; screen readers hear them always', async () => {
+    expect(textOf((await palette('bench')).tool('pen').element)).toBe('Stift');
     document.body.innerHTML = '';
-    const { tool, mounted } = await palette('strip');
+    const { tool, mounted } = await palette('pairs');
     expect([textOf(tool('pen').element), tool('pen').attributes('aria-label')]).toEqual(['', 'Stift']);
-    expect(mounted.attributes('aria-orientation')).toBe('horizontal');
+    expect(mounted.attributes('aria-orientation')).toBe('vertical');
   });
 
   it('moves the stop of the tab key along when a letter chooses a tool', async () => {
@@ -433,7 +433,7 @@ describe('the palette', () => {
 describe('undo and its keys', () => {
   const acting = async (page?: EditingPage) => {
     const on = page ?? (await editingPage([samples.wall, samples.block]));
-    const mounted = mountOn(on, EditorActions, { isOpen: true });
+    const mounted = mountOn(on, EditorActions);
     const place = document.createElement('div');
     place.setAttribute('data-editor-keys', '');
     place.innerHTML = '<button>Beside the arena</button>';
@@ -492,7 +492,7 @@ describe('undo and its keys', () => {
   });
 
   it('choose tools by letters, but only beside the arena and with the tools in sight', async () => {
-    const { editor, beside } = await acting();
+    const { editor, beside, mode } = await acting();
     await keyOn(document.body, 'p');
     expect(editor.tool.value).toBe('hand');
     await keyOn(beside, 'p');
@@ -501,7 +501,7 @@ describe('undo and its keys', () => {
     await keyOn(beside, 'w', { altKey: true });
     await keyOn(beside, 'q');
     expect(editor.tool.value).toBe('pen');
-    editor.setOpen(false);
+    mode.enter('drive');
     await nextTick();
     await keyOn(beside, 'p');
     expect(editor.tool.value).toBe('hand');
@@ -514,7 +514,7 @@ describe('the keys for what is selected, after a press beside the arena', () => 
   /** The page with the block selected, used in the arena, then in a place of this kind. */
   async function selecting(place: string) {
     const page = await editingPage([samples.wall, samples.block]);
-    mountOn(page, EditorActions, { isOpen: true });
+    mountOn(page, EditorActions);
     page.editor.choose('select');
     page.editor.select({ ids: ['block'], robot: false });
     document.body.insertAdjacentHTML(
@@ -695,13 +695,14 @@ describe('undo over a reload', () => {
   const reload = async (page: EditingPage) => {
     const next = await editingPage();
     next.work.setScene(page.scene(), null);
-    mountOn(next, EditorActions, { isOpen: true });
+    next.mode.enter('build');
+    mountOn(next, EditorActions);
     return next;
   };
 
   it('takes back what was done before, and does it again', async () => {
     const page = await editingPage([samples.wall, samples.block]);
-    mountOn(page, EditorActions, { isOpen: true });
+    mountOn(page, EditorActions);
     page.editor.commit({ type: 'remove', ids: ['wall'] });
     await vi.dynamicImportSettled();
     dispatchEvent(new Event('pagehide'));
@@ -716,12 +717,12 @@ describe('undo over a reload', () => {
 
   it('begins anew where the course is another one meanwhile', async () => {
     const page = await editingPage([samples.wall]);
-    mountOn(page, EditorActions, { isOpen: true });
+    mountOn(page, EditorActions);
     page.editor.commit({ type: 'remove', ids: ['wall'] });
     await vi.dynamicImportSettled();
     dispatchEvent(new Event('pagehide'));
     const next = await editingPage([samples.spikes]);
-    mountOn(next, EditorActions, { isOpen: true });
+    mountOn(next, EditorActions);
     await vi.dynamicImportSettled();
     expect([next.steps(), next.ids()]).toEqual([0, ['spikes']]);
   });
@@ -729,7 +730,7 @@ describe('undo over a reload', () => {
   it('is not troubled by what it cannot read', async () => {
     sessionStorage.setItem(KEY, '{"past":');
     const page = await editingPage([samples.wall]);
-    mountOn(page, EditorActions, { isOpen: true });
+    mountOn(page, EditorActions);
     await vi.dynamicImportSettled();
     page.editor.commit({ type: 'remove', ids: ['wall'] });
     page.editor.undo();

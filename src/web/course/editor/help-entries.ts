@@ -1,8 +1,8 @@
 import {
   mdiDeleteSweepOutline,
-  mdiDotsVertical,
   mdiFormatListBulleted,
   mdiImageOutline,
+  mdiMapMarkerPath,
   mdiPrinterOutline,
   mdiRedo,
   mdiTextBoxEditOutline,
@@ -13,7 +13,7 @@ import { h } from 'vue';
 
 import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
-import { toolGroups, toolLetters, type PaletteTool } from './palette/tool-list';
+import { allTools, toolLetters, type PaletteTool } from './palette/tool-list';
 import ToolIcon from './parts/ToolIcon.vue';
 import editingWords from './words/editing';
 import words from './words/help';
@@ -41,11 +41,11 @@ const tool = (id: PaletteTool): HelpEntry =>
 const { panels } = editingWords;
 
 export const helpEntries: readonly HelpEntry[] = [
-  ...toolGroups.flat().map(tool),
+  ...allTools.map(tool),
   entry('undo', mdiUndo, () => t('editing.undo'), 'undo'),
   entry('redo', mdiRedo, () => t('editing.redo'), 'redo'),
-  entry('course-more', mdiDotsVertical, () => t('editing.more'), 'course-more'),
-  entry('parts', mdiToyBrickOutline, () => t(panels.parts)),
+  entry('course-more', mdiMapMarkerPath, () => t('editing.more'), 'course-more'),
+  entry('parts', mdiToyBrickOutline, () => t(panels.parts), 'bench-parts'),
   entry('course-list', mdiFormatListBulleted, () => t(panels.list), 'editor-*', 'menu-print'),
   entry('course-settings', mdiTextBoxEditOutline, () => t(panels.course)),
   entry('background', mdiImageOutline, () => t(panels.background)),

@@ -1,6 +1,5 @@
 import type { JoinModels } from '../../session/models/session';
-import { courseEditorOf } from './state/parts';
 import { tellIdleHand } from './tell-idle-hand';
 
 /** The place to which the hand has put the robot can become the course's start. */
-export const join: JoinModels = (session) => tellIdleHand({ ...session, ...courseEditorOf(session) });
+export const join: JoinModels = (session) => tellIdleHand(session);

@@ -1,20 +1,16 @@
 import { watch } from 'vue';
 
-import type { CourseEditorParts } from './state/parts';
 import type { PageParts } from '../../kit/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 
-type Around = Pick<PageParts, 'notices'> &
-  Pick<RunParts, 'run' | 'hand'> &
-  Pick<WorkParts, 'work'> &
-  Pick<CourseEditorParts, 'editor'>;
+type Around = Pick<PageParts, 'notices'> & Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>;
 
 /**
  * Shows a notice when robot or blocks are moved by hand while there is no run: every run begins where the course has
  * them. The robot's place can be made the start.
  */
-export function tellIdleHand({ notices, run, hand, work, editor }: Around): void {
+export function tellIdleHand({ notices, run, hand, work }: Around): void {
   /**
    * Makes the robot's place the start. The code for it is loaded with the first press: few do it. Without a connection
    * nothing happens.
@@ -26,7 +22,7 @@ export function tellIdleHand({ notices, run, hand, work, editor }: Around): void
     const at = [Math.round(pose.xMm), Math.round(pose.yMm)] as const;
     const edit = edits.startingAt(work.scene.value, { at, heading: Math.round(pose.headingDeg) });
     hand.reset();
-    if (edit !== null) editor.commit(edit);
+    if (edit !== null) work.edit(edit);
   }
   watch([hand.pose, hand.blocks], ([pose, blocks]) => {
     const hasBlocks = Object.keys(blocks).length > 0;

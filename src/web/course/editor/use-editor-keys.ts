@@ -173,7 +173,7 @@ type Place = 'arena' | 'console' | null;
 
 /** The last place that the user clicked or moved the focus to; the page's bar does not count. */
 function useLastPlace(): Readonly<ShallowRef<Place>> {
-  const last = shallowRef<Place>(null);
+  const last = shallowRef<Place>('arena'); // building has just begun
   function use({ target }: Event): void {
     const pane = target instanceof Element ? target.closest('.pane, [data-editor-keys]') : null;
     if (pane === null) return;

@@ -106,7 +106,7 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
       if (problem !== null) return problem.message;
       if (work.staysAsItIs()) return LOOKED_BACK;
       if (work.locks.refusesStep('edit', { edit })) return KEPT;
-      app.editor.commit(edit);
+      work.edit(edit);
       return null;
     },
   };

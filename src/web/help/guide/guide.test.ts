@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { LANGUAGES } from '#core/languages';
-import { toolGroups } from '../../course/editor/palette/tool-list';
+import { allTools } from '../../course/editor/palette/tool-list';
 import { MENU, stepsFor } from '../tour/tour-steps';
 import type { GuideContent } from './content/content';
 import de from '../words/guide/de.json';
@@ -20,11 +20,12 @@ const sources = import.meta.glob<string>(
   [
     '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,MainMenu}.vue',
     '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
-    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaTail,ViewControls,ShowMenu,GhostItems}.vue',
+    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ModeControl,RobotSight,ViewMenu,GhostItems}.vue',
     '../../{exchange,help}/**/{ShareButton,LogoButton}.vue',
     '../../course/editor/{EditorActions,EditorMenu}.vue',
+    '../../course/editor/bench/*.vue',
     '../../pupil/debug/*.vue',
-    '../../pupil/look-back/LookBackHead.vue',
+    '../../pupil/look-back/{PastActions,PastFoot}.vue',
     '../../course/editor/palette/ToolPalette.vue',
     '../../**/contribution.ts',
     '../../teacher/*/desk-cards.ts',
@@ -81,12 +82,12 @@ describe('the help', () => {
 
   it('explains every tool of the palette', () => {
     const covered = new Set(entries.flatMap(({ covers }) => covers));
-    expect(toolGroups.flat().filter((tool) => !covered.has(tool))).toEqual([]);
+    expect(allTools.filter((tool) => !covered.has(tool))).toEqual([]);
   });
 
   it('names no control that is gone', () => {
     const there = new Set(Object.values(sources).flatMap((source) => controlsIn(source).flat()));
-    const elsewhere = new Set(['board', 'arena', 'console', 'console-input', ...toolGroups.flat()]); // no buttons
+    const elsewhere = new Set(['board', 'arena', 'console', 'console-input', ...allTools]); // no buttons
     const all = Object.values(sources).join('\n');
     const isThere = (name: string): boolean =>
       there.has(name) ||

@@ -43,7 +43,7 @@ const stop: TourStep = {
   isDone: (app) => !app.run.isActive.value,
 };
 const tools: TourStep = {
-  ...seen('tools', 'arena', '[data-testid="palette"]', '[data-testid="tools-toggle"]'),
+  ...seen('tools', 'arena', '.modes', '[data-testid="palette"]'),
   isDone: (app) => app.editor.isOpen.value,
 };
 const course = seen('course', null, '[data-testid="course"]', MENU);

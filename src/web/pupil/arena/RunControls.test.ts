@@ -5,7 +5,6 @@ import { editingPage, press } from '../../app/testing/editing';
 import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
 import { show, startRun } from '../../app/testing/run';
 import RunControls from './RunControls.vue';
-import ViewControls from './ViewControls.vue';
 
 describe('the buttons of a run', () => {
   const disabled = (name: string) => (named(name) as HTMLButtonElement).disabled;
@@ -38,23 +37,5 @@ describe('the buttons of a run', () => {
     await startRun(page);
     await show(page);
     expect(ids()).toEqual(['run', 'stop', 'reset']);
-  });
-
-  it('zoom and fit the arena; the figure of the zoom shows where it has room', async () => {
-    setWindow(1400);
-    const page = await editingPage();
-    const done: string[] = [];
-    const listeners = { onZoomIn: () => done.push('in'), onZoomOut: () => done.push('out'), onFit: () => done.push('fit'), onTrueSize: () => done.push('true') }; // prettier-ignore
-    const mounted = mountOn(page, ViewControls, { zoomPercent: 125, withPercent: true, ...listeners });
-    expect(mounted.find('.zoom').exists()).toBe(true);
-    await press('Vergrössern');
-    await press('Verkleinern');
-    await press('Ganze Arena zeigen');
-    expect([done, disabled('Ganze Arena zeigen')]).toEqual([['in', 'out', 'fit'], false]);
-    expect(textOf(document.querySelector('.zoom'))).toBe('125 %');
-    await press('Vergrösserung wählen');
-    await vi.waitFor(() => expect(document.querySelector('[data-testid="zoom-true"]')).not.toBeNull());
-    document.querySelector<HTMLElement>('[data-testid="zoom-true"]')?.click();
-    expect(done.at(-1)).toBe('true');
   });
 });

@@ -1,11 +1,30 @@
-import { mdiGhostOutline } from '@mdi/js';
+import { mdiEyeOutline, mdiGhostOutline, mdiRadar } from '@mdi/js';
 
 import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import showWords from '../../session/layout/words';
+import arenaWords from './words';
 import helpWords from './words/help';
 
 export const helpEntries: readonly HelpEntry[] = [
+  {
+    id: 'sight',
+    section: 'arena',
+    after: 'ask-why',
+    icon: mdiRadar,
+    name: () => t(arenaWords.view.sight),
+    text: () => t(helpWords.sight),
+    covers: ['robot-sight', 'show-sight'],
+  },
+  {
+    id: 'show',
+    section: 'arena',
+    after: 'sight',
+    icon: mdiEyeOutline,
+    name: () => t(arenaWords.view.title),
+    text: () => t(helpWords.view),
+    covers: ['show', 'show-*', 'fit', 'near', 'zoom-selected', 'zoom-true', 'cinema', 'fullscreen', 'page-back'],
+  },
   {
     id: 'ghosts',
     section: 'arena',

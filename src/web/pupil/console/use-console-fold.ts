@@ -14,7 +14,8 @@ export interface ConsoleFold {
 
 /**
  * Folds the console while it has nothing to say, and opens it for what a program prints or asks and for an error. What
- * a pupil has chosen by hand stays until the next run; an error or a question opens it all the same.
+ * a pupil has chosen by hand stays until the next run; an error or a question opens it all the same. While somebody
+ * looks back it is folded, unless they open it.
  */
 export function useConsoleFold({
   run,
@@ -25,7 +26,12 @@ export function useConsoleFold({
   const speaks = computed(() => run.isWaitingForInput.value || console.shown.value.some(says));
   /** A chart that is folded away would be none. */
   const canFold = computed(() => layout.canFold.value && !console.isChart.value);
-  const isFolded = computed(() => canFold.value && (chosen.value === null ? !speaks.value : chosen.value === 'folded'));
+  const isPast = computed(() => run.past.value !== null);
+  const isFolded = computed(() => {
+    if (!canFold.value) return false;
+    return chosen.value === null ? isPast.value || !speaks.value : chosen.value === 'folded';
+  });
+  watch(isPast, () => (chosen.value = null));
   watch(isFolded, (folded) => (layout.isConsoleFolded.value = folded), { immediate: true, flush: 'sync' });
   watch(run.phase, (phase) => {
     if (phase === 'starting') chosen.value = null;

@@ -33,6 +33,7 @@ async function pupil(
   const page = createPage();
   page.work.openProject(change(given(locks)), null);
   await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
+  page.mode.enter('build');
   const said = (): string | undefined => page.notices.current.value?.values?.['text'] as string | undefined;
   return { ...page, said };
 }
@@ -46,7 +47,7 @@ beforeEach(() => {
 });
 
 describe('a task with a locked course', () => {
-  it('is not changed by tools, undo or a host, and says so; the ruler stays', async () => {
+  it('is not changed by tools, undo or a host, and says so; nothing is built', async () => {
     const page = await pupil({ course: true });
     const { scene } = page.work;
     const before = scene.value;
@@ -55,8 +56,7 @@ describe('a task with a locked course', () => {
     page.editor.choose('pen');
     expect([scene.value === before, page.editor.tool.value]).toEqual([true, 'hand']);
     expect(page.said()).toMatch(/course|Parcours/);
-    page.editor.choose('ruler');
-    expect(page.editor.tool.value).toBe('ruler');
+    expect(page.mode.offered.value).toEqual(['drive']);
   });
 
   it('opens no window in which it would be built: not for a picture that is dropped, nor for the list; printing goes', async () => {
@@ -75,6 +75,7 @@ describe('a task with a locked course', () => {
 
   it('puts the tool away that was in the hand when it was opened', async () => {
     const page = createPage();
+    page.mode.enter('build');
     page.editor.choose('eraser');
     page.work.openProject(given({ course: true }), null);
     await vi.waitFor(() => expect(page.editor.tool.value).toBe('hand'));
@@ -223,6 +224,7 @@ describe('what is not the task', () => {
   it('is free: the teacher’s own copy of it, and what is opened after it', async () => {
     const page = await pupil({ course: true });
     page.work.openProject({ ...given({}), task: { version: 1, locks: { course: true } } }, null);
+    page.mode.enter('build');
     expect(page.editor.commit(BLOCK)).toBe(true);
   });
 
@@ -241,6 +243,7 @@ describe('what is not the task', () => {
     if (course !== undefined) useCourses(page).openScene(course);
     else page.work.setScene({ ...defaultScene(), name: 'Other' }, null);
     expect([page.work.locks.task.value, page.work.work.value.project.task]).toEqual([null, undefined]);
+    page.mode.enter('build');
     expect(page.editor.commit(BLOCK)).toBe(true);
   });
 });

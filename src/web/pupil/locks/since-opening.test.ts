@@ -20,6 +20,7 @@ async function hasty(locks: object, act: (page: TestPage) => unknown) {
   const page = createPage();
   useOpenings(page).open(given(locks), 'Task', true);
   expect(page.work.locks.task.value).toBeNull();
+  page.mode.enter('build');
   await act(page);
   await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
   return { ...page, said: () => page.notices.current.value?.values?.['text'] };

@@ -13,6 +13,6 @@ export const helpEntries: readonly HelpEntry[] = [
     icon: mdiAccountVoice,
     name: () => t(showWords.tell.title),
     text: () => t(words.help),
-    covers: ['tell-switch', 'tones-switch', 'show-tell', 'show-tones'],
+    covers: ['tell-switch', 'tones-switch', 'show-tones'],
   },
 ];

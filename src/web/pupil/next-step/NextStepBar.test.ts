@@ -53,7 +53,7 @@ describe('the bar at the foot of the arena', () => {
 
   it('follows the course while it is edited', async () => {
     const { text, editor } = await bar([samples.checkpoint, samples.target]);
-    editor.commit({ type: 'remove', ids: ['one'] });
+    editor.apply({ type: 'remove', ids: ['one'] });
     await nextTick();
     expect(text()).toBe('BereitErreiche das Ziel');
   });

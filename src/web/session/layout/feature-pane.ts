@@ -4,11 +4,12 @@ import type { Drawn } from '../../kit/features/drawn';
 import type { Pane } from './layout-model';
 
 /**
- * A pane, the row above the panes, or the card beside the program. A feature lists them in its `panes.ts`, which comes with the app: the page's first
- * picture consists of them.
+ * A pane, the row above the panes, the card beside the program, or the bench that stands in the place of panes while
+ * something is built. A feature lists them in its `panes.ts`, which comes with the app: the page's first picture consists
+ * of them.
  */
 export type FeaturePane = Drawn & {
-  readonly place: Pane | 'row' | 'card';
+  readonly place: Pane | 'row' | 'card' | 'bench';
   /** It is drawn inside the pane of this place, in that pane's slot of this name. */
   readonly slot?: string;
   /** True if it keeps its state while it is hidden. */

@@ -2,6 +2,8 @@ import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef
 
 import { PARTS, type Part } from '#embed/simulator';
 
+import type { ArenaMode } from '../mode/mode-model';
+import { panesOfMode } from './mode-grid';
 import type { HostView } from '../visit/host-view';
 import type { SettingsModel } from '../work/settings/settings-model';
 
@@ -54,6 +56,8 @@ export interface LayoutModel {
   readonly isAcross: Readonly<ShallowRef<boolean>>;
   /** True while the help takes its share of the page. The help itself sets it. */
   readonly isHelpShown: ShallowRef<boolean>;
+  /** The mode of the arena, to which the panes belong. The session sets it. */
+  readonly mode: ShallowRef<ArenaMode>;
 }
 
 /** Sizes of what a splitter moves, in px. */
@@ -141,12 +145,14 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
     const isTight = isHelpShown.value && besideHelp.value === 'some';
     return (isTight || (current.value.cinema && kind.value === 'wide')) && parts.value.includes('arena');
   });
+  const mode = shallowRef<ArenaMode>('drive');
   const isShown = computed(() => {
     const has = (pane: Pane): boolean =>
       arrangement.value === 'phone' ? tabNow.value === pane : parts.value.includes(pane);
     const isStacked = arrangement.value === 'phone';
     const board = has('board') && (isStacked || !isBoardAway.value);
-    return { code: has('code'), board, arena: has('arena'), console: has('console') };
+    const shown = { code: has('code'), board, arena: has('arena'), console: has('console') };
+    return isStacked ? shown : panesOfMode(mode.value, shown);
   });
   const console = useConsolePlace(arrangement);
   const isAcross = useFirstMatch(ACROSS, false);
@@ -154,7 +160,7 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
   const card = shallowRef<CardForm | null>(null);
   const isBoardSmall = computed(() => card.value === 'open' && arrangement.value !== 'phone');
   const cards = { card, isGreeting: shallowRef(false), isBoardSmall };
-  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, ...cards, ...console };
+  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, mode, ...cards, ...console };
 }
 
 type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;

@@ -2,7 +2,8 @@ import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../../kit/i18n/texts';
 import { cardGrid } from './card-grid';
-import { gridOf, limitsOf, withDeviceRow, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
+import { gridOfMode } from './mode-grid';
+import { limitsOf, withDeviceRow, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
 import type { WorkParts } from '../work/model/parts';
 import type { LayoutParts } from './parts';
 
@@ -44,17 +45,19 @@ export function usePaneGrid(
     const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
     return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
   });
+  const hasRow = (): boolean => work.hasSeveral.value && layout.mode.value !== 'build';
   const grid = computed(() => {
     // The row of devices takes its height from all others.
-    const rowPx = work.hasSeveral.value ? DEVICE_ROW_PX : 0;
+    const rowPx = hasRow() ? DEVICE_ROW_PX : 0;
     const free = { ...room.value, heightPx: room.value.heightPx - rowPx };
     const [kind, shown, card] = [layout.arrangement.value, layout.isShown.value, layout.card.value];
+    const mode = layout.mode.value;
     const panes =
-      card === null
-        ? gridOf(kind, shown, sizes.value, free)
+      card === null || mode !== 'drive'
+        ? gridOfMode(mode, kind, shown, sizes.value, free)
         : // An arena that has two thirds of the window leaves one column for all the others.
           cardGrid(kind === 'wide' && settings.current.value.cinema ? 'medium' : kind, shown, sizes.value, free, card);
-    return work.hasSeveral.value ? withDeviceRow(panes) : panes;
+    return hasRow() ? withDeviceRow(panes) : panes;
   });
   const style = computed(() => ({
     '--columns': grid.value.columns,

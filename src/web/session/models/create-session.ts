@@ -22,7 +22,7 @@ import { provideRun, type RunParts } from '../run/parts';
 import { SoundPlayer } from '../run/sound/sound-player';
 import { provideTask } from '../task/parts';
 import { createTask } from '../task/task-model';
-import { heldSettings } from '../visit/held-settings';
+import { heldByWish } from '../visit/held-settings';
 import { HostView, type HostWish } from '../visit/host-view';
 import { provideVisit } from '../visit/parts';
 import { fetchNameOf, firstCourse } from '../work/catalogue/first-course';
@@ -52,7 +52,7 @@ export function createSession(
 ): SessionParts {
   const page = { notices: createNotices(), dialogs: createDialogs(), late: new LateModels() };
   const host = new HostView(wish);
-  const settings = createSettings(heldSettings(wish.settings), (names) => locks.refusesSettings(names));
+  const settings = createSettings(heldByWish(wish), (names) => locks.refusesSettings(names));
   // The stored settings are those of other work; this one begins now.
   if (opened.work === null && wish.settings.arenaSenses === undefined) settings.bring(newWork);
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
@@ -71,7 +71,8 @@ export function createSession(
   followSettings({ ...mine, ...running });
   followCourse({ ...mine, ...running });
   const task = createTask({ ...mine, ...running }, window.parent === window, work.programs);
-  const mode = createMode({ ...mine, ...running });
+  const mode = createMode({ ...mine, ...running, host });
+  watch(mode.current, (now) => (sight.layout.mode.value = now), { immediate: true, flush: 'sync' });
   placeCard({ ...mine, ...sight, task, mode });
   return { ...page, ...mine, ...sight, ...running, host, task, mode };
 }

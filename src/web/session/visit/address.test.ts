@@ -17,6 +17,10 @@ describe('the address of the page', () => {
     expect(wishOf('/?unknown=1#section')).toEqual(nothing);
   });
 
+  it('names the mode in which the arena begins; looking back is up to a link to a run', () => {
+    expect(['build', 'drive', 'lookBack', ''].map((mode) => wishOf(`/?mode=${mode}`).mode)).toEqual(['build', 'drive', null, null]); // prettier-ignore
+  });
+
   it('is read in the query and behind #?, also below a path of WebTigerPython; the first of two counts', () => {
     expect(settingsOf('/?lang=fr')).toEqual({ language: 'fr' });
     expect(settingsOf('/#?lang=fr')).toEqual({ language: 'fr' });

@@ -30,6 +30,7 @@ export function hostWish(address: Address, page: PageData): HostWish {
   const given = parametersOf(address);
   return {
     settings: settingsIn(given, page),
+    mode: (['drive', 'build'] as const).find((one) => one === given.get('mode')) ?? null,
     dialect: dialectOf(given.get('dialect'), page['dialect']),
     keepsWork: page['keepsWork'] !== 'false',
     // A value that is not an origin belongs to nobody: it must not open the page to everybody.

@@ -1,6 +1,7 @@
 import { PARTS, type HostSettings, type Part } from '#embed/simulator';
 
 import type { Settings } from '../work/settings/settings';
+import type { HostWish } from './host-view';
 
 /** The app's own settings among those of a host. */
 export function heldSettings(wish: HostSettings): Partial<Settings> {
@@ -11,9 +12,15 @@ export function heldSettings(wish: HostSettings): Partial<Settings> {
   return { ...Object.fromEntries(own), ...shown };
 }
 
+/** The settings that a page begins with: those of its host or address, and the mode that they want. */
+export const heldByWish = ({ settings, mode }: Pick<HostWish, 'settings' | 'mode'>): Partial<Settings> => ({
+  ...heldSettings(settings),
+  ...(mode !== null && { showTools: mode === 'build' }),
+});
+
 /**
- * True if the tools are among the parts; `null` if all parts are, but perhaps the bar: then the tools are unfolded
- * where they have room, as without a host.
+ * True if the tools are among the parts: then the page begins with building. `null` if all parts are, but perhaps the
+ * bar: then it begins as without a host.
  */
 const toolsIn = (parts: readonly Part[]): boolean | null => {
   const isWhole = PARTS.every((part) => part === 'bar' || parts.includes(part));

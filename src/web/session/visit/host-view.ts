@@ -6,6 +6,8 @@ import type { HostSettings, Part, SimulatorEvent } from '#embed/simulator';
 export interface HostWish {
   /** Settings of this visit; none of them is stored. */
   readonly settings: HostSettings;
+  /** The mode in which the arena begins; `null`: as the pupil has left it. A link to a run looks back in any case. */
+  readonly mode: 'drive' | 'build' | null;
   /** The dialect that the page speaks before it is asked, or `null`: it then answers only a hello. */
   readonly dialect: 'microbit' | 'webtigerpython' | null;
   /** True if the work of this page is stored in the browser; pages that a host fills forget it. */
@@ -21,6 +23,7 @@ export interface HostWish {
 /** The page as it is without any host. */
 export const noHost: HostWish = {
   settings: {},
+  mode: null,
   dialect: null,
   keepsWork: true,
   origins: [],

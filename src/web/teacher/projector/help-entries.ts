@@ -13,6 +13,6 @@ export const helpEntries: readonly HelpEntry[] = [
     icon: mdiProjectorScreenOutline,
     name: () => t(showWords.projector.title),
     text: () => t(words.help),
-    covers: ['menu-projector', 'show-projector', 'projector-open'],
+    covers: ['menu-projector', 'projector-open'],
   },
 ];

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
-import { toolGroups, toolLetters, toolOfLetter } from './tool-list';
+import { allTools, toolLetters, toolOfLetter } from './tool-list';
 
 describe('the letters of the tools', () => {
   it('are all different, one for each of the twelve tools', () => {
-    expect(toolGroups.flat()).toHaveLength(12);
+    expect(allTools).toHaveLength(12);
     expect(new Set(Object.values(toolLetters)).size).toBe(12);
   });
   it('choose the tool they stand for', () => {

@@ -1,16 +1,18 @@
 import type { ArenaTool } from '../state/course-editor-model';
 
 /** The tools in the order of the palette, in groups that belong together. */
-export const toolGroups: readonly (readonly PaletteTool[])[] = [
-  ['hand', 'select', 'rotate'],
-  ['pen', 'eraser'],
-  ['block', 'wall', 'maze'],
-  ['zone', 'label'],
-  ['start', 'ruler'],
-];
+export const toolGroups = {
+  move: ['hand', 'select', 'rotate', 'ruler'],
+  draw: ['pen', 'eraser', 'maze', 'label'],
+  put: ['block', 'wall', 'zone', 'start'],
+} as const satisfies Readonly<Record<string, readonly PaletteTool[]>>;
+export type ToolGroup = keyof typeof toolGroups;
 
 /** A tool that the palette shows; the other one bends a line that is selected. */
 export type PaletteTool = Exclude<ArenaTool, 'points'>;
+
+/** All tools, in that order. */
+export const allTools: readonly PaletteTool[] = Object.values(toolGroups).flat();
 
 /** The letter that chooses a tool while the arena or the palette has the focus. */
 export const toolLetters: Readonly<Record<PaletteTool, string>> = {
@@ -30,4 +32,4 @@ export const toolLetters: Readonly<Record<PaletteTool, string>> = {
 
 /** The tool that a letter chooses. */
 export const toolOfLetter = (letter: string): PaletteTool | undefined =>
-  toolGroups.flat().find((tool) => toolLetters[tool] === letter);
+  allTools.find((tool) => toolLetters[tool] === letter);

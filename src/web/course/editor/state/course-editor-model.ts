@@ -9,8 +9,7 @@ import type { Scene } from '#scene/scene';
 
 import { Clipboard } from './clipboard';
 import { waitsForStart } from './waiting';
-import type { LayoutKind } from '../../../session/layout/layout-model';
-import type { SettingsModel } from '../../../session/work/settings/settings-model';
+import type { ModeModel } from '../../../session/mode/mode-model';
 import type { WorkModel } from '../../../session/work/model/work-model';
 
 /** The action of a pointer in the arena: a tool edits the course, the hand reaches into the run. */
@@ -65,15 +64,17 @@ export interface EditorView {
   readonly middle: (abovePx: number) => Vec;
   /** How near counts as on a thing, in mm. */
   readonly reachMm: () => number;
+  /** Brings a place (world mm) into sight and lets it flash. */
+  readonly show: (atMm: Vec) => void;
 }
 
 /** The state of the course editor: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
-  /** While somebody looks back it is the hand; what was chosen comes back with the present. */
+  /** The hand wherever nothing is built; what was chosen comes back with building. */
   readonly tool: ComputedRef<ArenaTool>;
   readonly options: Readonly<ShallowRef<ToolOptions>>;
   readonly selection: Readonly<ShallowRef<Selection>>;
-  /** True if the palette is unfolded. While it is folded, only the hand works. */
+  /** True while the course is built: then the tools are there, and only then do they work. */
   readonly isOpen: ComputedRef<boolean>;
   /** True if snapping is off. */
   readonly free: ShallowRef<boolean>;
@@ -107,12 +108,15 @@ export interface CourseEditorModel {
   readonly choose: (tool: ArenaTool) => void;
   readonly setOptions: (part: Partial<ToolOptions>) => void;
   readonly select: (selection: Selection) => void;
-  /** Applies an edit to the course and the run, as one step to undo. Returns whether it was accepted. */
+  /**
+   * Applies an edit to the course and the run, as one step to undo. Returns whether it was accepted: nothing is while
+   * nothing is built.
+   */
   readonly commit: (edit: SceneEdit, select?: Selection) => boolean;
+  /** The same for a window on the course that belongs to no mode. */
+  readonly apply: (edit: SceneEdit) => boolean;
   readonly undo: () => void;
   readonly redo: () => void;
-  /** Unfolds the palette, or folds it away. */
-  readonly setOpen: (open: boolean) => void;
   /** Called by the part that is loaded on first use. */
   readonly join: (parts: EditorParts) => void;
 }
@@ -120,13 +124,10 @@ export interface CourseEditorModel {
 /** The models that the editor depends on. */
 export interface EditorSurroundings {
   readonly work: WorkModel;
-  readonly settings: SettingsModel;
-  readonly kind: Readonly<ShallowRef<LayoutKind>>;
+  readonly mode: Pick<ModeModel, 'current'>;
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
   /** True if a run is under way. */
   readonly isActive: Readonly<ShallowRef<boolean>>;
-  /** The moment that is looked at instead of now; `null`: nobody looks back. */
-  readonly past: Readonly<ShallowRef<unknown>>;
 }
 
 /** Creates the course editor's state, which lives as long as the app. */
@@ -138,8 +139,9 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
   onScopeDispose(
     around.work.onStep(({ type, step, without }) => editor.tell({ type, scene: without, edit: step.edit })),
   );
+  // What is selected can be changed: it is only while something is built.
   watch(editor.isOpen, (open) => {
-    if (!open) editor.choose('hand');
+    if (!open) editor.letGo();
   });
   return editor;
 }
@@ -147,7 +149,8 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
 /** The functions of the model are bound to it and can be passed on alone. */
 class CourseEditor implements CourseEditorModel {
   readonly tool: ComputedRef<ArenaTool>;
-  private readonly chosen = shallowRef<ArenaTool>('hand');
+  /** `null`: none yet. Building begins with selecting. */
+  private readonly chosen = shallowRef<ArenaTool | null>(null);
   readonly options = shallowRef<ToolOptions>(usualToolOptions);
   readonly selection = shallowRef(nothingSelected);
   readonly free = shallowRef(false);
@@ -168,23 +171,24 @@ class CourseEditor implements CourseEditorModel {
   private parts: EditorParts | null = null;
 
   constructor(private readonly around: EditorSurroundings) {
-    const { settings, kind, work, runStart, isActive, past } = around;
+    const { mode, work, runStart, isActive } = around;
     this.runStart = runStart;
     this.unfinished = work.unfinished;
-    this.tool = computed(() => (past.value === null ? this.chosen.value : 'hand'));
-    // On a phone the arena needs the room; elsewhere the tools are shown.
-    this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
+    this.isOpen = computed(() => mode.current.value === 'build');
+    this.tool = computed(() => {
+      if (!this.isOpen.value) return 'hand';
+      return this.chosen.value ?? (work.locks.hasTool('select') ? 'select' : 'hand');
+    });
     this.isWaiting = computed(
       () => isActive.value && runStart.value !== null && waitsForStart(runStart.value, work.scene.value),
     );
   }
 
   readonly choose = (tool: ArenaTool): void => {
-    const { work, past } = this.around;
-    if (work.locks.refusesTool(tool) || (past.value !== null && tool !== 'hand')) return;
+    if (this.around.work.locks.refusesTool(tool) || !this.isOpen.value) return;
     this.drag.value = null;
     this.measure.value = null;
-    if (tool === this.chosen.value) return;
+    if (tool === this.tool.value) return;
     this.chosen.value = tool;
     if (tool !== 'select' && tool !== 'rotate' && tool !== 'points') this.selection.value = nothingSelected;
     this.tell({ type: 'tool', tool });
@@ -201,6 +205,13 @@ class CourseEditor implements CourseEditorModel {
   };
 
   readonly commit = (edit: SceneEdit, select?: Selection): boolean => {
+    if (this.isShut()) return false;
+    const done = this.apply(edit);
+    if (this.problem.value === null && select !== undefined) this.selection.value = select;
+    return done;
+  };
+
+  readonly apply = (edit: SceneEdit): boolean => {
     const { work } = this.around;
     this.problem.value = this.parts?.problemOf(work.scene.value, edit) ?? null;
     if (this.problem.value !== null) {
@@ -208,22 +219,23 @@ class CourseEditor implements CourseEditorModel {
       return false;
     }
     this.drag.value = null;
-    const done = work.edit(edit);
-    if (select !== undefined) this.selection.value = select;
-    return done;
+    return work.edit(edit);
   };
+
+  /** True where nothing is built. While somebody looks back, the reason is shown. */
+  private isShut(): boolean {
+    return this.around.work.staysAsItIs() || !this.isOpen.value;
+  }
 
   readonly undo = (): void => {
     this.drag.value = null;
-    this.around.work.undo();
+    if (!this.isShut()) this.around.work.undo();
   };
 
   readonly redo = (): void => {
     this.drag.value = null;
-    this.around.work.redo();
+    if (!this.isShut()) this.around.work.redo();
   };
-
-  readonly setOpen = (open: boolean): void => this.around.settings.change({ showTools: open });
 
   readonly join = (parts: EditorParts): void => {
     const isFirst = this.parts === null;
@@ -241,11 +253,18 @@ class CourseEditor implements CourseEditorModel {
     if (left.length < ids.length) this.selection.value = { ids: left, robot };
   }
 
-  /** Starts afresh for another course. */
-  reset(): void {
+  /** Deselects everything, and drops what is under way. */
+  letGo(): void {
     this.selection.value = nothingSelected;
     this.drag.value = null;
     this.measure.value = null;
+    this.menu.value = null;
+    this.words.value = null;
+  }
+
+  /** Starts afresh for another course. */
+  reset(): void {
+    this.letGo();
     this.problem.value = null;
   }
 

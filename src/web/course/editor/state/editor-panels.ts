@@ -1,8 +1,9 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { Scene } from '#scene/scene';
 
 import type { LayoutParts } from '../../../session/layout/parts';
+import type { ModeParts } from '../../../session/mode/parts';
 import type { WorkParts } from '../../../session/work/model/parts';
 
 /** The parts of the editor that have a window of their own. */
@@ -20,21 +21,31 @@ export interface EditorPanels {
   readonly printed: ShallowRef<Scene | null>;
   /** The picture file from which the floor is being made; `null`: none. */
   readonly picture: ShallowRef<Blob | null>;
-  /** Opens a picture as a floor to be. Returns `false` where the page has no arena. */
+  /** Opens a picture as a floor to be, which begins building. Returns `false` where the page has no arena. */
   readonly offer: (picture: Blob) => boolean;
 }
 
 /** Creates the model of the editor's windows, all closed. */
 export function createEditorPanels({
+  work,
   layout,
   settings,
-}: Pick<LayoutParts, 'layout'> & Pick<WorkParts, 'settings'>): EditorPanels {
+  mode,
+}: Pick<LayoutParts, 'layout'> & WorkParts & ModeParts): EditorPanels {
   const shown = shallowRef<EditorPanel | null>(null);
   const picture = shallowRef<Blob | null>(null);
   const printed = shallowRef<Scene | null>(null);
+  const isShut = (): boolean => mode.current.value !== 'build';
+  // All but the one that prints belong to building.
+  watch(mode.current, () => {
+    if (!isShut() || shown.value === 'print') return;
+    shown.value = picture.value = printed.value = null;
+  });
   return {
     shown,
-    open: (panel) => void (shown.value = panel),
+    open(panel) {
+      if (panel === 'print' || !isShut()) shown.value = panel;
+    },
     close() {
       shown.value = printed.value === null ? null : 'parts';
       picture.value = printed.value = null;
@@ -46,6 +57,9 @@ export function createEditorPanels({
       if (!layout.tabs.value.includes('arena')) return false;
       settings.change({ showArena: true });
       layout.tab.value = 'arena';
+      if (work.staysAsItIs()) return true;
+      mode.enter('build');
+      if (isShut() && work.locks.refuses('course')) return true;
       picture.value = file;
       shown.value = 'background';
       return true;

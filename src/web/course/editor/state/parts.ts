@@ -2,6 +2,7 @@ import { lateParts } from '../../../kit/part';
 import { usePage } from '../../../kit/parts';
 import type { WithLate } from '../../../kit/state/late-models';
 import { useLayout, type LayoutParts } from '../../../session/layout/parts';
+import { useMode, type ModeParts } from '../../../session/mode/parts';
 import { useRun, type RunParts } from '../../../session/run/parts';
 import { useWork, type WorkParts } from '../../../session/work/model/parts';
 import { createCourseEditor, type CourseEditorModel } from './course-editor-model';
@@ -14,15 +15,12 @@ export interface CourseEditorParts {
 }
 
 /** The models that the editor needs. */
-type Around = WorkParts & Pick<RunParts, 'run' | 'runStart'> & Pick<LayoutParts, 'layout'> & WithLate;
+type Around = WorkParts & ModeParts & Pick<RunParts, 'run' | 'runStart'> & Pick<LayoutParts, 'layout'> & WithLate;
 
 export const [courseEditorOf, useCourseEditor] = lateParts(
-  () => ({ ...usePage(), ...useWork(), ...useRun(), ...useLayout() }),
-  ({ work, settings, run, runStart, layout }: Around): CourseEditorParts => {
-    const { kind } = layout;
-    return {
-      editor: createCourseEditor({ work, settings, kind, runStart, isActive: run.isActive, past: run.past }),
-      panels: createEditorPanels({ layout, settings }),
-    };
-  },
+  () => ({ ...usePage(), ...useWork(), ...useRun(), ...useLayout(), ...useMode() }),
+  ({ work, settings, run, runStart, layout, mode }: Around): CourseEditorParts => ({
+    editor: createCourseEditor({ work, mode, runStart, isActive: run.isActive }),
+    panels: createEditorPanels({ work, layout, settings, mode }),
+  }),
 );

@@ -44,21 +44,7 @@ export const PROGRAM_IDS = [
 export const BOARD_IDS = ['buttons', 'sensors', 'radio', 'log'] as const;
 
 /** Around the arena. */
-export const ARENA_IDS = [
-  'arena-hand',
-  'tools',
-  'look-back',
-  'ask-why',
-  'show',
-  'readings',
-  'zoom',
-  'zoom-to',
-  'fit',
-  'near',
-  'cinema',
-  'fullscreen',
-  'verdict',
-] as const;
+export const ARENA_IDS = ['arena-hand', 'look-back', 'ask-why', 'readings', 'verdict'] as const;
 
 /** The console. */
 export const CONSOLE_IDS = [

@@ -24,5 +24,6 @@ export function arenaSight(
       return middleBetween(inMm(0, 0), inMm(widthPx, heightPx));
     },
     reachMm: () => surface.reachMm,
+    show: (atMm) => picture.showPlace(atMm),
   };
 }

@@ -61,7 +61,7 @@ export interface Settings {
   readonly lidarUnit: LidarUnit;
   /** True if the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
-  /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
+  /** The course is built: the tools are there (`session/mode`). `null`: not chosen yet, and the arena drives. */
   readonly showTools: boolean | null;
   /** The card of a task is unfolded; otherwise it is its title line. */
   readonly showCard: boolean;

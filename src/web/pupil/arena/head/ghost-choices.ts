@@ -1,12 +1,12 @@
 import { computed, type ComputedRef } from 'vue';
 
-import { numberText } from '../../kit/i18n/number-text';
-import { shownLanguage, t } from '../../kit/i18n';
-import type { EarlierRun, GhostWish } from '../run/earlier-runs';
-import type { RunParts } from '../run/parts';
-import { hardwareNow } from '../work/hardware/use-hardware';
-import type { WorkParts } from '../work/model/parts';
-import showWords from './words';
+import { numberText } from '../../../kit/i18n/number-text';
+import { shownLanguage, t } from '../../../kit/i18n';
+import type { EarlierRun, GhostWish } from '../../../session/run/earlier-runs';
+import type { RunParts } from '../../../session/run/parts';
+import { hardwareNow } from '../../../session/work/hardware/use-hardware';
+import type { WorkParts } from '../../../session/work/model/parts';
+import showWords from '../../../session/layout/words';
 
 const words = showWords.ghost;
 

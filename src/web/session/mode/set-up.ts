@@ -1,0 +1,4 @@
+import { useModeKeys } from './mode-keys';
+
+/** Enters modes by keys. */
+export const setUp = useModeKeys;
