@@ -293,7 +293,7 @@ const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
-    name: 'editor-bars',
+    name: 'editor-tools',
     test: /\/course\/editor\/(EditorActions\.vue|palette\/|parts\/ToolIcon)/,
   },
   { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
