@@ -109,7 +109,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   panes: ofKey(mdiViewDashboardOutline, 'menu.panes', 'pane-board', 'pane-arena', 'bar.showBoard', 'bar.hideBoard', 'bar.showArena', 'bar.hideArena'), // prettier-ignore
   'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
-  'new-file': ofKey(mdiPlus, 'code.newFile'),
+  'new-file': of(mdiPlus, () => t('code.newFile')),
   'file-menu': of(mdiDotsVertical, () => t('code.fileMenu', { file: 'main.py' }), 'code.fileMenu'),
   commands: ofOwn(mdiPuzzleOutline, 'commands', 'commands-toggle'),
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
