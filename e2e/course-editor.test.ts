@@ -16,18 +16,7 @@ import {
 } from './course-tasks';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
-import {
-  build,
-  canUndo,
-  clearAll,
-  courseMenu,
-  fromMenu,
-  listOf,
-  openEditor,
-  rowsIn,
-  toolButton,
-  withMouse,
-} from './pupil';
+import { build, canUndo, clearAll, courseMenu, fromMenu, listOf, openEditor, rowsIn, withMouse } from './pupil';
 
 test('with the mouse: a track is drawn, and the robot follows it', async ({ app }) => {
   await drawTrackAndFollow(withMouse(app));

@@ -4,7 +4,6 @@ import { FORTY_LINES, fortyObjects, largeProject } from '../src/project/testing/
 import { expect, test } from './app';
 import { linkFrom } from './course-tasks';
 import { programIn } from './page';
-import { by, until } from './parts';
 import { openEditor } from './pupil';
 
 /** Knows no ready course: all of the course is in the link. */

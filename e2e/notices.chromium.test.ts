@@ -4,7 +4,6 @@ import { linkOf } from '../src/project/link/link';
 import { taskProject } from '../src/project/testing/projects';
 import { expect, playwrightApp, warmTest as test } from './app';
 import { openApp, pasteProgram } from './page';
-import { by } from './parts';
 
 /** A link that is opened over a pupil's own work: its message says so, and offers to take it back. */
 function link(): string {

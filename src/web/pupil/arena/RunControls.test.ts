@@ -1,41 +1,54 @@
 // @vitest-environment happy-dom
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
 
-import { editingPage, press } from '../../app/testing/editing';
-import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, setWindow } from '../../app/testing/mount-on';
+import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
 import RunControls from './RunControls.vue';
 
-describe('the buttons of a run', () => {
-  const disabled = (name: string) => (named(name) as HTMLButtonElement).disabled;
+function controls() {
+  const page = createPage();
+  const mounted = mountOn(page, RunControls);
+  const ids = () => mounted.findAll('button').map((it) => it.attributes('data-testid'));
+  return { page, mounted, ids };
+}
 
-  it('can start at first, and neither stop nor pause', async () => {
-    const page = await editingPage();
-    const mounted = mountOn(page, RunControls);
-    const off = () => mounted.findAll('button').filter((it) => (it.element as HTMLButtonElement).disabled).map((it) => it.attributes('data-testid')); // prettier-ignore
-    expect(off()).toEqual(['stop', 'pause']);
+describe('the buttons of a run', () => {
+  it('are Run alone at first, and each other one while it can be used', async () => {
+    const { page, ids } = controls();
+    expect(ids()).toEqual(['run']);
     await startRun(page);
     await show(page);
-    expect(off()).not.toContain('stop');
+    expect(ids()).toEqual(['run', 'stop', 'pause', 'reset']);
   });
 
   it('stop the run that is under way', async () => {
-    const page = await editingPage();
-    const mounted = mountOn(page, RunControls);
+    const { page, mounted } = controls();
     await startRun(page);
     await show(page);
     await mounted.get('[data-testid="stop"]').trigger('click');
     expect(page.sent.at(-1)?.type).toBe('stop');
   });
 
-  it('are fewer on a phone: stop shows only while there is something to stop', async () => {
-    setWindow(400);
-    const page = await editingPage();
-    const mounted = mountOn(page, RunControls);
-    const ids = () => mounted.findAll('button').map((it) => it.attributes('data-testid'));
-    expect(ids()).toEqual(['run', 'reset']);
+  it('leave time to the other modes: looking back has its own way through it, building has none', async () => {
+    const { page, ids } = controls();
     await startRun(page);
     await show(page);
-    expect(ids()).toEqual(['run', 'stop', 'reset']);
+    page.mode.enter('lookBack');
+    await nextTick();
+    expect(ids()).toEqual(['run', 'reset']);
+    page.mode.enter('build');
+    await nextTick();
+    expect(ids()).toEqual(['run']);
+  });
+
+  it('are fewer on a phone: run or stop', async () => {
+    setWindow(400);
+    const { page, ids } = controls();
+    expect(ids()).toEqual(['run']);
+    await startRun(page);
+    await show(page);
+    expect(ids()).toEqual(['stop', 'pause']);
   });
 });

@@ -25,6 +25,8 @@ export interface TaskModel {
   readonly isOpen: Readonly<Ref<boolean>>;
   /** The form of the card; `null`: there is none, because there is nothing to do or nobody has asked for it. */
   readonly card: ComputedRef<CardForm | null>;
+  /** True while a drive takes the place of the card where there is room for one alone, unless the card was asked for. */
+  readonly givesWay: ComputedRef<boolean>;
   /** True from the opening of a task until its card has taken the keys and said what there is to do. */
   readonly isNew: ShallowRef<boolean>;
   /** Number of hints asked for since the course was opened. */
@@ -59,6 +61,9 @@ export function createTask(
   const isAsked = shallowRef(false);
   const hints = shallowRef(0);
   const isNew = shallowRef(false);
+  /** True if the card was asked for since the present run began. */
+  const isWanted = shallowRef(false);
+  watch(run.isActive, () => (isWanted.value = false));
   const ready = computed(() => {
     const id = work.work.value.project.course;
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
@@ -96,11 +101,15 @@ export function createTask(
     stars,
     isOpen,
     card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
+    givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value),
     isNew,
     hints,
     checked: shallowRef(null),
     handIn: createHandIn({ work }),
-    open: () => show(true),
+    open() {
+      isWanted.value = true;
+      show(true);
+    },
     present() {
       isNew.value = true;
       show(true);
@@ -126,7 +135,7 @@ function keepStars(
   stars: KeptStars,
 ): void {
   const won = computed(() => {
-    const verdict = run.snapshot.value?.verdict;
+    const verdict = run.present.value?.verdict; // whoever looks back wins nothing again
     return verdict?.state === 'passed' ? (verdict.stars ?? 0) : 0;
   });
   watch(won, (count) => {

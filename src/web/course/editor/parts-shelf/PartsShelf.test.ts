@@ -46,7 +46,7 @@ describe('the shelf of parts', () => {
 
   it('inserts in the middle of what is seen of the arena, and beside what stands there', async () => {
     const { scene, editor } = await opened();
-    editor.view.value = { at: () => null, middle: () => ({ x: 300, y: 200 }), reachMm: () => 8 };
+    editor.view.value = { show: () => undefined, at: () => null, middle: () => ({ x: 300, y: 200 }), reachMm: () => 8 };
     card('gate')!.click();
     card('gate')!.click();
     await nextTick();
@@ -63,7 +63,7 @@ describe('the shelf of parts', () => {
   it('brings a part onto the course by a drag, with the end of its line onto the end of a line; Escape drops it', async () => {
     const line = { type: 'stroke', id: 's', points: [[103, 407], [223, 407]], width: 20, color: 'black' } as const; // prettier-ignore
     const { scene, editor, steps } = await opened([line]);
-    editor.view.value = { at: (x, y) => (x < 500 ? null : { x: x - 500, y }), middle: () => ({ x: 0, y: 0 }), reachMm: () => 8 }; // prettier-ignore
+    editor.view.value = { show: () => undefined, at: (x, y) => (x < 500 ? null : { x: x - 500, y }), middle: () => ({ x: 0, y: 0 }), reachMm: () => 8 }; // prettier-ignore
     const point = (type: string, x: number, y: number, at: EventTarget = window) =>
       at.dispatchEvent(new PointerEvent(type, { pointerId: 1, button: 0, clientX: x, clientY: y, bubbles: true }));
     point('pointerdown', 40, 400, card('straight')!);
