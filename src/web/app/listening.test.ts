@@ -437,8 +437,9 @@ describe('how a run ends, in the console and at the foot of the page', () => {
     expect(notes()).toEqual(['console.stopped']);
   });
 
-  it('shows an error on a phone above whatever tab is open, with the way to the console', async () => {
+  it('shows an error on a phone above the arena, with the way to the line', async () => {
     const { page, end } = await running(390);
+    page.layout.tab.value = 'arena';
     await end(failed);
     await vi.waitFor(() => expect(page.notices.current.value).not.toBeNull(), 20_000);
     expect(page.notices.current.value).toMatchObject({
@@ -447,7 +448,7 @@ describe('how a run ends, in the console and at the foot of the page', () => {
       values: { file: 'main.py', line: 2 },
     });
     page.notices.current.value?.action?.run();
-    expect(page.layout.isShown.value.console).toBe(true);
+    expect(page.layout.isShown.value.code).toBe(true);
   });
 
   it('shows it there only where the console is out of sight', async () => {

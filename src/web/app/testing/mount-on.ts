@@ -89,3 +89,10 @@ function nameOf(element: HTMLElement): string {
     ? (element.getAttribute('aria-label') ?? (label ? textOf(label) : textOf(element)))
     : texts(by).join(' ');
 }
+
+/** The way back through the history leads to the address without a page, at once; happy-dom's leads nowhere. */
+export const goBackAtOnce = (): void =>
+  void vi.spyOn(history, 'go').mockImplementation(() => {
+    history.replaceState(null, '', location.pathname + location.search);
+    dispatchEvent(new PopStateEvent('popstate'));
+  });

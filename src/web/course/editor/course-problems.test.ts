@@ -122,6 +122,7 @@ describe('changes during a run', () => {
     const page = await building([samples.wall]);
     await startRun(page);
     await show(page);
+    page.mode.enter('build');
     page.editor.commit({ type: 'remove', ids: ['wall'] });
     await page.settle();
     expect(page.waiting.value).toBe('Wand: gilt erst, wenn du neu startest.');

@@ -34,6 +34,7 @@ describe('the hand while no run goes on', () => {
     await vi.dynamicImportSettled();
     expect(page.work.scene.value.robot).toMatchObject({ at: [300, 200], heading: 30 });
     expect([page.hand.pose.value, page.notices.current.value]).toEqual([null, null]);
+    page.mode.enter('build');
     page.editor.undo();
     expect(page.work.scene.value.robot).toEqual(before);
   });

@@ -142,7 +142,7 @@ describe('the address with which the page is called', () => {
     const page = called(`/?code=${code}`);
     await vi.waitFor(() => expect(program(page)).toBe('while True:\n    pass\n'));
     await vi.waitFor(() => expect(location.search).toBe(''));
-    expect(page.task.isOpen.value).toBe(false);
+    expect(page.task.isNew.value).toBe(false);
     expect(page.work.arrivals.value).toBe(0);
   });
 

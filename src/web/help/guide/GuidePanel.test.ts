@@ -62,10 +62,10 @@ describe('the help', () => {
 
   it('opens at a requested entry: its section is unfolded and it has the keyboard', async () => {
     const { page } = await help();
-    page.guide.open('sound');
+    page.guide.open('speed');
     await nextTick();
     await nextTick();
-    expect(document.activeElement?.id).toBe('guide-sound');
+    expect(document.activeElement?.id).toBe('guide-speed');
     expect(unfolded()).toContain('Obere Leiste');
   });
 
@@ -143,11 +143,11 @@ describe('the search of the help', () => {
   it('gives way to an entry that is asked for', async () => {
     const { page } = await help();
     await search('Stopp');
-    page.guide.open('sound');
+    page.guide.open('speed');
     await nextTick();
     await nextTick();
     expect(fieldById('guide-search').value).toBe('');
-    expect(document.activeElement?.id).toBe('guide-sound');
+    expect(document.activeElement?.id).toBe('guide-speed');
   });
 });
 

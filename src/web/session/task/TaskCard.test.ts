@@ -143,7 +143,6 @@ describe('the card of a task', () => {
   it('has the goals and a hint alone above the course of a phone once it was read', async () => {
     setWindow(390, 844);
     const page = await editingPage([samples.target], { description: 'Los.', task: { ...sceneDefaults.task, card: { ...sceneDefaults.card, hints: ['Weiter!'] } } }); // prettier-ignore
-    expect(page.layout.tab.value).toBe('arena');
     const mounted = mountOn(page, TaskCard, { inArena: true });
     const seen = () => ['.markup', '.goals', '[data-testid="hint"]'].map((css) => mounted.find(css).exists());
     expect(seen()).toEqual([true, true, false]);

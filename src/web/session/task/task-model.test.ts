@@ -82,6 +82,7 @@ describe('the card of the task', () => {
     useCourses(page).openWhole(readyCourse('empty')!);
     await nextTick();
     expect(page.task.text.value.text).not.toBe('');
+    page.mode.enter('build');
     page.editor.commit({ type: 'add', objects: [samples.target] });
     expect(page.task.text.value).toMatchObject({ title: '', text: '' });
   });
@@ -131,6 +132,7 @@ describe('the stars of a mission', () => {
     await passed(page, 'maqueen-lite');
     expect(page.task.stars.all.value).toEqual({});
     await show(page);
+    page.mode.enter('build');
     page.editor.commit({ type: 'course', changes: { size: [500, 500] } });
     await passed(page);
     expect(page.task.stars.all.value).toEqual({});

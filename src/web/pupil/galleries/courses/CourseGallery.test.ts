@@ -6,7 +6,7 @@ import { lightColors } from '#picture/colors';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
 import { byId, fieldById, idsShown, isThere, pressKey, tap, write } from '../../../app/testing/find';
-import { leavePage, mountOn, named, textOf } from '../../../app/testing/mount-on';
+import { goBackAtOnce, leavePage, mountOn, named, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
 import { loadTexts, showLanguage, shownLanguage } from '../../../kit/i18n';
 import { LANGUAGES } from '../../../kit/i18n/texts';
@@ -30,7 +30,7 @@ const shownCourses = (): readonly string[] => idsShown('course-').map((id) => id
 const idsOf = (kind: string): readonly string[] => courses.filter((it) => it.kind === kind).map(({ id }) => id);
 
 beforeEach(() => {
-  vi.spyOn(history, 'go').mockImplementation(() => undefined);
+  goBackAtOnce();
 });
 afterEach(() => {
   vi.restoreAllMocks();

@@ -8,7 +8,7 @@ import { robotTypes } from '#robots/index';
 import { robotSheets } from '#robots/sheets';
 
 import { byId, idsShown, isThere, tap } from '../../../app/testing/find';
-import { mountOn, named, textOf } from '../../../app/testing/mount-on';
+import { goBackAtOnce, mountOn, named, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
 import { loadTexts, showLanguage } from '../../../kit/i18n';
 import { LANGUAGES } from '../../../kit/i18n/texts';
@@ -39,7 +39,7 @@ const rowsIn = (name: string): readonly (readonly string[])[] =>
     ? [...section(name).querySelectorAll('tbody tr')].map((row) => [...row.children].map(textOf))
     : [];
 
-beforeEach(() => void vi.spyOn(history, 'go').mockImplementation(() => undefined));
+beforeEach(goBackAtOnce);
 afterEach(() => {
   vi.restoreAllMocks();
   history.replaceState(null, '', '/');
