@@ -12,7 +12,7 @@ export const sameWords = {
     ).split(' '),
   ),
   it: new Set(
-    'arena auto bot calli console csv display firmware lidar link magenta max menu min parcours pin png radio repl robot servo slalom svg timer'.split(
+    'arena auto bot calli console csv display file firmware lidar link magenta max menu min parcours pin png radio repl robot servo slalom svg timer'.split(
       ' ',
     ),
   ),

@@ -49,10 +49,11 @@ const key =
     await vi.dynamicImportSettled();
     page.scope.stop();
   };
-async function paste(page: EditingPage): Promise<void> {
+function paste(page: EditingPage): Promise<void> {
   const given = useSelectionActs(page);
   given.copy();
   given.paste();
+  return nextTick();
 }
 async function clear(page: EditingPage): Promise<void> {
   mountOn(page, EditorMenu);

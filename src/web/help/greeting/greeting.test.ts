@@ -94,7 +94,7 @@ describe('the greeting of a first visit', () => {
 
   it('is never in the way of a task that was handed out', async () => {
     const page = await visit();
-    page.work.setTask({ version: 1, checks: [{ type: 'goals' }], handedOut: true } as never);
+    page.work.setTask({ version: 1, checks: [{ type: 'goals' }], handedOut: true });
     page.greeting.ask();
     await nextTick();
     expect(isThere('welcome')).toBe(false);

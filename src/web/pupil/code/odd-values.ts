@@ -5,7 +5,7 @@ import { textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 import { decimalComma } from '../console/advice/decimal-comma';
 import { knownCall } from '../console/advice/known-call';
-import type { SlipHint } from './slip-hints';
+import type { SlipHint } from './slip-hint';
 
 /** Calls that fail or do something else than was meant: numbers with a decimal comma, and values that make no sense. */
 export function oddValues(program: PythonText, reader: Reader): readonly SlipHint[] {

@@ -9,18 +9,8 @@ import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tr
 
 import { repeatIn } from '#advice/syntax-advice';
 import { loadErrorTexts, t } from '../../kit/i18n';
-import type { TextKey, TextValues } from '../../kit/i18n/texts';
 import { oddValues } from './odd-values';
-
-/** A slip that the editor shows before the program runs. */
-export interface SlipHint {
-  readonly from: number;
-  readonly to: number;
-  readonly key: TextKey;
-  readonly values: TextValues;
-  /** The change that a button makes; `null` if it is not certain. */
-  readonly change: { readonly from: number; readonly to: number; readonly insert: string } | null;
-}
+import type { SlipHint } from './slip-hint';
 
 /**
  * Slips about which the device says nothing, or only when the line is reached: a command without its brackets, a value

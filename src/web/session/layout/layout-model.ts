@@ -3,7 +3,6 @@ import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef
 import { PARTS, type Part } from '#embed/simulator';
 
 import type { ArenaMode } from '../mode/mode-model';
-import { panesOfMode } from './mode-grid';
 import type { HostView } from '../visit/host-view';
 import type { SettingsModel } from '../work/settings/settings-model';
 
@@ -218,3 +217,12 @@ function useFirstMatch<K>(queries: readonly [K, string][], other: K): Readonly<S
 /** The first pane of a phone: without a program the arena, which has a small board in it. */
 const first = (tabs: readonly Pane[]): Pane | undefined =>
   (['code', 'arena', 'board', 'console'] as const).find((pane) => tabs.includes(pane));
+
+type ShownPanes = Readonly<Record<Pane, boolean>>;
+
+/** The panes that belong to a mode: building needs the arena alone, looking back no board, whose display is on the robot. */
+function panesOfMode(mode: ArenaMode, shown: ShownPanes): ShownPanes {
+  if (!shown.arena || mode === 'drive') return shown;
+  if (mode === 'build') return { code: false, board: false, arena: true, console: false };
+  return shown.code ? { ...shown, board: false } : shown;
+}

@@ -13,13 +13,6 @@ const PAST_CODE_PX = 400;
 export const hasBench = (mode: ArenaMode, kind: LayoutKind, { arena }: Pick<Shown, 'arena'>): boolean =>
   mode === 'build' && arena && (kind === 'wide' || kind === 'medium');
 
-/** The panes that belong to a mode: building needs the arena alone, looking back no board, whose display is on the robot. */
-export function panesOfMode(mode: ArenaMode, shown: Shown): Shown {
-  if (!shown.arena || mode === 'drive') return shown;
-  if (mode === 'build') return { code: false, board: false, arena: true, console: false };
-  return shown.code ? { ...shown, board: false } : shown;
-}
-
 /** The panes' grid in a mode. */
 export function gridOfMode(mode: ArenaMode, kind: LayoutKind, shown: Shown, wished: PaneSizes, room: Room): PaneGrid {
   if (hasBench(mode, kind, shown)) return benchGrid(kind === 'wide' ? BENCH_PX.wide : BENCH_PX.medium);

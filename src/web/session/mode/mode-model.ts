@@ -65,7 +65,10 @@ export function createMode({ run, work, settings, host }: Around): ModeModel {
     offered,
     enter(mode) {
       if (mode === current.value || !offered.value.includes(mode)) return;
-      if (mode === 'lookBack') return run.look.back();
+      if (mode === 'lookBack') {
+        run.look.back();
+        return;
+      }
       if (current.value === 'lookBack') run.look.leave();
       if (mode === 'build') run.pause();
       unfold(mode === 'build');

@@ -87,7 +87,7 @@ describe('the card of the task', () => {
     expect(page.task.text.value).toMatchObject({ title: '', text: '' });
   });
 
-  it('has its place beside the program while the robot drives, and none while something is built', async () => {
+  it('has its place beside the program while the robot drives, and none while something is built', () => {
     const page = createPage();
     expect(page.layout.card.value).toBe('open');
     page.mode.enter('build');

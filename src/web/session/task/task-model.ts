@@ -61,21 +61,13 @@ export function createTask(
   const isAsked = shallowRef(false);
   const hints = shallowRef(0);
   const isNew = shallowRef(false);
-  /** True if the card was asked for since the present run began. */
-  const isWanted = shallowRef(false);
-  watch(run.isActive, () => (isWanted.value = false));
+  const { givesWay, isWanted } = useWay(run);
   const ready = computed(() => {
     const id = work.work.value.project.course;
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
   });
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
-  const text = computed(() => {
-    const { scene } = ready.value ?? {};
-    // Goals that were drawn on a floor without any are a task of their own: the floor's words do not speak of it.
-    if (scene !== undefined && hasGoals.value && goalsInWords(scene, null).length === 0)
-      return taskText({ ...work.scene.value, ...withoutWordsOf(scene, work.scene.value) }, null, shownLanguage());
-    return taskText(work.scene.value, ready.value, shownLanguage());
-  });
+  const text = computed(() => textOf(work.scene.value, ready.value, hasGoals.value));
   const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
   const isKept = computed(() => {
     const { course, task } = work.work.value.project;
@@ -101,7 +93,7 @@ export function createTask(
     stars,
     isOpen,
     card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
-    givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value),
+    givesWay,
     isNew,
     hints,
     checked: shallowRef(null),
@@ -116,6 +108,20 @@ export function createTask(
     },
     close: () => show(false),
   };
+}
+
+/** Goals that were drawn on a floor without any are a task of their own: the floor's words do not speak of it. */
+function textOf(scene: Scene, ready: Course | null, hasGoals: boolean): ShownText {
+  if (ready !== null && hasGoals && goalsInWords(ready.scene, null).length === 0)
+    return taskText({ ...scene, ...withoutWordsOf(ready.scene, scene) }, null, shownLanguage());
+  return taskText(scene, ready, shownLanguage());
+}
+
+/** When a drive takes the card's place; `isWanted`: the card was asked for since the present run began. */
+function useWay(run: RunParts['run']) {
+  const isWanted = shallowRef(false);
+  watch(run.isActive, () => (isWanted.value = false));
+  return { givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value), isWanted };
 }
 
 /** Name and description of a course, as far as they are not those of the one that it was drawn on. */
