@@ -94,7 +94,8 @@ test('the trail, a line in the console and the list of all name their lines', IN
   await expect
     .poll(() => card(app))
     .toMatch(/ 0\.8 s.*(Wheels|Räder).*(Line|Zeile) 7.*(Lights|Lichter).*(Line|Zeile) 9.*Display.*(Line|Zeile) 8/);
-  await app.click('[data-output="display"]'); // on the board itself
+  await app.click(by('why-close'));
+  await app.draw(await ofRobot(app, 20, 0)); // its display
   await expect.poll(() => card(app)).toMatch(/(Line|Zeile) 8.*display\.show/);
   await app.click(by('why-close'));
   await app.click(by('why-open'));

@@ -51,11 +51,12 @@ test(
       const across = (await paintAhead(app)).map(({ y }) => y);
       return Math.max(...across) - Math.min(...across);
     };
+    const endsSaid = async (): Promise<number> => (await consoleIn(app)).split('The program has ended.').length - 1;
     const turnTo = async (angle: number): Promise<void> => {
+      const before = await endsSaid();
       await pasteProgram(app, `from mbrobot_plusV2 import *\nsetServo("P1", ${String(angle)})\ndelay(1000)`);
       await app.click(on('run'));
-      await expect.poll(() => consoleIn(app)).toContain('The program has ended.');
-      await app.click('.pane-console [aria-label="Clear console"]');
+      await expect.poll(endsSaid).toBe(before + 1);
     };
     await turnTo(30);
     await expect.poll(width, 'open').toBeGreaterThan(75);
