@@ -48,6 +48,17 @@ const courseWidth = (page: Page): Promise<number> =>
     return (right - left) / ratio;
   });
 
+/** Side of a square as large as the robot is painted, in px. */
+const robotSide = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    const canvas = [...document.querySelectorAll<HTMLCanvasElement>('[data-testid=arena] canvas')].at(-1);
+    const context = canvas?.getContext('2d');
+    if (!canvas || !context || canvas.width === 0) return 0;
+    const ratio = canvas.width / canvas.getBoundingClientRect().width;
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    return Math.round(Math.sqrt(data.filter((alpha, at) => at % 4 === 3 && alpha >= 250).length) / ratio);
+  });
+
 /** Buttons and readings that lie outside of what is seen of their pane, or whose words do not fit into them. */
 const cutOff = (page: Page): Promise<readonly string[]> =>
   page.evaluate(() => {
@@ -157,13 +168,14 @@ test('the cinema gives the arena two thirds of the window, and back', async ({ p
 
 test('robot and nearest obstacle fill the arena, and the whole arena is shown again', async ({ page }) => {
   await openAt(page, [1366, 768], { language: 'de' });
-  const before = await courseWidth(page);
+  await expect.poll(() => robotSide(page)).toBeGreaterThan(0);
+  const before = await robotSide(page);
   await page.click(by('show'));
   await page.click(by('near'));
-  await expect.poll(() => courseWidth(page)).toBeGreaterThan(before);
+  await expect.poll(() => robotSide(page)).toBeGreaterThan(1.2 * before);
   await page.click(by('show'));
   await page.click(by('fit'));
-  await expect.poll(() => courseWidth(page)).toBe(before);
+  await expect.poll(() => robotSide(page)).toBe(before);
 });
 
 test('the console is folded while it is empty, and opens for output', async ({ page }) => {

@@ -84,6 +84,7 @@ test('a right click asks while the program runs: then it is looked back', IN_ONE
 
 test('the trail, a line in the console and the list of all name their lines', IN_ONE_ENGINE, async ({ app }) => {
   await lookBackAt(app);
+  await app.click(by('console-fold'));
   await app.draw(await inWindow(app, SIZE, [[190, 200]])); // soon after the start
   await expect
     .poll(() => card(app))

@@ -271,6 +271,15 @@ describe('the console’s line while the display shows an error', () => {
     expect(field.attributes('aria-label')).toBe(long);
   });
 
+  it('offers nothing but the way to go on', async () => {
+    const { page, line } = await running();
+    page.say({ type: 'program-ended', ended: failed, device: 0 });
+    await show(page, { repl: false });
+    expect(line.findAll('button').map((it) => it.text())).toEqual(['Unterbrechen']);
+    await show(page, { repl: true });
+    expect(line.findAll('button').map((it) => it.text())).toEqual(['Senden', 'Unterbrechen', 'Neustart']);
+  });
+
   it('says it in few words on a phone, where the field is narrow', async () => {
     setWindow(390, 800);
     const { page, field } = await running();

@@ -15,9 +15,14 @@ export function useRepl({
   const ended = run.ended;
   /** True once the REPL has greeted; before that the display shows the error, half a minute at times. */
   const isRepl = computed(() => run.isActive.value && ended.value !== null && run.shown.value?.repl === true);
+  /** True while the display shows the error: the device reads no lines yet, and the error's card says all. */
+  const isErrorShown = computed(
+    () => run.past.value === null && run.isActive.value && ended.value?.kind === 'exception' && !isRepl.value,
+  );
   const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
   return {
     isRepl,
+    isErrorShown,
     /** True if the device reads the line: not without a run, and not after a panic. */
     isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
