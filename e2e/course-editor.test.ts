@@ -14,7 +14,7 @@ import {
   STRAIGHT_ON,
   undoFiveSteps,
 } from './course-tasks';
-import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
+import { attribute, consoleIn, enterMode, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 import { build, canUndo, clearAll, courseMenu, fromMenu, listOf, openEditor, rowsIn, withMouse } from './pupil';
 
@@ -83,6 +83,8 @@ test(
     expect(await consoleIn(app)).not.toContain('dark');
     await pupil.chooseTool('pen');
     await pupil.draw(SCRIBBLE);
+    await enterMode(app, 'drive');
+    await app.click(by('pause')); // building has paused it
     await expect.poll(() => consoleIn(app)).toContain('there: the robot stands');
     await expect.poll(async () => (await robotAt(app)).xMm).toBeGreaterThan(650); // where the wall is drawn, it is not yet
     expect((await consoleIn(app)).match(/begun/g)).toHaveLength(1);

@@ -11,7 +11,7 @@ import {
   undoFiveSteps,
 } from './course-tasks';
 import { attribute } from './page';
-import { by, gone } from './parts';
+import { by, gone, until } from './parts';
 import { canUndo, clearAll, listOf, openEditor, SIZE, toolButton, toolsCame } from './pupil';
 import { tablet, withFingers } from './touch';
 
@@ -90,7 +90,10 @@ test('two fingers zoom the arena: they draw nothing, drop what one of them had b
   expect(Math.abs(middle - 600)).toBeLessThanOrEqual(10);
   expect(Math.abs(there - middle - 25)).toBeLessThanOrEqual(12);
 
-  await fingers.tap('[aria-label="Show the whole arena"]');
+  await fingers.tap(by('show'));
+  await until(app, by('fit'));
+  await fingers.tap(by('fit'));
+  await gone(app, '[role=menu]');
   await pupil.chooseTool('pen');
   await fingers.drawTwo(await places(line([200, 200], [400, 200])), await places(line([700, 700], [800, 700])), 5);
   await fingers.drawTwo(await places(line([200, 200], [200, 700])), await places(line([700, 200], [700, 700])));

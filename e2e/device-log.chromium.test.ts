@@ -1,10 +1,11 @@
 import type { Page } from '@playwright/test';
 
 import { microbitPage } from '../src/device-log/testing/microbit-page';
-import { expect, test as coldTest, warmTest as test } from './app';
+import { expect, playwrightApp, test as coldTest, warmTest as test } from './app';
 import { violationsBy } from './axe';
-import { on } from './page';
+import { on, openApp } from './page';
 import { by } from './parts';
+import { mainMenu } from './pupil';
 
 const csv = 'Time (seconds),cm\n0.10,12.5\n0.20,11\n0.30,9\n';
 const NAME = 'MY_DATA.HTM';
@@ -15,6 +16,8 @@ async function choose(page: Page, button: string, name: string, content: Uint8Ar
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click(button)]);
   await chooser.setFiles({ name, mimeType: 'text/html', buffer: Buffer.from(content) });
 }
+
+const open = (page: Page): Promise<void> => openApp(playwrightApp('chromium', page), { language: 'en' });
 
 async function drop(page: Page, name: string, bytes: Uint8Array): Promise<void> {
   await page.evaluate(
@@ -38,12 +41,13 @@ async function logInSimulation(page: Page): Promise<void> {
   await expect(page.locator(on('console'))).toContainText('done');
 }
 
-test('MY_DATA.HTM from the chooser of the bar is drawn beside the simulation, and taken away by one button', async ({
+test('MY_DATA.HTM from the window for opening is drawn beside the simulation, and taken away by one button', async ({
   page,
 }) => {
-  await page.goto('./?lang=en');
+  await open(page);
   await logInSimulation(page);
-  await choose(page, by('open-file'), NAME, microbitPage({ csv: csv.replaceAll(/^[^,]*,/gm, ''), isFull: true }));
+  await mainMenu(playwrightApp('chromium', page), 'open');
+  await choose(page, by('open-files'), NAME, microbitPage({ csv: csv.replaceAll(/^[^,]*,/gm, ''), isFull: true }));
   await expect(charts(page)).toHaveCount(1);
   await expect(charts(page)).toHaveAttribute('aria-label', /Device: 3 values from 9 to 12\.5\. Simulation: 20 values/);
   await expect(page.locator(WINDOW)).toContainText('The memory of the device was full');
@@ -57,7 +61,7 @@ test('MY_DATA.HTM from the chooser of the bar is drawn beside the simulation, an
 });
 
 test('a dropped MY_DATA.HTM opens, stays through a run and comes back from the data log', async ({ page }) => {
-  await page.goto('./?lang=en');
+  await open(page);
   await expect(page.locator(on('editor'))).toBeVisible();
   await drop(page, NAME, microbitPage({ csv }));
   await expect(charts(page)).toHaveAttribute('aria-label', /^cm\. Device: 3 values from 9 to 12\.5$/);
@@ -71,7 +75,7 @@ test('a dropped MY_DATA.HTM opens, stays through a run and comes back from the d
 test('a table from the data log’s own button opens; a broken file gives a message and the page goes on', async ({
   page,
 }) => {
-  await page.goto('./?lang=en');
+  await open(page);
   await page.click('[data-testid=panel-log]');
   await choose(page, by('open-device-log'), 'walk.csv', 'Zeit (s);cm\r\n0,5;12,5\r\n1;11\r\n');
   await expect(charts(page)).toHaveAttribute('aria-label', 'cm. Device: 2 values from 11 to 12.5');
@@ -86,7 +90,7 @@ test('a table from the data log’s own button opens; a broken file gives a mess
 coldTest('nothing of it is fetched before it is opened', async ({ page }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
-  await page.goto('./?lang=en');
+  await open(page);
   await logInSimulation(page);
   const isPart = (url: string): boolean => /device-log/i.test(url);
   expect(fetched.filter(isPart)).toEqual([]);

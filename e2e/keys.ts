@@ -38,8 +38,8 @@ async function goTo(app: App, css: string): Promise<void> {
   await tabTo(app, css, isBehind);
 }
 
-/** Goes on with an arrow key until the keyboard is at an element: in a menu, and in the palette. */
-async function arrowTo(app: App, css: string, arrow: 'ArrowDown' | 'ArrowRight'): Promise<void> {
+/** Goes on with an arrow key until the keyboard is at an element: in a menu, in the palette, and among modes. */
+async function arrowTo(app: App, css: string, arrow: 'ArrowDown' | 'ArrowRight' | 'ArrowLeft'): Promise<void> {
   for (let press = 0; press < PLACES; press += 1) {
     if (await isAt(app, css)) return;
     await app.press(arrow);
@@ -47,12 +47,18 @@ async function arrowTo(app: App, css: string, arrow: 'ArrowDown' | 'ArrowRight')
   throw new Error(`The arrow keys do not reach ${css}.`);
 }
 
-const isInMenu = (app: App, css: string): Promise<boolean> =>
-  app.evaluate((selector) => (document.querySelector(selector)?.closest('[role=menu]') ?? null) !== null, css);
+const isIn = (app: App, css: string, around: string): Promise<boolean> =>
+  app.evaluate((of) => (document.querySelector(of.css)?.closest(of.around) ?? null) !== null, { css, around });
 
 /** Like a user who goes to a control by Tab or arrow keys, and presses Enter. */
 async function pressAt(app: App, css: string): Promise<void> {
-  await ((await isInMenu(app, css)) ? arrowTo(app, css, 'ArrowDown') : goTo(app, css));
+  if (await isIn(app, css, '[role=radiogroup]')) {
+    await goTo(app, `[role=radiogroup]:has(${css}) [aria-checked=true]`); // Tab stops at what is chosen
+    const isBefore = await isIn(app, css, ':has(~ [aria-checked=true])');
+    await arrowTo(app, css, isBefore ? 'ArrowLeft' : 'ArrowRight');
+  } else {
+    await ((await isIn(app, css, '[role=menu]')) ? arrowTo(app, css, 'ArrowDown') : goTo(app, css));
+  }
   if (!(await isAt(app, on('editor')))) await app.press('Enter');
 }
 
