@@ -87,7 +87,7 @@ export const wings = {
       'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
       'pupil/next-step',
     ], // prettier-ignore
-    code: ['session', 'pupil/console', 'pupil/several-devices', 'pupil/debug'],
+    code: ['session', 'pupil/console', 'pupil/board', 'pupil/several-devices', 'pupil/debug'],
     locks: ['session', 'course/editor', 'pupil/code'],
     device: ['session', 'pupil/arena', 'pupil/several-devices'],
     galleries: ['session', 'pupil/device'],

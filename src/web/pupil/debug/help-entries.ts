@@ -21,6 +21,6 @@ export const helpEntries: readonly HelpEntry[] = [
     icon: mdiVariable,
     name: () => t(words.variables),
     text: () => t(helpWords.variables),
-    covers: ['board-tabs', 'words.variables', 'tab-board', 'tab-variables', 'variable', 'call'],
+    covers: ['board-tabs', 'words.variables', 'tab-board', 'tab-variables', 'past-variables', 'variable', 'call'],
   },
 ];
