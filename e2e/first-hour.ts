@@ -66,7 +66,7 @@ export async function writeFirstProgram(beginner: Beginner): Promise<void> {
   const { app, language, look } = beginner;
   await openMenu(app);
   await look('menu');
-  await app.press('Escape');
+  await app.draw([{ x: 4, y: 600 }]); // a tap beside it
   await gone(app, '[role=menu]');
   await beginWith(app, 'board');
   await gone(app, on('arena'));
