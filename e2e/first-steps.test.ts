@@ -53,7 +53,7 @@ test('the tour makes the greeting go, waits for real presses, and is gone on wit
   await expect.poll(() => isAt(app, by('menu')), 'the keyboard is where it was before').toBe(true);
 });
 
-test('the tour leads on to the help by keyboard, and is over then', IN_ONE_ENGINE, async ({ app }) => {
+test('the tour leads on to the first mission by keyboard, and is over then', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en', tourStep: 'arena' });
   await fromMenu(app, 'menu-tour');
   await stepIs(app, 'arena');
@@ -64,7 +64,7 @@ test('the tour leads on to the help by keyboard, and is over then', IN_ONE_ENGIN
   }
   await pressAt(app, by('tour-next'));
   await gone(app, by('tour'));
-  await expect.poll(() => isAt(app, by('menu')), 'the keyboard is where it was before').toBe(true);
+  await expect.poll(() => isAt(app, by('task-card')), 'the keyboard is at the mission').toBe(true);
 });
 
 for (const { language, query, entry, folded, engines } of [
