@@ -109,9 +109,9 @@ test('the way back of the browser closes what lies open, one after the other, an
     await app.evaluate(() => history.back());
     await expect.poll(() => isOpen(part)).toBe(false);
   };
-  await fromMenu(app, by('menu'), by('menu-share'), () => isOpen('share-dialog'));
+  await fromMenu(app, by('menu'), by('menu-open'), () => isOpen('open-files'));
   await expect.poll(() => app.evaluate(() => document.querySelector('.app')?.hasAttribute('inert'))).toBe(true);
-  await back('share-dialog');
+  await back('open-files');
   expect(await isAt(app, by('menu'))).toBe(true);
   await app.evaluate(() => void (location.hash = '#missions'));
   await expect.poll(() => isOpen('mission-forward')).toBe(true);
