@@ -109,7 +109,7 @@ test('a worksheet sets language, colours, panes and microcomputer by message', I
   await expect.poll(() => isInFrame(app, '[data-theme=dark]')).toBe(true);
   await expect.poll(() => isInFrame(app, '.pane-code:not([style*="none"])')).toBe(false);
   expect(await isInFrame(app, '.pane-arena')).toBe(true);
-  expect(await app.inFrame('iframe', () => document.querySelector('header')?.textContent ?? '')).toContain('Calliope mini 3'); // prettier-ignore
+  expect(await isInFrame(app, '[data-testid=device][aria-label*="Calliope mini 3"]')).toBe(true);
   await app.evaluate(() => post('settings', { hide_topbar: true, layout: '["Editor",["Canvas","Console"]]' }));
   await expect.poll(() => isInFrame(app, '.pane-code:not([style*="none"])')).toBe(true);
   expect(await isInFrame(app, 'header.top')).toBe(false);
@@ -158,9 +158,15 @@ const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
   ['?layout=["Editor","Console"]', () => document.querySelector('.pane-code .cm-content') !== null && !document.querySelector('.pane-arena')], // prettier-ignore
   ['?layout=[["Canvas"]]', () => document.querySelector('.pane-arena') !== null && !document.querySelector('.pane-console')], // prettier-ignore
   ['?show=console', () => document.querySelector('.pane-console') !== null && !document.querySelector('.pane-arena')],
-  ['?device=Calliope%20mini%203', () => document.querySelector('header')?.textContent?.includes('Calliope mini 3') ?? false], // prettier-ignore
-  ['?board=calliope-mini-2', () => document.querySelector('header')?.textContent?.includes('Calliope mini 1/2') ?? false], // prettier-ignore
-  ['?robot=callibot', () => document.querySelector('header')?.textContent?.includes('Calliope mini 3') ?? false],
+  [
+    '?device=Calliope%20mini%203',
+    () => document.querySelector('[data-testid=device][aria-label*="Calliope mini 3"]') !== null,
+  ],
+  [
+    '?board=calliope-mini-2',
+    () => document.querySelector('[data-testid=device][aria-label*="Calliope mini 1/2"]') !== null,
+  ],
+  ['?robot=callibot', () => document.querySelector('[data-testid=device][aria-label*="Calliope mini 3"]') !== null],
   ['?speed=4', () => document.querySelector('header')?.textContent?.includes('4×') ?? false],
   ['?lang=en&muted=true', () => document.querySelector('[data-testid=speed][aria-label$="sound off"]') !== null],
   ['?lang=en&world=slalom', () => document.querySelector('header')?.textContent?.includes('Slalom') ?? false],

@@ -21,8 +21,8 @@ for (const show of ['board,arena', 'arena', 'board', 'console', 'code,console', 
     if (show.includes('code')) await expect.poll(() => has(app, '.code-editor')).toBe(true);
     else expect(await has(app, '.pane-code')).toBe(false);
     await app.click('[data-testid=run]');
-    await expect.poll(() => app.evaluate(() => document.querySelector('.stop')?.hasAttribute('disabled'))).toBe(false);
+    await expect.poll(() => has(app, '[data-testid=stop]')).toBe(true);
     await app.click('[data-testid=stop]');
-    await expect.poll(() => app.evaluate(() => document.querySelector('.stop')?.hasAttribute('disabled'))).toBe(true);
+    await expect.poll(() => has(app, '[data-testid=stop]')).toBe(false);
   });
 }
