@@ -66,7 +66,8 @@ test('the worker of a run has nothing left that reaches out, whether or not its 
 
 test('the help leads to the licences of everything in the app', async ({ page }) => {
   await page.goto('./');
-  await page.click('[data-testid=help]');
+  await page.click('[data-testid=menu]');
+  await page.click('[data-testid=menu-help]');
   await page.locator('[data-testid=guide-licences]').scrollIntoViewIfNeeded();
   const opened = page.waitForEvent('popup');
   await page.click('[data-testid=guide-licences]');

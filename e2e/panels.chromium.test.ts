@@ -1,5 +1,6 @@
-import { expect, warmTest as test } from './app';
+import { expect, playwrightApp, warmTest as test } from './app';
 import { on } from './page';
+import { openPanel } from './parts';
 
 test('a thousand rows of the data log are a few dozen lines on the page, and all of them in the file', async ({
   page,
@@ -8,7 +9,7 @@ test('a thousand rows of the data log are a few dozen lines on the page, and all
   await page.click(on('editor'));
   await page.keyboard.press('Control+a');
   await page.keyboard.insertText('import log\nfor i in range(1000): log.add(n=i)\nprint("done")\n');
-  await page.click('[data-testid=panel-log]');
+  await openPanel(playwrightApp('chromium', page), 'log');
   await page.click(on('run'));
   await expect(page.locator(on('console'))).toContainText('done');
   await expect(page.locator('.panel-open .tag')).toContainText('1000');

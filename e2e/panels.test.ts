@@ -1,9 +1,7 @@
-import { expect, test, type App } from './app';
+import { expect, test } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isThere, on, openApp, pasteProgram, typeProgram } from './page';
-import { until } from './parts';
-
-const open = (app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> => app.click(`[data-testid=panel-${panel}]`);
+import { openPanel, until } from './parts';
 
 test(
   'a sensor set before the run is felt by the program, and one moved meanwhile too',
@@ -14,7 +12,7 @@ test(
       app,
       'from microbit import *\nwhile True:\n    print("light", display.read_light_level())\n    sleep(100)',
     );
-    await open(app, 'sensors');
+    await openPanel(app, 'sensors');
     const slider = '.panel-open input[type=range]';
     await expect.poll(() => isThere(app, slider)).toBe(true);
     await app.click(slider);
@@ -53,7 +51,7 @@ test('messages go over the air both ways', IN_ONE_ENGINE, async ({ app }) => {
   const program =
     'import radio\nradio.on()\nradio.send("ready")\nwhile True:\n    m = radio.receive()\n    if m: print("got", m)';
   await typeProgram(app, program);
-  await open(app, 'radio');
+  await openPanel(app, 'radio');
   await app.click(on('run'));
   await expect.poll(() => isThere(app, '.panel-open li')).toBe(true);
   expect(await app.text('.panel-open ol')).toContain('ready');
@@ -71,7 +69,7 @@ test(
       app,
       'import log\nlog.set_labels(timestamp=None)\nlog.add(light=12, temp=20.5)\nlog.add(light=13)',
     );
-    await open(app, 'log');
+    await openPanel(app, 'log');
     await app.click(on('run'));
     await expect.poll(() => isThere(app, '.panel-open tr.data + tr.data')).toBe(true);
     expect(await app.text('.panel-open table')).toMatch(/light.*temp.*12.*20\.5.*13/s);

@@ -10,6 +10,14 @@ export const until = (app: App, css: string): Promise<void> => expect.poll(() =>
 /** Waits until it is gone. */
 export const gone = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(false);
 
+/** Opens a panel of the board, which has them where it is whole: beside a card it is small. */
+export async function openPanel(app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> {
+  const [whole, button] = [by('board-whole'), by(`panel-${panel}`)];
+  await until(app, `${whole}, ${button}`);
+  if (await isThere(app, whole)) await app.click(whole);
+  await app.click(button);
+}
+
 /** As a hand at a select: the browsers' own lists are no part of the page. */
 export const choose = (app: App, option: string, value: string): Promise<void> =>
   app.evaluate(
