@@ -3,7 +3,7 @@ import { parseScene } from '../src/scene/parse';
 import type { Point, Scene } from '../src/scene/scene';
 import { robotAt, watchTrail } from './arena';
 import { expect, type App } from './app';
-import { attribute, consoleIn, isThere, on, openApp, programIn, type Shown } from './page';
+import { consoleIn, isThere, on, openApp, programIn, robotName, type Shown } from './page';
 import { by, gone, until } from './parts';
 
 const fileOf = (path: string): URL => new URL(`../courses/${path}`, import.meta.url);
@@ -36,7 +36,7 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
   await gone(app, '.gallery');
   const top = read(`${folder}/main.py`).split('\n').slice(0, 8).join('\n'); // the editor has no lines that are out of sight
   await expect.poll(() => programIn(app)).toContain(top);
-  await expect.poll(async () => (await attribute(app, by('device'), 'aria-label')) ?? '').toContain(`: ${robot},`); // the name itself may be cut off
+  await expect.poll(() => robotName(app)).toBe(robot);
   expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);
   await expect.poll(async () => distance(await robotAt(app), sceneOf(folder).robot.at)).toBeLessThan(1); // no longer where the course before began
   await watchTrail(app);

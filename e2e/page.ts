@@ -91,6 +91,10 @@ export const isThere = (app: App, css: string): Promise<boolean> =>
 export const attribute = (app: App, css: string, name: string): Promise<string | null> =>
   app.evaluate((of) => document.querySelector(of.css)?.getAttribute(of.name) ?? null, { css, name });
 
+/** The robot of the device that is shown, by the device's button, which may cut it off or show none of it. */
+export const robotName = async (app: App): Promise<string | undefined> =>
+  /: ([^,]+),/.exec((await attribute(app, '[data-testid="device"]', 'aria-label')) ?? '')?.[1];
+
 type ArenaMode = 'drive' | 'build' | 'lookBack';
 
 /** The mode of the arena; `null`: there is just one, or the arena is out of sight. */

@@ -1,15 +1,12 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
-import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn } from './page';
+import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn, robotName } from './page';
 import { by, choose, gone, until } from './parts';
 import { openDeviceSettings } from './pupil';
 
 const isAt = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.activeElement?.matches(selector) === true, css);
-
-/** The robot's name in the arena; shown, a long name may be cut off. */
-const robotName = (app: App): Promise<string | null> => attribute(app, '.pane-arena .robot .name', 'title');
 
 /** Goes on with Tab until the keyboard is at an element. */
 async function tabTo(app: App, css: string): Promise<void> {
@@ -96,14 +93,14 @@ test(
     await pasteProgram(app, 'from mbrobot_plusV2 import *\nforward()\nprint("drives")\nwhile True:\n    delay(100)');
     await app.click(on('run'));
     await expect.poll(() => consoleIn(app)).toContain('drives');
-    await openDevice(app);
+    await openDeviceSettings(app);
     await choose(app, 'P1', 'claw');
     await expect.poll(() => app.text('.notice')).toBe('Stopped, because you changed something about the robot.');
     await expect.poll(() => app.text('.pane-console .pane-head')).toContain('ready');
 
     await app.reload();
     await until(app, by('device'));
-    await openDevice(app);
+    await openDeviceSettings(app);
     expect(await chosen(app, 'P1')).toBe('claw');
     await app.click(by('options-reset'));
     expect(await chosen(app, 'P1')).toBe('none');
