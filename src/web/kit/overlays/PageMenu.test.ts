@@ -17,14 +17,16 @@ const entry = (title: string, disabled = false) =>
   h(PageListItem, { title, disabled, role: 'menuitem', onClick: () => void chosen(title) });
 
 /** A menu of four entries, the third of which cannot be chosen, and its button. */
-function menu(props: Readonly<Record<string, unknown>> = {}) {
+function menu(props: Readonly<Record<string, unknown>> = {}, below?: () => unknown) {
   const mounted = mount(PageMenu, {
     props,
     attachTo: document.body,
     slots: {
       activator: ({ props: given }: { props: Record<string, unknown> }) => h('button', { id: 'opener', ...given }),
-      default: () =>
+      default: () => [
         h(PageList, { role: 'menu' }, () => [entry('Eins'), entry('Zwei'), entry('Drei', true), entry('Vier')]),
+        below?.(),
+      ],
     },
   });
   const button = mounted.get<HTMLButtonElement>('#opener');
@@ -106,6 +108,20 @@ describe('a menu', () => {
     expect(focused()).toBe('Eins');
     expect((await press('Tab')).defaultPrevented).toBe(false); // the browser goes on from the button
     expect([list(), document.activeElement]).toEqual([null, button.element]);
+  });
+
+  it('stays open with Tab from its entries to what follows them, and with Tab back', async () => {
+    menu({ closeOnContentClick: false }, () => h('button', { id: 'below' }, 'Mehr'));
+    await press('ArrowDown');
+    await vi.waitFor(() => expect(focused()).toBe('Eins'));
+    await press('Tab');
+    expect(list()).not.toBeNull();
+    document.getElementById('below')?.focus();
+    await nextTick();
+    await press('Tab', true);
+    expect(list()).not.toBeNull();
+    await press('Tab');
+    expect(list()).toBeNull();
   });
 
   it('closes with a click beside it, and leaves the keyboard where that click put it', async () => {
