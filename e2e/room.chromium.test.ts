@@ -48,9 +48,12 @@ for (const [width, height] of [
     await expect.poll(() => page.locator('.pane-board').boundingBox()).toEqual(board);
   });
 
-test('on a low phone the arena has the display and the buttons of the board above it', async ({ page }) => {
+test('on a low phone the arena has the display and the buttons of the board above it once the card is folded', async ({
+  page,
+}) => {
   await openAt(page, 360, 640);
   await page.click('nav >> text=Arena');
+  await page.click(by('task-close'));
   await expect(page.locator('.pane-arena .mini')).toBeVisible();
   await page.click(by('mode-build'));
   await expect(page.locator('.pane-arena .mini')).toBeHidden();

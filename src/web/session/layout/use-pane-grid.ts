@@ -45,6 +45,9 @@ export function usePaneGrid(
     const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
     return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
   });
+  /** An arena that has two thirds of the window, or the help beside it, leaves one column for all the others. */
+  const isArenaFirst = (hasBoard: boolean): boolean =>
+    settings.current.value.cinema || (layout.isHelpShown.value && !hasBoard);
   const hasRow = (): boolean => work.hasSeveral.value && layout.mode.value !== 'build';
   const grid = computed(() => {
     // The row of devices takes its height from all others.
@@ -55,8 +58,7 @@ export function usePaneGrid(
     const panes =
       card === null || mode !== 'drive'
         ? gridOfMode(mode, kind, shown, sizes.value, free)
-        : // An arena that has two thirds of the window leaves one column for all the others.
-          cardGrid(kind === 'wide' && settings.current.value.cinema ? 'medium' : kind, shown, sizes.value, free, card);
+        : cardGrid(kind === 'wide' && isArenaFirst(shown.board) ? 'medium' : kind, shown, sizes.value, free, card);
     return hasRow() ? withDeviceRow(panes) : panes;
   });
   const style = computed(() => ({
