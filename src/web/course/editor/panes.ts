@@ -1,3 +1,3 @@
 import type { FeaturePane } from '../../session/layout/feature-pane';
 
-export const panes: readonly FeaturePane[] = [{ place: 'bench', load: () => import('./bench/ToolBench.vue') }];
+export const panes: readonly FeaturePane[] = [{ place: 'bench', load: () => import('./ToolBench.vue') }];

@@ -1,6 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-import type { RunModel } from '../../session/run/run-model';
+import type { RunModel } from '../../../session/run/run-model';
 
 /** Rim speeds in whole cm/s. */
 export interface WheelSpeeds {
