@@ -105,8 +105,10 @@ describe('the bar at the top', () => {
 
   it('brings the greeting back by the logo, but leads nobody away from a task that was handed out', async () => {
     const { page } = topBar(1400);
+    page.settings.change({ showArena: false, showCard: false, showTools: true });
     await press('Parcours: Womit möchtest du beginnen?', 'button');
     expect(page.greeting.isAsked.value).toBe(true);
+    expect(page.settings.current.value).toMatchObject({ showArena: true, showCard: true, showTools: false });
     page.work.openProject({ ...page.work.work.value.project, task: { version: 1, id: 'A', handedOut: true } }, null);
     await nextTick();
     expect(names().filter((name) => name.startsWith('Parcours'))).toEqual([]);

@@ -157,8 +157,7 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
   const isAcross = useFirstMatch(ACROSS, false);
   const sizes = useSizes(current, kind, console);
   const card = shallowRef<CardForm | null>(null);
-  const isPastBoard = computed(() => mode.value === 'lookBack' && !isShown.value.board); // below the program, where no card is
-  const isBoardSmall = computed(() => card.value === 'open' && arrangement.value !== 'phone' && !isPastBoard.value);
+  const isBoardSmall = computed(() => card.value === 'open' && arrangement.value !== 'phone');
   const cards = { card, isGreeting: shallowRef(false), isBoardSmall };
   return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, isHelpShown, mode, ...cards, ...console };
 }
