@@ -3,7 +3,6 @@ import { expect, test } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { isThere, openApp, programIn } from './page';
 import { by, gone, until } from './parts';
-import { mainMenu } from './pupil';
 
 test.use({ viewport: { width: 1366, height: 625 } });
 
@@ -42,7 +41,8 @@ test(
     await app.click(by('brought-close'));
     await gone(app, by('brought'));
     expect(await isThere(app, '.cm-changedLine')).toBe(false);
-    await mainMenu(app, 'share');
+    await app.click(by('share'));
+    await until(app, by('share-elsewhere'));
     await app.click(`${by('share-elsewhere')} summary`);
     await until(app, by('elsewhere-link'));
     const link = await app.evaluate(
