@@ -76,7 +76,7 @@ async function openAt(context: BrowserContext, url: string): Promise<Page> {
       localStorage.setItem('parcours.settings', '{"language":"en","welcomed":true}');
   });
   await page.goto(url);
-  await page.waitForSelector(`${on('editor')}[contenteditable=true]`);
+  await page.waitForSelector(`${on('editor')}[contenteditable=true]`, { state: 'attached' }); // whoever built still does, where no program is in sight
   return page;
 }
 
@@ -156,6 +156,7 @@ async function typed(page: Page): Promise<number> {
 
 /** How many places the line has that was drawn: how far to the right it goes. */
 async function drawn(page: Page): Promise<number> {
+  await page.click(by('mode-drive'));
   await page.click(on('editor'));
   await page.keyboard.type('#'); // so that the opened work is saved
   await sleep(1500);
