@@ -1,8 +1,18 @@
-import { expect, test } from './app';
+import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { openApp, pasteProgram, programIn, typeProgram } from './page';
 import { by, gone, until } from './parts';
+
+/** Opens a mission out of the ladder, and folds its card. */
+async function openMission(app: App, name: string): Promise<void> {
+  await app.evaluate(() => void (location.hash = 'missions'));
+  await until(app, by(`mission-${name}`));
+  await app.click(`${by(`mission-${name}`)} button`);
+  await gone(app, by(`mission-${name}`));
+  await app.click(by('task-close'));
+  await until(app, by('task-open'));
+}
 
 test('a reload keeps the program', async ({ app }) => {
   const source = 'print("kept")\nx = 1';
@@ -14,21 +24,13 @@ test('a reload keeps the program', async ({ app }) => {
 
 test('each mission opens with what was written in it', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
-  const mission = async (name: string): Promise<void> => {
-    await app.evaluate(() => void (location.hash = 'missions'));
-    await until(app, by(`mission-${name}`));
-    await app.click(`${by(`mission-${name}`)} button`);
-    await gone(app, by(`mission-${name}`));
-    await app.click(by('task-close'));
-    await until(app, by('task-open'));
-  };
-  await mission('corner');
+  await openMission(app, 'corner');
   await pasteProgram(app, 'corner = 1\n');
-  await mission('square');
+  await openMission(app, 'square');
   await pasteProgram(app, 'square = 1\n');
-  await mission('corner');
+  await openMission(app, 'corner');
   await expect.poll(() => programIn(app)).toBe('corner = 1\n');
-  await mission('square');
+  await openMission(app, 'square');
   await expect.poll(() => programIn(app)).toBe('square = 1\n');
   await app.reload();
   await expect.poll(() => programIn(app)).toBe('square = 1\n');
@@ -39,6 +41,7 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app, { language: 'en' });
+    await openMission(app, 'forward');
     await pasteProgram(app, 'first = 1\n');
     await app.click('header .course');
     await until(app, by('missions'));
