@@ -66,7 +66,7 @@ describe('the page of the pupil’s works', () => {
     expect(missions()).toHaveLength(12);
     expect(others()).toEqual(['Slalom', 'Slalom']);
     expect(['all', 'missions', 'class', 'own'].map(counted)).toEqual([
-      ...['Alle14', 'Missionen12', 'Von der Klasse1', 'Eigene1'],
+      ...['Alle 14', 'Missionen 12', 'Von der Klasse 1', 'Eigene 1'],
     ]);
     expect(isThere('works-tabs')).toBe(false);
     await tap('works-class');
@@ -118,15 +118,15 @@ describe('the page of the pupil’s works', () => {
       await tap('work-remove');
     };
     await remove();
-    expect([isThere('work-other'), counted('deleted')]).toEqual([false, 'Gelöscht1']);
+    expect([isThere('work-other'), counted('deleted')]).toEqual([false, 'Gelöscht 1']);
     page.notices.current.value?.action?.run();
     await nextTick();
-    expect([counted('class'), isThere('works-deleted')]).toEqual(['Von der Klasse1', false]);
+    expect([counted('class'), isThere('works-deleted')]).toEqual(['Von der Klasse 1', false]);
     await remove();
     await tap('works-deleted');
     await tap(byId('work-deleted').querySelector('button')!);
     await tap('works-all');
-    expect(counted('class')).toBe('Von der Klasse1');
+    expect(counted('class')).toBe('Von der Klasse 1');
     await remove();
     const [garage] = page.work.work.value.deleted ?? [];
     page.work.work.value = { ...page.work.work.value, deleted: [{ ...garage!, deletedMs: Date.now() - DELETED_MS }] };
