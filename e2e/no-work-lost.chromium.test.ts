@@ -167,6 +167,7 @@ async function drawn(page: Page): Promise<number> {
     sceneOf('missions/01-forward').objects.length + 1,
   );
   await page.click(by('mode-build')); // the course is as large as when it was drawn
+  await page.waitForSelector('[data-tool]');
   const across = objects.at(-1)?.points?.map(([x]) => x) ?? [];
   const [left, right] = await inWindow(playwrightApp('chromium', page), size, [
     [Math.min(...across), 0],
