@@ -48,7 +48,7 @@ async function open(page: Page, settings: object): Promise<void> {
   await page.goto('./logo.svg');
   await page.evaluate((text) => localStorage.setItem('parcours.settings', text), JSON.stringify(settings));
   await page.goto(`./#${made?.fragment ?? ''}`);
-  await page.waitForSelector(by('verdict'));
+  await expect(page.locator('.cm-content')).toContainText('delay(2500)'); // the link's, not that of the page before it
 }
 
 /** Notes when each sentence comes into a region. */
