@@ -71,6 +71,7 @@ test.describe('on a phone, by touch', () => {
     const presses = await countPresses(page);
     await page.goto('./');
     await page.tap(by('welcome-robot'));
+    await page.waitForSelector(by('task-card'));
     await page.tap(by('peek')); // leads to the program
     await page.tap(on('editor'));
     await typeOver(page, PROGRAM);
