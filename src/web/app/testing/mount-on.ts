@@ -20,6 +20,7 @@ beforeEach(() => {
   sessionStorage.clear(); // a tab's own settings
   showLanguage('de');
   document.body.innerHTML = '<section id="menus"></section>';
+  Object.assign(document, { elementsFromPoint: () => [] }); // happy-dom has no places
   setWindow(1024, 768);
 });
 enableAutoUnmount(afterEach);
