@@ -251,6 +251,7 @@ const FIRST_SOURCES = [
     'pupil/next-step/NextStepBar.vue',
   ],
   'help/greeting/WelcomeCard.vue',
+  'app/SkipLinks.vue',
 ];
 
 /** The files of other words, by whose they are. */
@@ -287,16 +288,20 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
 /**
  * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
  * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
- * drawings of the kinds of objects, and the next step's bar with the words that the projector view tells, too.
+ * drawings of the kinds of objects, and the next step's bar with the words that the projector view tells, too; before the tools,
+ * since both show the signs of things.
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
-    name: 'editor-tools',
-    test: /\/course\/editor\/(EditorActions\.vue|palette\/|parts\/ToolIcon)/,
+    name: 'next-step',
+    test: /\/(next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)|editor\/parts\/ToolIcon\.vue)/,
   },
-  { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
+  {
+    name: 'editor-tools',
+    test: /\/course\/editor\/(EditorActions\.vue|palette\/)/,
+  },
 ];
 
 /**

@@ -21,7 +21,7 @@ export const debugSubject: Subject<Stage> = {
       await page.click('[data-testid=pause]');
       await page.waitForSelector(BACK);
       await page.click(BACK); // brings the worker that looks into the past
-      await page.waitForSelector('[data-testid=look-back-close]');
+      await page.waitForSelector(`${PLACES.lookBack}[aria-checked=true]`);
       await page.waitForTimeout(2_000);
       const times: number[] = [];
       while (times.length < STEPS) times.push(await page.evaluate(timeToLineBefore, BACK));

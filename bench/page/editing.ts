@@ -35,6 +35,7 @@ export const editingSubject: Subject<Stage> = {
       await untilUsable(page);
       await pasteProgram(page, CIRCLE);
       await openCourse(page, { ...fullCourse(defaultScene()), name: NAME });
+      await page.click(PLACES.build);
       await page.click(PLACES.pen);
       await tools.send('Performance.enable');
       await scribble(page); // the tools' code comes with the first stroke
@@ -117,6 +118,7 @@ export const slowMovingSubject = movingAt(4, 33);
 
 /** Selects everything, as soon as the tools have come. */
 async function selectAll(page: Page): Promise<void> {
+  await page.click(PLACES.build);
   await page.click(PLACES.select);
   await until(page, (arena) => document.querySelector<HTMLElement>(arena)?.style.cursor !== 'progress', PLACES.arena);
   await page.focus(PLACES.arena);

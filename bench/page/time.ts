@@ -21,11 +21,10 @@ async function lookBackAfter({ page }: Opened, us: number): Promise<void> {
   await chooseMaximumSpeed(page);
   await page.click(PLACES.run);
   await until(page, (wanted) => window.bench.timeUs >= wanted, us, PATIENCE_MS);
-  await page.click(LOOK_BACK);
+  await page.click(PLACES.lookBack);
   await page.waitForSelector(RAIL);
   await page.waitForTimeout(1_000); // what is fetched and unpacked for it
 }
-const LOOK_BACK = '[data-testid=look-back-open]';
 
 /** In the page: with each frame a finger is elsewhere on the time line, near and far. */
 async function scrub({ css, forMs }: { readonly css: string; readonly forMs: number }): Promise<void> {

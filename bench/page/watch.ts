@@ -35,6 +35,8 @@ export const PLACES = {
   speed: '.ctl.speed',
   choice: '.menu-card .page-list-item',
   arena: '[data-testid=arena]',
+  build: '[data-testid=mode-build]',
+  lookBack: '[data-testid=mode-lookBack]',
   pen: '[data-tool=pen]',
   select: '[data-tool=select]',
   bin: '[data-testid=remove]',

@@ -19,7 +19,7 @@ export const whySubject: Subject<Stage> = {
       await chooseMaximumSpeed(page);
       await page.click(PLACES.run);
       await until(page, (us) => window.bench.timeUs >= us, DRIVEN_US);
-      await page.click('[data-testid=look-back-open]');
+      await page.click(PLACES.lookBack);
       await page.waitForSelector('[data-testid=why-open]');
       await page.waitForTimeout(1_000);
       const first = await page.evaluate(timeToAnswer);
