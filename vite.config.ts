@@ -133,6 +133,12 @@ function offline(): Plugin {
   };
 }
 
+/**
+ * Fields of classes are plain assignments in the browsers that have none. Defining them, as the standard says, takes a helper
+ * that is called for each field of each object. It only makes a difference where a class has a setter of that name above it: none has.
+ */
+const fieldsAssigned = { assumptions: { setPublicClassFields: true } } as const;
+
 /** The configuration that both builds of the web app share: the folder of files, and the single file (`--mode single`). */
 const common = {
   root: 'src/web',
@@ -186,7 +192,7 @@ async function workerCode(): Promise<string> {
       write: false,
       target: OLDEST,
       lib: { entry: here('src/web/session/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
-      rolldownOptions: { output: { codeSplitting: false } },
+      rolldownOptions: { transform: fieldsAssigned, output: { codeSplitting: false } },
     },
   });
   const [first] = Array.isArray(made) ? made : [made];
@@ -333,7 +339,7 @@ const folder: UserConfig = {
   worker: {
     format: 'es',
     plugins: () => [firmwareAwaited(), programs(), words(), runsInTheOldest(), collectModules()],
-    rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
+    rolldownOptions: { transform: fieldsAssigned, output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
   build: {
@@ -345,6 +351,7 @@ const folder: UserConfig = {
     // The polyfill would only make old Safaris ask a moment earlier.
     modulePreload: { resolveDependencies: fetchedAhead, polyfill: false },
     rolldownOptions: {
+      transform: fieldsAssigned,
       input: pages().map((page) => here(`src/web/${page}`)),
       treeshake,
       output: { codeSplitting: { groups: chunkGroups }, assetFileNames: shortForStyles, chunkFileNames: namesOfWords },
@@ -375,6 +382,7 @@ const single: UserConfig = {
     cssCodeSplit: false,
     modulePreload: false,
     rolldownOptions: {
+      transform: fieldsAssigned,
       input: here('src/web/main.ts'),
       output: { format: 'iife', codeSplitting: false },
       checks: { emptyImportMeta: false }, // of Vite's loader of late parts, which has nothing to do here
