@@ -19,6 +19,9 @@ import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
  *   robot carries its bumper; a pressed half moves 3 mm towards the axle and turns red.
  * - `ultrasonic`: the group of the distance sensor, which a servo may turn: see `attachment-parts.ts`.
  *
+ * What can be plugged in is a group that names its option first (`<g data-if="ultrasonic=yes" id=…`, `data-unless`); it is
+ * gone from the text before it comes here: see `drawings.ts` of the robots.
+ *
  * A missing part is not animated; nothing else depends on it.
  */
 export interface RobotDrawing {

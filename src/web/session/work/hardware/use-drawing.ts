@@ -1,22 +1,28 @@
-import { shallowRef, watch, type ShallowRef } from 'vue';
+import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
+import type { OptionValues } from '#core/option';
 import { fetchDrawing, fetchedDrawing } from '#robots/drawings';
 import type { RobotType } from '#robots/robot';
 
-/** The drawing of a robot, which is fetched when the robot is first shown; `null` until it is there. */
-export function useDrawing(robot: () => Pick<RobotType, 'id'> | null): Readonly<ShallowRef<string | null>> {
-  const drawing = shallowRef<string | null>(null);
-  const show = async (id: string): Promise<void> => {
-    const fetched = await fetchDrawing(id).catch(() => null); // without a connection it is asked for at the next change
-    if (robot()?.id === id) drawing.value = fetched;
-  };
+/**
+ * The drawing of a robot, which is fetched when the robot is first shown; `null` until it is there.
+ *
+ * @param options the parts that are plugged in; left out: what comes in the box
+ */
+export function useDrawing(
+  robot: () => Pick<RobotType, 'id'> | null,
+  options?: () => OptionValues,
+): ComputedRef<string | null> {
+  const id = computed(() => robot()?.id ?? null);
+  const come = shallowRef(0);
   watch(
-    () => robot()?.id ?? null,
-    (id) => {
-      drawing.value = id === null ? null : fetchedDrawing(id);
-      if (id !== null && drawing.value === null) void show(id);
+    id,
+    async (wanted) => {
+      if (wanted === null || fetchedDrawing(wanted) !== null) return;
+      await fetchDrawing(wanted).catch(() => null); // without a connection it is asked for at the next change
+      come.value += 1;
     },
     { immediate: true },
   );
-  return drawing;
+  return computed(() => (come.value >= 0 && id.value !== null ? fetchedDrawing(id.value, options?.()) : null));
 }

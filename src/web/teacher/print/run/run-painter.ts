@@ -1,3 +1,4 @@
+import type { OptionValues } from '#core/option';
 import { fetchDrawing } from '#robots/drawings';
 import type { Mover, Scene } from '#scene/scene';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
@@ -18,12 +19,18 @@ import { TurnedBody } from '../../../pupil/arena/robot/turned-body';
 import { toPx, type View } from '../../../pupil/arena/view/view-transform';
 import type { Trails } from '../../../session/run/trails';
 
+/** A robot with what is plugged into it; `null`: a board alone. */
+interface PaintedRobot {
+  readonly robot: RobotLook | null;
+  readonly options: OptionValues;
+}
+
 /** The parts of a run that are painted, besides its moments. */
 export interface PaintedRun {
   /** The course as the run had it. */
   readonly scene: Scene;
   /** Its robots, by the place of their device; `null`: a board alone. */
-  readonly robots: readonly (RobotLook | null)[];
+  readonly robots: readonly (PaintedRobot | null)[];
   /** Their colours, as `deviceColor` takes them. */
   readonly colors: readonly number[];
   /** `null`: none is drawn. */
@@ -56,7 +63,7 @@ export async function runPainter(run: PaintedRun, longestPx: number, first: Snap
   let cameMs = performance.now();
   const came = (): void => void (cameMs = performance.now());
   const robots = await Promise.all(
-    run.robots.map((look) => (look === null ? Promise.resolve(null) : paintingOf(look, came))),
+    run.robots.map((one) => (one?.robot ? paintingOf(one.robot, one.options, came) : Promise.resolve(null))),
   );
   const painter = createPainter(run, robots, longestPx, came);
   const startMs = performance.now();
@@ -69,8 +76,8 @@ export async function runPainter(run: PaintedRun, longestPx: number, first: Snap
   return painter;
 }
 
-async function paintingOf(look: RobotLook, redraw: () => void): Promise<RobotPainting> {
-  const drawing = readRobotDrawing(await fetchDrawing(look.id));
+async function paintingOf(look: RobotLook, options: OptionValues, redraw: () => void): Promise<RobotPainting> {
+  const drawing = readRobotDrawing(await fetchDrawing(look.id, options));
   return {
     look,
     drawing,

@@ -60,7 +60,7 @@ export function useRunPictures(): RunPictures {
       const first = whole?.rows.at(stretch.value.fromUs) ?? null;
       if (whole === null || first === null) return Promise.reject(new Error('There is no run.'));
       const { scene } = liveScene(work.scene.value, recording.setup?.scene ?? null);
-      const robots = work.devices.value.map((_, place) => hardwareNow(app, place)?.robot ?? null);
+      const robots = work.devices.value.map((_, place) => hardwareNow(app, place));
       const trails = hasTrace.value ? whole.trails : null;
       return runPainter({ scene, robots, colors: colorsOfDevices(app), trails }, longestPx, first);
     },
