@@ -294,20 +294,15 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
 /**
  * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
  * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
- * drawings of the kinds of objects, and the next step's bar with the words that the projector view tells, too; before the tools,
- * since both show the signs of things.
+ * drawings of the kinds of objects, the next step's bar with the words that the projector view tells, and the greeting with the
+ * menu entries that it shows, too.
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
-  {
-    name: 'next-step',
-    test: /\/(next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)|editor\/parts\/ToolIcon\.vue)/,
-  },
-  {
-    name: 'editor-tools',
-    test: /\/course\/editor\/(EditorActions\.vue|palette\/)/,
-  },
+  { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
+  { name: 'WelcomeCard', test: /\/greeting\/WelcomeCard\.vue/ },
+  { name: 'editor-tools', test: /\/course\/editor\/(EditorActions\.vue|palette\/)/ },
 ];
 
 /**
@@ -320,9 +315,9 @@ const belowWorker = {
   test: (id: string) => !id.endsWith('/run/worker/worker.ts'),
 };
 
-/** The names of all late styles lie in the first chunk, and nobody asks for one by its name. */
+/** The names of all late styles lie in the first chunk, and nobody asks for one by its name: they are short. */
 const shortForStyles = ({ names }: { readonly names: readonly string[] }): string =>
-  names[0]?.endsWith('.css') === true ? 'assets/s-[hash][extname]' : 'assets/[name]-[hash][extname]';
+  names[0]?.endsWith('.css') === true ? 'assets/s-[hash:6][extname]' : 'assets/[name]-[hash][extname]';
 
 /** Files of words are called after their group and language. */
 const namesOfWords = ({ facadeModuleId }: { readonly facadeModuleId?: string | null | undefined }): string => {
