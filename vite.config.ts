@@ -9,7 +9,16 @@ import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } 
 
 import { breakPoints } from './build/break-points.ts';
 import { bundled, collectModules, ICON, licences } from './build/bundled.ts';
+import {
+  belowWorker,
+  chunkGroups,
+  fetchedAhead,
+  LATE_OF_LIBRARIES,
+  namesOfWords,
+  shortForStyles,
+} from './build/chunks.ts';
 import { firmwareAwaited, firmwareMade } from './build/firmware-awaited.ts';
+import { librariesApart } from './build/libraries-apart.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
@@ -245,9 +254,6 @@ function onePage(): Plugin {
   };
 }
 
-/** The late parts that everybody waits for. */
-const FIRST_PARTS = /\/(CodeEditor|MicrobitView|NextStepBar|WelcomeCard)-[^/]*\.js$/;
-
 /** The sources of the page before anything is pressed; their words come together. */
 const FIRST_SOURCES = [
   ...[
@@ -282,48 +288,6 @@ function wordFiles(): WordGroups {
   }
   return groups;
 }
-
-/**
- * Which of the files that a late part imports are asked for together with it, instead of after it. The lists of those
- * files lie in the first chunk, and would make it 3 kB heavier if every late part had one. Styles are always needed: a
- * part is shown once they are there.
- */
-const fetchedAhead = (part: string, files: string[]): string[] =>
-  FIRST_PARTS.test(part) ? files : files.filter((file) => file.endsWith('.css'));
-
-/**
- * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
- * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
- * drawings of the kinds of objects, the next step's bar with the words that the projector view tells, and the greeting with the
- * menu entries that it shows, too.
- */
-const chunkGroups = [
-  { name: 'page', tags: ['$initial' as const] },
-  { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
-  { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
-  { name: 'WelcomeCard', test: /\/greeting\/WelcomeCard\.vue/ },
-  { name: 'editor-tools', test: /\/course\/editor\/(EditorActions\.vue|palette\/)/ },
-];
-
-/**
- * All that the worker needs at once is a file below its own. Late parts of it import from there: where one imported the
- * worker's own file, WebKit would run that file a second time, and each message would be answered twice.
- */
-const belowWorker = {
-  name: 'worker-parts',
-  tags: ['$initial' as const],
-  test: (id: string) => !id.endsWith('/run/worker/worker.ts'),
-};
-
-/** The names of all late styles lie in the first chunk, and nobody asks for one by its name: they are short. */
-const shortForStyles = ({ names }: { readonly names: readonly string[] }): string =>
-  names[0]?.endsWith('.css') === true ? 'assets/s-[hash:6][extname]' : 'assets/[name]-[hash][extname]';
-
-/** Files of words are called after their group and language. */
-const namesOfWords = ({ facadeModuleId }: { readonly facadeModuleId?: string | null | undefined }): string => {
-  const [, group = '', language = ''] = /word-file:(\w+)\/(\w+)$/.exec(facadeModuleId ?? '') ?? [];
-  return `assets/${group === '' ? '[name]' : `words-${group}-${language}`}-[hash].js`;
-};
 
 /** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
 const treeshake = { propertyReadSideEffects: false } as const;
@@ -397,6 +361,7 @@ export default defineConfig(({ mode, command }) =>
         ...folder,
         plugins: [
           wordsFor(command),
+          librariesApart(LATE_OF_LIBRARIES),
           ...commonPlugins(),
           frameCheck(),
           installable(),
