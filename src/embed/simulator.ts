@@ -22,6 +22,10 @@ export type { Refusal } from './refusal';
 export const PARTS = ['bar', 'code', 'board', 'arena', 'tools', 'console'] as const;
 export type Part = (typeof PARTS)[number];
 
+/** The modes of the arena, in the order in which they are shown: driving, building the course, looking back at a run. */
+export const ARENA_MODES = ['drive', 'build', 'lookBack'] as const;
+export type ArenaMode = (typeof ARENA_MODES)[number];
+
 /** A host's settings of the page. None are kept in the browser: without the host, the pupil's own choices come back. */
 export interface HostSettings extends Partial<Omit<ProjectSettings, 'myRobot'>> {
   readonly language?: Language;
@@ -85,6 +89,7 @@ export interface EmbeddedSimulator {
   board(): string;
   /** The present work with its settings. */
   project(): Project;
+  mode(): ArenaMode;
   settings(): Required<Omit<HostSettings, 'labels'>>;
   /** Values that were set by hand or by a host and hold for every run, by sensor id. */
   sensorWishes(): Readonly<Record<string, number>>;
@@ -102,6 +107,8 @@ export interface EmbeddedSimulator {
   /** One step in the course editor; a current run goes on. */
   edit(edit: SceneEdit): Refusal;
   change(settings: HostSettings): Refusal;
+  /** Enters a mode of the arena; one that is not offered now is refused. Building and looking back pause a run. */
+  enterMode(mode: ArenaMode): Refusal;
 
   /** Starts a new run, also during a run. Resolves when the run is under way or could not start. */
   run(paused?: boolean): Promise<Refusal>;

@@ -75,6 +75,7 @@ function workMethods(send: Connection['send'], done: Done) {
     setRobot: (choice) => done('set-robot', choice),
     getRobot: () => send('get-robot', {}),
     setSettings: (settings) => done('settings', settings),
+    setMode: (mode) => done('set-mode', { mode }),
     getSettings: () => send('get-settings', {}),
   } satisfies Partial<Parcours>;
 }

@@ -13,6 +13,7 @@ import type {
   State,
   Welcome,
 } from '../parcours/protocol';
+import type { ArenaMode } from '../simulator';
 import type { SourceFile } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 import type { BreakPoint } from '#vm/debug/stops';
@@ -46,6 +47,8 @@ export interface Parcours {
   /** Language, theme, sound, shown parts, words of the board's controls. The browser keeps none of these. */
   setSettings(settings: Partial<PageSettings> & { readonly labels?: Readonly<Record<string, string>> }): Promise<void>;
   getSettings(): Promise<PageSettings>;
+  /** Enters a mode of the arena; refused where it is not offered: a task may lock the course, a past needs a run. */
+  setMode(mode: ArenaMode): Promise<void>;
 
   /** Starts a new run. Resolves when the program runs. */
   run(options?: { readonly paused?: boolean }): Promise<void>;

@@ -19,6 +19,7 @@ export abstract class ParcoursMethods extends Base {
   readonly getRobot: Parcours['getRobot'] = () => this.whenThere((it) => it.getRobot());
   readonly setSettings: Parcours['setSettings'] = (settings) => this.whenThere((it) => it.setSettings(settings));
   readonly getSettings: Parcours['getSettings'] = () => this.whenThere((it) => it.getSettings());
+  readonly setMode: Parcours['setMode'] = (mode) => this.whenThere((it) => it.setMode(mode));
 
   readonly run: Parcours['run'] = (options = {}) => this.whenThere((it) => it.run(options));
   readonly stop: Parcours['stop'] = () => this.whenThere((it) => it.stop());

@@ -124,6 +124,10 @@ describe('commands of our own dialect', () => {
     const { simulator, ask } = greeted();
     expect(ask('settings', { language: 'it', parts: ['board', 'arena'], labels: { 'button-a': 'Knopf' } })).toMatchObject({ ok: true }); // prettier-ignore
     expect(simulator.settings()).toMatchObject({ language: 'it', theme: 'system', parts: ['board', 'arena'] });
+    expect(ask('set-mode', { mode: 'build' })).toMatchObject({ ok: true });
+    expect(ask('state')).toMatchObject({ mode: 'build' });
+    expect(ask('set-mode', { mode: 'lookBack' })).toMatchObject({ ok: false, code: 'refused' });
+    expect(ask('set-mode', { mode: 'fly' })).toMatchObject({ code: 'wrong-message', path: 'mode' });
     expect(ask('settings', { language: 'rm' })).toMatchObject({ code: 'wrong-message', path: 'language' });
     expect(ask('settings', { volume: 3 })).toMatchObject({ code: 'wrong-message', path: 'volume' });
   });

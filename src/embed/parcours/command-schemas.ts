@@ -5,7 +5,7 @@ import { LANGUAGES } from '#core/languages';
 import { FILE_BYTES, NAME_CHARACTERS, projectLimits } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 
-import { PARTS } from '../simulator';
+import { ARENA_MODES, PARTS } from '../simulator';
 import { eventNames } from './event-schemas';
 import { limits } from './limits';
 import type { CommandName, Commands, ProjectFile, SceneFile } from './protocol';
@@ -96,6 +96,7 @@ export const commandSchemas = {
     parts: maybe(pipe(v.array(v.picklist(PARTS)), v.minLength(1), v.maxLength(PARTS.length), description('The parts of the page that are shown.'))), // prettier-ignore
     labels: maybe(pipe(smallMap(textOf(limits.labelCharacters), limits.labels), description('Words of the host for the controls of the board: `button-a`, `button-b`, `touch-logo`, `start-simulator`.'))), // prettier-ignore
   }),
+  'set-mode': v.strictObject({ mode: pipe(v.picklist(ARENA_MODES), description('`drive`: with the hand alone; `build`: with the tools for the course; `lookBack`: at the run.')) }), // prettier-ignore
   run: v.strictObject({ paused: maybe(flag('Whether the run begins paused.')) }),
   stop: nothing,
   reset: nothing,

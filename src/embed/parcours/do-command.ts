@@ -82,6 +82,8 @@ export function doCommand(command: ReadCommand, reach: CommandReach): Outcome | 
       return from(simulator.change(command.fields));
     case 'arena-senses':
       return from(simulator.change({ arenaSenses: command.fields.on }));
+    case 'set-mode':
+      return from(simulator.enterMode(command.fields.mode));
     case 'get-robot':
       return done('get-robot', robotOf(simulator));
     case 'get-settings':
@@ -216,6 +218,7 @@ function stateOf(simulator: EmbeddedSimulator): Commands['state']['result'] {
     board: simulator.board(),
     ended: ended && endedWord(ended),
     snapshot: snapshot && plainSnapshot(snapshot),
+    mode: simulator.mode(),
     looking: simulator.debug.isLookingBack(),
     sensors: simulator.sensorWishes(),
     ...{ speed, seed, reality, arenaSenses },

@@ -4,7 +4,7 @@ import * as v from 'valibot';
 import { LANGUAGES } from '#core/languages';
 
 import { SPEEDS } from '#simulation/pace';
-import { PARTS } from '../simulator';
+import { ARENA_MODES, PARTS } from '../simulator';
 import { flag, numberOf, poseFields, THEMES } from './schema-parts';
 import type { CommandName, EventName, Events } from './protocol';
 import { verdictSchema } from './verdict-schema';
@@ -227,6 +227,7 @@ const state = v.strictObject({
     v.metadata({ shown: 'object or `null`' }),
     description('As in the event `snapshot`; `null` before the first run.'),
   ),
+  mode: pipe(v.exactOptional(v.picklist(ARENA_MODES)), description('The mode of the arena.')),
   looking: pipe(v.exactOptional(v.boolean()), description('A moment of the past is shown: `atMs` and `snapshot` are that moment’s.')), // prettier-ignore
   sensors: record(v.number(), 'Values that hold for every run.'),
   ...runSettings,

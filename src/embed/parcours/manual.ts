@@ -21,6 +21,7 @@ const COMMANDS: Readonly<Record<CommandName, string>> = {
   'set-robot': 'Chooses robot, its options, microcomputer, firmware. A change ends the run.',
   'get-settings': 'Asks for the settings of the page.',
   settings: 'Sets language, theme, sound, shown parts and words. The browser keeps none of these.',
+  'set-mode': 'Enters a mode of the arena. Building and looking back pause a run; a start always leads to driving. Refused where the mode is not offered: no building without the part `tools` or where a task locks the course, no past before a run.', // prettier-ignore
   run: 'Starts a new run, also during a run. Answered when the program runs; refused when it cannot begin.',
   stop: 'Ends the run, also one that has not begun yet. The last picture stays. Answered when the run has ended.',
   reset: 'Ends the run, as `stop` does, and puts everything back to the start. Answered when the run has ended.',

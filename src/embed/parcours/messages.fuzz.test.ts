@@ -36,6 +36,7 @@ const USUAL: readonly { readonly type: CommandName; readonly [field: string]: un
   { type: 'edit', edit: { type: 'add', objects: [wall] } },
   { type: 'set-robot', robot: 'maqueen-lite', robotOptions: {}, device: 'microbit-v2', firmware: '' },
   { type: 'settings', language: 'fr', theme: 'dark', muted: true, parts: ['board', 'arena'], labels: { 'button-a': 'A' } }, // prettier-ignore
+  { type: 'set-mode', mode: 'build' },
   { type: 'run', paused: true },
   { type: 'set-break-points', points: [{ file: 'main.py', line: 3 }] },
   { type: 'step-line', step: 'over' },
@@ -68,6 +69,7 @@ const ALLOWED: Readonly<Partial<Record<CommandName, RecordedCall['call']>>> = {
   seed: 'change',
   reality: 'change',
   'arena-senses': 'change',
+  'set-mode': 'enterMode',
   run: 'run',
   stop: 'stop',
   reset: 'reset',

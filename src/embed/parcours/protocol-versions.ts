@@ -29,6 +29,7 @@ export const protocolChanges: readonly ProtocolChange[] = [
     ], // prettier-ignore
     events: ['held', 'looking', 'break-points-changed'],
   },
+  { app: '1.1.0', commands: ['set-mode'], events: [] },
 ];
 
 /** `since` for the manual: the version that brought a command or an event, unless it is the first. */

@@ -19,7 +19,7 @@ import type { Verdict } from '#simulation/task/verdict';
 import type { Shown } from '#vm/debug/shown';
 import type { BreakPoint, Step } from '#vm/debug/stops';
 
-import type { Part } from '../simulator';
+import type { ArenaMode, Part } from '../simulator';
 
 /** The version of this dialect. A new version is a change that an older host would not understand. */
 export type ProtocolVersion = 1;
@@ -128,6 +128,8 @@ export interface State {
   readonly snapshot: PlainSnapshot | null;
   /** A moment of the past is looked at: time and snapshot are that moment's. Missing in pages up to 0.1.0. */
   readonly looking?: boolean;
+  /** The mode of the arena. Missing in pages up to 1.0.0. */
+  readonly mode?: ArenaMode;
   /** Values of sensors that hold for every run, by the sensor's id. */
   readonly sensors: Readonly<Record<string, number>>;
   readonly speed: Speed;
@@ -244,6 +246,7 @@ export interface Commands {
   'set-robot': Command<Partial<RobotChoice>, Nothing>;
   'get-settings': Command<Nothing, PageSettings>;
   settings: Command<Partial<PageSettings> & { readonly labels?: Readonly<Record<string, string>> }, Nothing>;
+  'set-mode': Command<{ readonly mode: ArenaMode }, Nothing>;
   run: Command<{ readonly paused?: boolean }, Nothing>;
   stop: Command<Nothing, Nothing>;
   reset: Command<Nothing, Nothing>;

@@ -18,7 +18,14 @@ import { boardSnapshot } from '#simulation/take-snapshot';
 
 import { filesProblem } from '../files-problem';
 import type { BreakPoint, EmbeddedDebugger, HostStep, ProgramMoment } from '../debugger';
-import { PARTS, type EmbeddedSimulator, type HostSettings, type Refusal, type SimulatorEvent } from '../simulator';
+import {
+  PARTS,
+  type ArenaMode,
+  type EmbeddedSimulator,
+  type HostSettings,
+  type Refusal,
+  type SimulatorEvent,
+} from '../simulator';
 
 /** One action of an adapter on the simulator. Reading is not recorded. */
 export type RecordedCall =
@@ -27,6 +34,7 @@ export type RecordedCall =
   | { readonly call: 'setScene'; readonly scene: Project['scene'] }
   | { readonly call: 'edit'; readonly edit: Parameters<EmbeddedSimulator['edit']>[0] }
   | { readonly call: 'change'; readonly settings: HostSettings }
+  | { readonly call: 'enterMode'; readonly mode: ArenaMode }
   | { readonly call: 'run'; readonly paused: boolean }
   | { readonly call: 'stop' | 'reset' | 'pause' | 'resume' | 'step' | 'clearConsole' }
   | { readonly call: 'input'; readonly action: InputAction; readonly device?: string }
@@ -62,6 +70,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   labels: Readonly<Record<string, string>> = {};
   private readonly listeners = new Set<(event: SimulatorEvent) => void>();
   private ask: (() => void) | null = null;
+  private entered: ArenaMode = 'drive';
   private work: Project;
   private held: ReturnType<EmbeddedSimulator['settings']>;
   private now: RunPhase;
@@ -99,6 +108,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   nowUs = (): number => 0;
   ended = (): null => null;
   board = (): string => this.hardware().board.id;
+  mode = (): ArenaMode => this.entered;
   project = (): Project => ({ ...this.work, settings: projectSettings(this.held) });
   settings = (): ReturnType<EmbeddedSimulator['settings']> => this.held;
   sensorWishes = (): Readonly<Record<string, number>> => this.wishes;
@@ -108,16 +118,8 @@ export class RecordingSimulator implements EmbeddedSimulator {
     if (this.now === 'ready') return null;
     const device: DeviceSnapshot = {
       ...boardSnapshot(this.rehearsal),
-      ...{
-        name: SOLO,
-        running: 'program',
-        awaitsInput: false,
-        repl: false,
-        position: null,
-        robot: null,
-        lights: [],
-        arenaSenses: false,
-      },
+      ...{ name: SOLO, running: 'program', awaitsInput: false, repl: false, position: null, robot: null, lights: [] },
+      arenaSenses: false,
     };
     const others = deviceNames(this.work)
       .slice(1)
@@ -179,6 +181,13 @@ export class RecordingSimulator implements EmbeddedSimulator {
     this.held = next;
     this.rehearsal = this.newBoard();
     this.tell({ type: 'settings', settings: this.held });
+    return null;
+  }
+
+  enterMode(mode: ArenaMode): Refusal {
+    this.calls.push({ call: 'enterMode', mode });
+    if (mode === 'lookBack' && this.now === 'ready') return NO_RUN;
+    this.entered = mode;
     return null;
   }
 
@@ -255,7 +264,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     lookAt: async (timeUs) => {
       await Promise.resolve();
       this.calls.push({ call: 'lookAt', timeUs });
-      if (this.now === 'ready') return 'This needs a run that has been.';
+      if (this.now === 'ready') return NO_RUN;
       this.pastUs = timeUs;
       this.tell({ type: 'looking', timeUs });
       return null;
@@ -335,6 +344,9 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return made;
   }
 }
+
+/** The refusal of a past. */
+const NO_RUN = 'This needs a run that has been.';
 
 function wishOf({ scene, files }: Project, settings: ReturnType<EmbeddedSimulator['settings']>) {
   const { robot, device, robotOptions } = settings;

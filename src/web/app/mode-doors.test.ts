@@ -118,6 +118,14 @@ describe.each(ARENA_MODES)('in the mode %s', (mode) => {
     expect([said === null, page.scene() !== before]).toEqual(mode === 'lookBack' ? [false, false] : [true, true]);
   });
 
+  it.each(ARENA_MODES)('a host that enters the mode %s changes no course', async (wished) => {
+    const page = await inMode(mode);
+    const before = page.scene();
+    const simulator = appSimulator(page);
+    expect([simulator.enterMode(wished), simulator.mode()]).toEqual([null, wished]);
+    expect(page.scene()).toBe(before);
+  });
+
   it('windows on the course open if something is built, and only then; that for printing always does', async () => {
     const page = await inMode(mode);
     for (const panel of ['parts', 'list', 'course', 'background'] as const) {

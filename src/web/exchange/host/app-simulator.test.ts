@@ -3,7 +3,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 
+import { noLocks } from '#check/task/task';
 import { createPage } from '../../app/testing/page';
+import { show, startRun } from '../../app/testing/run';
 import { appSimulator } from './app-simulator';
 
 const main = (text: string) => [{ name: 'main.py', text }];
@@ -75,5 +77,21 @@ describe('what a host does to the page', () => {
     expect(simulator.project().files).toEqual(main('mine'));
     expect(told).toEqual([['remote', main('theirs')]]);
     expect(simulator.setFiles(main('theirs'), 'nobody')).toMatch(/no device "nobody"/);
+  });
+
+  it('enters the modes that are offered, and says why another is not', async () => {
+    const parts = createPage();
+    const simulator = appSimulator(parts);
+    expect(simulator.enterMode('lookBack')).toBe('This needs a run that has been.');
+    expect([simulator.enterMode('build'), simulator.mode()]).toEqual([null, 'build']);
+    await startRun(parts);
+    await show(parts, { timeUs: 1_000_000 });
+    expect([simulator.enterMode('lookBack'), simulator.mode(), simulator.phase()]).toEqual([null, 'lookBack', 'paused']); // prettier-ignore
+    parts.work.locks.task.value = { locks: { ...noLocks, course: true } } as never;
+    expect(simulator.enterMode('build')).toBe('The task that is open keeps this as it is.');
+    expect([simulator.mode(), simulator.enterMode('drive'), simulator.mode()]).toEqual(['lookBack', null, 'drive']);
+    parts.work.locks.task.value = null;
+    simulator.change({ parts: ['code', 'arena'] });
+    expect(simulator.enterMode('build')).toBe('The page shows no tools: "tools" is not among its parts.');
   });
 });

@@ -2,7 +2,7 @@ import { watch } from 'vue';
 import type { HostedPage } from './hosted-page';
 
 import { filesProblem } from '#embed/files-problem';
-import type { EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
+import type { ArenaMode, EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
 import { withFiles } from '#project/devices';
 import { isSame } from '#core/same';
 import type { Project } from '#project/project';
@@ -41,10 +41,12 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
     ended: () => run.endings.value[0] ?? null,
     board: () => hardwareNow(app, 0)?.board.id ?? '',
     project: () => presentProject(app),
+    mode: () => app.mode.current.value,
     settings: () => settingsOf(app),
     sensorWishes: () => app.sensors.wishes.value,
     ...hostWork(app),
     change,
+    enterMode: (mode) => enterMode(app, mode),
     ...hostRuns(app),
     input: (action, device) => inputs.take(action, device),
     clearConsole: () => app.console.clear(),
@@ -127,6 +129,17 @@ function changeSettings(app: WorkParts & VisitParts, wish: HostSettings): Refusa
   bringSettings(app, wish);
   return null;
 }
+
+/** Enters a mode, or says why it is not offered. */
+function enterMode({ mode, host }: HostedPage, wished: ArenaMode): Refusal {
+  mode.enter(wished);
+  if (mode.current.value === wished) return null;
+  if (wished === 'lookBack') return 'This needs a run that has been.';
+  return host.parts.value?.includes('tools') === false ? NO_TOOLS : KEPT;
+}
+
+/** The refusal of building where the host shows no tools. */
+const NO_TOOLS = 'The page shows no tools: "tools" is not among its parts.';
 
 function bringSettings({ settings, host }: Pick<WorkParts, 'settings'> & VisitParts, wish: HostSettings): void {
   settings.hold(heldSettings(wish));

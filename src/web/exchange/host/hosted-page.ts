@@ -2,6 +2,7 @@ import type { ConsoleParts } from '../../pupil/console/parts';
 import type { CourseEditorParts } from '../../course/editor/state/parts';
 import type { DebugParts } from '../../pupil/debug/parts';
 import type { LayoutParts } from '../../session/layout/parts';
+import type { ModeParts } from '../../session/mode/parts';
 import type { PageParts } from '../../kit/parts';
 import type { RunParts } from '../../session/run/parts';
 import type { VisitParts } from '../../session/visit/parts';
@@ -15,4 +16,5 @@ export type HostedPage = Pick<PageParts, 'notices'> &
   Pick<LayoutParts, 'layout'> &
   Pick<ConsoleParts, 'console'> &
   Pick<CourseEditorParts, 'editor'> &
-  DebugParts;
+  DebugParts &
+  ModeParts;

@@ -1,12 +1,12 @@
 import { computed, watch, type ComputedRef } from 'vue';
 
+import { ARENA_MODES, type ArenaMode } from '#embed/simulator';
+
 import type { RunParts } from '../run/parts';
 import type { VisitParts } from '../visit/parts';
 import type { WorkParts } from '../work/model/parts';
 
-/** The modes of the arena, in the order in which they are shown: driving, building the course, looking back at a run. */
-export const ARENA_MODES = ['drive', 'build', 'lookBack'] as const;
-export type ArenaMode = (typeof ARENA_MODES)[number];
+export { ARENA_MODES, type ArenaMode } from '#embed/simulator';
 
 /** The purpose of the arena now. Whatever does not belong to it is neither shown nor can it act. */
 export interface ModeModel {
