@@ -14,7 +14,8 @@ async function runOn(app: App, module: string): Promise<void> {
   await pasteProgram(app, [`from ${module} import *`, ...PROGRAM].join('\n'));
   await app.click(on('run'));
   await until(app, '[role=log] .card');
-  await app.click('[data-testid=interrupt]'); // the board shows its error by scrolling for half a minute; this ends it
+  await app.click(by('error-raw'));
+  await app.click(by('error-repl')); // the board shows its error by scrolling for half a minute; this ends it
   await expect.poll(() => consoleIn(app)).toContain('>>>');
 }
 

@@ -97,7 +97,8 @@ test(
     await openApp(app);
     await pasteProgram(app, FAILING);
     await app.click(on('run'));
-    await until(app, by('error-look'));
+    await until(app, by('error-raw'));
+    await app.click(by('error-raw'));
     await app.click(by('error-look'));
     await expect.poll(() => at(app)).toMatch(/ 4$/);
     await expect.poll(() => variables(app)).toEqual(expect.arrayContaining(['a int 1', 'rest int 0', 'n int 1']));

@@ -437,9 +437,9 @@ describe('how a run ends, in the console and at the foot of the page', () => {
     expect(notes()).toEqual(['console.stopped']);
   });
 
-  it('shows an error on a phone above the arena, with the way to the line', async () => {
+  it('shows an error on a phone over the board, with the way to the line', async () => {
     const { page, end } = await running(390);
-    page.layout.tab.value = 'arena';
+    page.layout.tab.value = 'board';
     await end(failed);
     await vi.waitFor(() => expect(page.notices.current.value).not.toBeNull(), 20_000);
     expect(page.notices.current.value).toMatchObject({
@@ -451,13 +451,16 @@ describe('how a run ends, in the console and at the foot of the page', () => {
     expect(page.layout.isShown.value.code).toBe(true);
   });
 
-  it('shows it there only where the console is out of sight', async () => {
-    const { page, end } = await running(390);
-    page.layout.tab.value = 'console';
-    await end(failed);
-    await flushPromises();
-    expect(page.notices.current.value).toBeNull();
-  });
+  it.each(['console', 'arena'] as const)(
+    'shows it there only where it is out of sight: not over the %s',
+    async (tab) => {
+      const { page, end } = await running(390);
+      page.layout.tab.value = tab;
+      await end(failed);
+      await flushPromises();
+      expect(page.notices.current.value).toBeNull();
+    },
+  );
 });
 
 describe('what goes wrong with a run through no fault of the program', () => {

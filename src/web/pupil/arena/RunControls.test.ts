@@ -7,6 +7,12 @@ import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
 import RunControls from './RunControls.vue';
 
+const failed = {
+  kind: 'exception',
+  exception: { type: 'NameError', message: 'x', line: null, traceback: '' },
+  timeUs: 1000,
+} as const;
+
 function controls() {
   const page = createPage();
   const mounted = mountOn(page, RunControls);
@@ -41,6 +47,20 @@ describe('the buttons of a run', () => {
     page.mode.enter('build');
     await nextTick();
     expect(ids()).toEqual(['run']);
+  });
+
+  it('stop nothing where an error has ended a program and nothing moves, until somebody turns to its device', async () => {
+    const { page, ids } = controls();
+    await startRun(page);
+    await show(page, { motors: [1, 1] });
+    page.say({ type: 'program-ended', device: 0, ended: failed });
+    await nextTick();
+    expect(ids()).toEqual(['run', 'stop', 'reset']);
+    await show(page, { motors: [0, 0] });
+    expect(ids()).toEqual(['run', 'reset']);
+    page.console.visitRepl();
+    await nextTick();
+    expect(ids()).toEqual(['run', 'stop', 'reset']);
   });
 
   it('are fewer on a phone: run or stop', async () => {

@@ -4,17 +4,12 @@ import { nextTick } from 'vue';
 
 import type { Ended } from '#simulation/simulation';
 
-import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { inputsOf, show, startRun } from '../../app/testing/run';
 import ConsoleInput from './ConsoleInput.vue';
 
 const finished: Ended = { kind: 'finished', exception: null, timeUs: 1000 };
-const failed: Ended = {
-  kind: 'exception',
-  exception: { type: 'ZeroDivisionError', message: 'division by zero', line: 1, traceback: '' },
-  timeUs: 1000,
-};
 
 /** The line under a program that runs, with its field and what was typed into the program so far. */
 async function running() {
@@ -258,34 +253,5 @@ describe('the console’s line at the REPL', () => {
     const { typed, field } = await atRepl();
     await field.trigger('paste', { clipboardData: { getData: () => 'if True:\n  print(1)\n' } });
     expect(typed()).toEqual(['\x05if True:\r  print(1)\x04']);
-  });
-});
-
-describe('the console’s line while the display shows an error', () => {
-  it('says how to go on', async () => {
-    const { page, field } = await running();
-    page.say({ type: 'program-ended', ended: failed, device: 0 });
-    await show(page, { repl: false });
-    const long = 'Für Python-Zeilen zuerst «Unterbrechen» drücken.';
-    expect(field.attributes('placeholder')).toBe(long);
-    expect(field.attributes('aria-label')).toBe(long);
-  });
-
-  it('offers nothing but the way to go on', async () => {
-    const { page, line } = await running();
-    page.say({ type: 'program-ended', ended: failed, device: 0 });
-    await show(page, { repl: false });
-    expect(line.findAll('button').map((it) => it.text())).toEqual(['Unterbrechen']);
-    await show(page, { repl: true });
-    expect(line.findAll('button').map((it) => it.text())).toEqual(['Senden', 'Unterbrechen', 'Neustart']);
-  });
-
-  it('says it in few words on a phone, where the field is narrow', async () => {
-    setWindow(390, 800);
-    const { page, field } = await running();
-    page.say({ type: 'program-ended', ended: failed, device: 0 });
-    await show(page, { repl: false });
-    expect(field.attributes('placeholder')).toBe('Zuerst Unterbrechen');
-    expect(field.attributes('aria-label')).toBe('Für Python-Zeilen zuerst «Unterbrechen» drücken.');
   });
 });

@@ -118,6 +118,20 @@ describe('the pane of the console', () => {
     expect(pane.find('form').exists()).toBe(false);
   });
 
+  it('leaves an error’s card alone until somebody turns to lines of Python', async () => {
+    const page = createPage();
+    const pane = mountOn(page, ConsolePane);
+    await startRun(page);
+    const exception = { type: 'NameError', message: 'x', line: null, traceback: '' };
+    page.say({ type: 'program-ended', ended: { kind: 'exception', exception, timeUs: 1 }, device: 0 });
+    await show(page, { repl: true });
+    expect(pane.find('form').exists()).toBe(false);
+    page.console.visitRepl();
+    await vi.dynamicImportSettled();
+    await nextTick();
+    expect(document.activeElement).toBe(pane.get('form input').element);
+  });
+
   it('marks the REPL and says what it is', async () => {
     const page = createPage();
     const pane = mountOn(page, ConsolePane);

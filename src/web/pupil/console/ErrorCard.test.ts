@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
-import { startRun } from '../../app/testing/run';
+import { inputsOf, startRun } from '../../app/testing/run';
 import { fetchAdvice } from './advice/explain';
 import type { ErrorReport } from './advice/error-advice';
 import ErrorCard from './ErrorCard.vue';
@@ -119,6 +119,18 @@ describe('the card of an error', () => {
       const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
       expect(card.find('[data-testid="error-look"]').exists(), type).toBe(leads);
     }
+  });
+
+  it('leads to lines of Python where the device’s words stand, and ends for it what the display shows', async () => {
+    const page = pageWith('main.py');
+    await startRun(page);
+    const failure = { ...nameError.failure, line: 2 };
+    page.say({ type: 'program-ended', device: 0, ended: { kind: 'exception', exception: failure, timeUs: 1000 } }); // prettier-ignore
+    const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 2 }, report: { ...nameError, failure } });
+    await card.get('.device [data-testid="error-repl"]').trigger('click');
+    expect(page.console.isReplVisited.value).toBe(true);
+    expect(inputsOf(page)).toEqual([{ type: 'serial', text: '\x03' }]);
+    expect(card.find('[data-testid="error-repl"]').exists()).toBe(false);
   });
 
   it('names and leads to the line in which a bracket opens', () => {

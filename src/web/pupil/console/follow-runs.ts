@@ -7,7 +7,6 @@ import type { Ended } from '#simulation/simulation';
 import type { PageParts } from '../../kit/parts';
 import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
-import type { RunModel } from '../../session/run/run-model';
 import { mispluggedNotice } from '../../session/work/hardware/misplugged';
 import { fittedNow, robotInErrorNow } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
@@ -16,6 +15,7 @@ import type { ErrorReport } from './advice/error-advice';
 import { causeOf, isUnread, placeIn, sourceAt } from './error-text';
 import type { DevicePlace } from './jump';
 import type { ConsoleParts } from './parts';
+import { isDriving } from './stirs';
 
 /** Time from the start of the first run until the page fetches what explains errors, in ms. */
 const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
@@ -67,7 +67,7 @@ export function emptyConsole({ work, run, console }: Pick<Around, 'work' | 'run'
 function showEnd(parts: Around, ended: Ended, device: number): void {
   const { run, console, jump } = parts;
   const { exception, kind } = ended;
-  const drives = isDriving(run, device);
+  const drives = isDriving(run.deviceNow(device));
   if (kind === 'stopped') {
     console.quieten(device); // the pupil wanted it: nothing is wrong
     console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted', device);
@@ -110,15 +110,8 @@ function mark(jump: ConsoleParts['jump'], place: DevicePlace | null, report: Err
   });
 }
 
-/** True if an error would stay hidden behind a tab of a phone: in the code it stands below the program. */
-const isHidden = ({ layout }: Around): boolean =>
-  layout.kind.value === 'phone' &&
-  !layout.isShown.value.console &&
-  !layout.isShown.value.code &&
-  layout.tabs.value.includes('console');
-
-/** True if the motors turn: they go on when the program is over, as on the real robot. */
-function isDriving(run: RunModel, device: number): boolean {
-  const duty = run.deviceNow(device)?.robot?.state.duty;
-  return duty !== undefined && (duty.left !== 0 || duty.right !== 0);
-}
+/** True if an error would stay hidden behind a tab of a phone: it stands below the program and below the arena. */
+const isHidden = ({ layout: { kind, tabs, isShown } }: Around): boolean =>
+  kind.value === 'phone' &&
+  tabs.value.includes('console') &&
+  !(['console', 'code', 'arena'] as const).some((pane) => isShown.value[pane]);

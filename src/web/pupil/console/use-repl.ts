@@ -15,22 +15,24 @@ export function useRepl({
   const ended = run.ended;
   /** True once the REPL has greeted; before that the display shows the error, half a minute at times. */
   const isRepl = computed(() => run.isActive.value && ended.value !== null && run.shown.value?.repl === true);
-  /** True while the display shows the error: the device reads no lines yet, and the error's card says all. */
-  const isErrorShown = computed(
-    () => run.past.value === null && run.isActive.value && ended.value?.kind === 'exception' && !isRepl.value,
+  /** True after an error until somebody turns to the REPL: its card says all, and has the way there. */
+  const isCardAll = computed(
+    () => run.past.value === null && ended.value?.kind === 'exception' && !console.isReplVisited.value,
   );
   const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
   return {
     isRepl,
-    isErrorShown,
-    /** True if the device reads the line: not without a run, and not after a panic. */
-    isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
+    /** True while the display shows the error: the device reads no lines yet. */
+    isErrorShown: computed(() => run.isActive.value && isCardAll.value && !isRepl.value),
+    /** True if there is a line for the device: not without a run, after a panic, or while an error's card says all. */
+    isOpen: computed(
+      () => run.isActive.value && !isCardAll.value && !['panic', 'fault'].includes(ended.value?.kind ?? ''),
+    ),
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
     /** The text in the field: its use at present. */
     hint: computed((): TextKey => {
       if (run.past.value !== null) return 'console.pastInput';
       if (run.isWaitingForInput.value) return 'console.input';
-      if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';
       if (ended.value !== null) return 'console.replInput';
       return readsInput.value ? 'console.input' : 'console.sendInput';
     }),

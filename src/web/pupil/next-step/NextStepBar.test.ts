@@ -207,7 +207,7 @@ describe('the bar at the foot of the arena', () => {
     };
     page.say({ type: 'program-ended', ended: { kind: 'exception', exception, timeUs: 0 }, device: 0 });
     await nextTick();
-    expect(page.text()).toBe('Zeile 3 hat einen FehlerWas hilft, steht in der Konsole.');
+    expect(page.text()).toBe('Zeile 3 hat einen FehlerUnter dem Programm steht, wie du ihn behebst.');
     page.layout.tab.value = 'arena';
     await press('Ändern');
     expect([page.layout.tab.value, page.jump.target.value?.line]).toEqual(['code', 3]);

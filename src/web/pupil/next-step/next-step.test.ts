@@ -126,7 +126,7 @@ const states: readonly (readonly [when: string, facts: Partial<StepFacts>, bar: 
   [
     'an error on a phone',
     { drive: 'over', error: { line: 3 }, task: { ...mission, ...failed }, isPhone: true },
-    'error | error | Zeile 3 hat einen Fehler | Was hilft, steht in der Konsole. | change! Ändern',
+    'error | error | Zeile 3 hat einen Fehler | Unter dem Programm steht, wie du ihn behebst. | change! Ändern',
   ],
   [
     'an error without a line',

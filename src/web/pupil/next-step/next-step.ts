@@ -177,8 +177,9 @@ function notYet({ hints: { open, all } }: StepTask, reason: string): NextStep {
 
 function errorStep({ line }: { readonly line: number | null }, isPhone: boolean): NextStep {
   const title = line === null ? t(words.error) : t(words.errorIn, { line });
-  // A wide page has the repair below the program.
-  return step('error', 'error', title, t(words.errorHelp), isPhone ? action('change', t(words.change), true) : null);
+  // A wide page has the repair in sight, a phone behind the tab with the program.
+  if (!isPhone) return step('error', 'error', title, t(words.errorHelp));
+  return step('error', 'error', title, t(words.errorHelpBelow), action('change', t(words.change), true));
 }
 
 const action = (name: StepAction, text: string, isInk = false): StepButton => ({ action: name, text, isInk });
