@@ -94,6 +94,23 @@ describe('the bar at the foot of the arena', () => {
     expect(byId('verdict-stars').getAttribute('aria-label')).toBe('2 von 3 Sternen');
   });
 
+  it('hands in a task of a series before it leads on, and keeps that in mind until another work is opened', async () => {
+    const page = await bar([samples.target]);
+    const { task, work } = page;
+    work.setTask({ version: 1, id: 'A', handedOut: true });
+    work.setHandIn({ version: 1, series: { series: 'week', task: '1' } });
+    await startRun(page);
+    await page.tell({ state: 'passed', atMs: 900 });
+    expect(textOf(byId('step-hand-in'))).toBe('Abgeben');
+    await tap('step-hand-in');
+    expect(task.handIn.isOpen.value).toBe(true);
+    task.handIn.done();
+    await nextTick();
+    expect(isThere('step-hand-in')).toBe(false); // now the series has its way on there
+    work.openProject({ ...work.work.value.project }, null);
+    expect(task.handIn.isDone.value).toBe(false);
+  });
+
   it('counts the seconds down, and warns in the last five', async () => {
     const page = await bar([samples.target], 20);
     const time = () => page.mounted.get('[data-testid="time-left"]');

@@ -8,7 +8,7 @@ export interface HandInModel {
   /** True where a task was handed out: there, handing in takes the place of sharing. */
   readonly isAsked: ComputedRef<boolean>;
   readonly isOpen: Readonly<Ref<boolean>>;
-  /** True if the work has been handed in since it was opened. */
+  /** True if the open work has been handed in; a reload does not forget it. */
   readonly isDone: Readonly<Ref<boolean>>;
   /** Opens the window, at the name. */
   readonly open: () => void;
@@ -17,15 +17,16 @@ export interface HandInModel {
   readonly done: () => void;
 }
 
-/** Makes the model. Another work begins with nothing handed in. */
+/** Makes the model. Another work closes the window. */
 export function createHandIn({ work }: Pick<WorkParts, 'work'>): HandInModel {
-  const [isOpen, isDone] = [shallowRef(false), shallowRef(false)];
-  watch([work.openings, work.arrivals], () => (isOpen.value = isDone.value = false));
+  const isOpen = shallowRef(false);
+  watch([work.works, work.arrivals], () => (isOpen.value = false));
   return {
     isAsked: computed(() => isHandedOut(work.work.value.project)),
-    ...{ isOpen, isDone },
+    isOpen,
+    isDone: computed(() => work.work.value.isHandedIn === true),
     open: () => void (isOpen.value = true),
     close: () => void (isOpen.value = false),
-    done: () => void (isDone.value = true),
+    done: () => work.noteHandedIn(),
   };
 }

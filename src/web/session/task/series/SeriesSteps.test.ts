@@ -19,12 +19,16 @@ const series = seriesForPupils(aSeries());
 const [, goal] = series.tasks;
 
 /** The card after a task was passed. */
-async function passed(change: (page: TestPage) => void = () => undefined, task = goal!): Promise<TestPage> {
+async function passed(
+  change: (page: TestPage) => void = () => undefined,
+  task = goal!,
+  leads = true,
+): Promise<TestPage> {
   const page = createPage();
   await keepSeries(page, series);
   openTask(page, series, task);
   change(page);
-  mountOn(page, SeriesNext, { stars: null });
+  mountOn(page, SeriesNext, { stars: null, leads });
   await flushPromises();
   return page;
 }
@@ -46,6 +50,11 @@ describe('after a task of a series was passed', () => {
     expect(isThere('series-next')).toBe(false);
     await tap('series-back');
     expect(page.router.page.value).toEqual({ name: 'series', id: 'series/woche-3' });
+  });
+
+  it('it has its mark, and no way on where handing in comes first', async () => {
+    const page = await passed(undefined, goal, false);
+    expect([isThere('series-next'), doneMarks(page).all.value]).toEqual([false, { 'woche-3/b': 0 }]);
   });
 
   it('has no mark in a course that was changed', async () => {

@@ -290,7 +290,7 @@ export class WorkModel {
       // Told first: a run of the old course must be over before it hears of the new one.
       this.openings.value += 1;
     }
-    const { file: _, ...work } = this.work.value;
+    const { file: _, isHandedIn: __, ...work } = this.work.value;
     this.work.value = { ...work, project, open, ...(file !== undefined && { file }) };
   }
 
@@ -328,6 +328,11 @@ export class WorkModel {
   /** Sets the pupil's additions to the hand-in (`#check/hand-in`). */
   setHandIn(handIn: Carried): void {
     this.work.value = { ...this.work.value, project: { ...this.work.value.project, handIn } };
+  }
+
+  /** Notes that the open work has been handed in. */
+  noteHandedIn(): void {
+    this.work.value = { ...this.work.value, isHandedIn: true };
   }
 
   private setProject(wished: Project, open = this.work.value.open, isTyped = false): void {

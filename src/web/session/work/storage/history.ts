@@ -37,6 +37,8 @@ export interface Work {
   readonly open: string;
   /** The file the project was opened from, without its ending. */
   readonly file?: string | undefined;
+  /** The open work has been handed in. */
+  readonly isHandedIn?: true;
   /** Newest first. */
   readonly previous: readonly Previous[];
   /** Last deleted first; left out: nothing. */
@@ -77,8 +79,9 @@ export function textOfWork(work: Work, project: string, previousText: (previous:
   const texts = (entries: readonly (Previous | Deleted)[]): string =>
     entries.map((entry) => `{${factsText(entry)}"project":${previousText(entry)}}`).join(',');
   const open = JSON.stringify(work.open);
+  const handedIn = work.isHandedIn === true ? '"isHandedIn":true,' : '';
   const deleted = work.deleted === undefined ? '' : `,"deleted":[${texts(work.deleted)}]`;
-  return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}"previous":[${texts(work.previous)}]${deleted}}`;
+  return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}${handedIn}"previous":[${texts(work.previous)}]${deleted}}`;
 }
 /** All that is known of earlier work but what it consists of. */
 const factsText = ({ project: _, ...facts }: Previous | Deleted): string => `${JSON.stringify(facts).slice(1, -1)},`;

@@ -68,6 +68,11 @@ describe('stored work', () => {
     expect(workFromText(workToText(work))).toEqual(work);
   });
 
+  it('remembers that it was handed in', () => {
+    const work = { project: project('new'), open: 'main.py', isHandedIn: true as const, previous };
+    expect(workFromText(workToText(work))).toEqual(work);
+  });
+
   it('comes back with what was deleted, and which works a closed tab has left', () => {
     const ofTab = previous.map((entry) => ({ ...entry, isOfTab: true as const }));
     const work = {

@@ -28,7 +28,8 @@ export function workFromText(text: string): Work | null {
   const previous = listOf(read['previous'], readPrevious);
   const deleted = listOf(read['deleted'], readDeleted);
   if (open === undefined) return null;
-  return { project, open, ...fileOf(read['file']), previous, ...(deleted.length > 0 && { deleted }) };
+  const handedIn = read['isHandedIn'] === true && ({ isHandedIn: true } as const);
+  return { project, open, ...fileOf(read['file']), ...handedIn, previous, ...(deleted.length > 0 && { deleted }) };
 }
 
 const listOf = <T>(value: unknown, read: (entry: unknown) => T | null): readonly T[] =>
