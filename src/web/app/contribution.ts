@@ -12,10 +12,11 @@ import { languages } from '#core/languages';
 
 import { tick } from '../kit/controls/tick';
 import { listEntry, type Contribution, type MenuPart } from '../kit/features/feature';
-import { LANGUAGES, t } from '../kit/i18n';
+import { t } from '../kit/i18n';
 import type { TextKey } from '../kit/i18n/texts';
 import { useLayout } from '../session/layout/parts';
 import { useWork, type WorkParts } from '../session/work/model/parts';
+import { languageEntries } from '../session/work/settings/language-entries';
 import { THEMES, type Theme } from '../session/work/settings/settings';
 
 const themes: Readonly<Record<Theme, { readonly key: TextKey; readonly icon: string }>> = {
@@ -29,16 +30,7 @@ const choices = (settings: WorkParts['settings']): readonly MenuPart[] => [
   {
     group: 'language',
     order: 0,
-    entries: () =>
-      LANGUAGES.map((language) => ({
-        id: language,
-        icon: mdiTranslate,
-        title: languages[language].name,
-        lang: language,
-        choice: 'radio',
-        isChosen: language === settings.current.value.language,
-        act: () => settings.change({ language }),
-      })),
+    entries: () => languageEntries(settings).map((entry) => ({ ...entry, icon: mdiTranslate })),
   },
   {
     group: 'theme',

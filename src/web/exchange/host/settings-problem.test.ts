@@ -33,8 +33,8 @@ describe('what a host sets', () => {
 
   it('unfolds the tools only where it says so: a page without its bar is otherwise as it is', () => {
     const withoutBar = PARTS.filter((part) => part !== 'bar');
-    expect(heldSettings({ parts: withoutBar })).toMatchObject({ showTools: null });
-    expect(heldSettings({ parts: PARTS })).toMatchObject({ showTools: null });
+    expect(heldSettings({ parts: withoutBar })).toMatchObject({ showTools: false });
+    expect(heldSettings({ parts: PARTS })).toMatchObject({ showTools: false });
     expect(heldSettings({ parts: ['arena', 'tools'] })).toMatchObject({ showTools: true });
   });
 });

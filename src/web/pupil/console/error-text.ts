@@ -29,6 +29,12 @@ export function reportOf({ exception }: Ended, parts: WorkParts) {
   return { place, report: { failure: exception, source: sourceAt(place, files), table: robotInErrorNow(parts) } };
 }
 
+/** The place of the cause of how a program ended; `null` without an error, or for one that names no line. */
+export function causeOfEnd(ended: Ended | null, parts: WorkParts): ErrorPlace | null {
+  const found = ended && reportOf(ended, parts);
+  return found && causeOf(found.report, found.place);
+}
+
 /** The sentence on an error; `''` for a program that ended without one. */
 export function errorSentence(ended: Ended, parts: WorkParts, late: LateAdvice | null = null): string {
   const text = errorText(ended, parts, late);

@@ -14,6 +14,7 @@ import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
 import { useCourses } from '../../session/work/use-courses';
 import '../../session/work/catalogue/ready-courses';
+import { fetchAdvice } from '../console/advice/explain';
 import NextStepBar from './NextStepBar.vue';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
 
@@ -228,6 +229,24 @@ describe('the bar at the foot of the arena', () => {
     page.layout.tab.value = 'arena';
     await press('Ändern');
     expect([page.layout.tab.value, page.jump.target.value?.line]).toEqual(['code', 3]);
+  });
+
+  it('names and leads to the line in which a bracket opens, though the device notices it lines below', async () => {
+    setWindow(390, 844);
+    const page = await bar([]);
+    page.work.setText('main.py', 'print(1\n\nx = 3');
+    await fetchAdvice();
+    await startRun(page);
+    const exception = {
+      ...{ type: 'SyntaxError', message: 'invalid syntax', line: 3 },
+      traceback: 'Traceback (most recent call last):\n  File "main.py", line 3\n',
+    };
+    page.say({ type: 'program-ended', ended: { kind: 'exception', exception, timeUs: 0 }, device: 0 });
+    await nextTick();
+    expect(page.text()).toMatch(/^Zeile 1 hat/);
+    page.layout.tab.value = 'arena';
+    await press('Ändern');
+    expect(page.jump.target.value?.line).toBe(1);
   });
 });
 

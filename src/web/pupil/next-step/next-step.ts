@@ -124,8 +124,7 @@ export function nextStep(facts: StepFacts): NextStep {
   const decided = task === null || task.state === 'open' ? null : decidedStep(task);
   if (waiting !== '' && decided === null)
     return step('waiting', 'plain', t(words.waiting), waiting, action('restart', t('editing.restart')));
-  const isMoving = drive === 'drives';
-  if (mode === 'build' && !isMoving)
+  if (mode === 'build')
     return step('build', 'plain', t(words.saved), facts.course, action('try', t(words.tryOut), true));
   if (error !== null && task?.state !== 'passed') return errorStep(error, facts.isPhone);
   if (decided !== null) return decided;

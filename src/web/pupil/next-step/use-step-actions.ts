@@ -1,12 +1,12 @@
 import { latePart } from '../../kit/late-part';
-import { lastPlace } from '../console/log/console-log';
+import { causeOfEnd } from '../console/error-text';
 import type { StepAction } from './next-step';
 import { pressGuard } from './press-guard';
 import type { StepApp } from './step-app';
 
 /** Does what the bar's button says. A second press within a second does nothing. */
 export function useStepActions(app: StepApp): (action: StepAction) => void {
-  const { run, hand, task, mode, layout, work } = app;
+  const { run, hand, task, mode, layout } = app;
   const again = (): void => {
     hand.reset();
     void run.reset();
@@ -25,8 +25,7 @@ export function useStepActions(app: StepApp): (action: StepAction) => void {
     again,
     restart: again,
     change() {
-      const { traceback = '' } = run.ended.value?.exception ?? {};
-      const place = lastPlace(traceback, work.files.value.map(({ name }) => name)); // prettier-ignore
+      const place = causeOfEnd(run.ended.value, app);
       if (place !== null) app.jump.to(place);
       layout.tab.value = 'code';
     },

@@ -7,7 +7,7 @@ import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
 import goalWords from '../../session/task/words';
-import { causeOf, reportOf } from '../console/error-text';
+import { causeOfEnd } from '../console/error-text';
 import type { Drive, StepFacts, StepTask } from './next-step';
 import type { StepApp } from './step-app';
 import { useNextMission } from './use-next-mission';
@@ -36,8 +36,7 @@ export function useStepFacts(app: StepApp, checked: () => CheckedFacts | null) {
   const isPhone = computed(() => layout.kind.value === 'phone');
   const isTask = computed(() => hasTask(work.scene.value) || work.work.value.project.task !== undefined);
   const drive = computed(() => driveOf(app, isTask.value && verdict.goals.value.length === 0));
-  const isRunning = computed(() => ['starting', 'running', 'stopping'].includes(run.phase.value));
-  const isBuilding = computed(() => mode.current.value === 'build' && !isRunning.value);
+  const isBuilding = computed(() => mode.current.value === 'build');
   const problems = useCourseProblems(app, () => isBuilding.value);
   const task = useStepTask(app, { verdict, checked, isTask, isPhone });
   const waiting = useWaiting(app);
@@ -68,8 +67,8 @@ function driveOf({ run }: Pick<StepApp, 'run'>, isHoldingOut: boolean): Drive {
 const secondsText = (timeUs: number): string => numberText(timeUs / 1_000_000, shownLanguage(), 1);
 
 function errorOf(app: StepApp): StepFacts['error'] {
-  const found = app.run.ended.value === null ? null : reportOf(app.run.ended.value, app);
-  return found && { line: causeOf(found.report, found.place)?.line ?? null };
+  const ended = app.run.ended.value;
+  return ended?.exception ? { line: causeOfEnd(ended, app)?.line ?? null } : null;
 }
 
 /** The course in figures. */

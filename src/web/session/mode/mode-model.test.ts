@@ -27,6 +27,16 @@ describe('the mode of the arena', () => {
     expect([page.mode.current.value, page.run.past.value]).toEqual(['drive', null]);
   });
 
+  it('is new to look back until somebody has done it', async () => {
+    const page = createPage();
+    await startRun(page);
+    await show(page, { timeUs: 1_000_000 });
+    page.settings.change({ lookedBack: false });
+    expect(page.settings.current.value.lookedBack).toBe(false);
+    page.mode.enter('lookBack');
+    expect(page.settings.current.value.lookedBack).toBe(true);
+  });
+
   it('never builds where a task locks the course, whatever was unfolded before', () => {
     const page = createPage();
     page.mode.enter('build');

@@ -32,7 +32,7 @@ export function createMode({ run, work, settings, host }: Around): ModeModel {
   const hasRun = (): boolean => run.present.value !== null && run.phase.value !== 'starting';
   const current = computed((): ArenaMode => {
     if (run.past.value !== null) return 'lookBack';
-    return settings.current.value.showTools === true && mayBuild() ? 'build' : 'drive';
+    return settings.current.value.showTools && mayBuild() ? 'build' : 'drive';
   });
   const offered = computed(() =>
     ARENA_MODES.filter((mode) => {
@@ -43,20 +43,24 @@ export function createMode({ run, work, settings, host }: Around): ModeModel {
   const unfold = (showTools: boolean): void => {
     if (settings.current.value.showTools !== showTools) settings.change({ showTools });
   };
-  const drive = (): void => {
-    if (settings.current.value.showTools === true) unfold(false);
-  };
   watch(
     run.phase,
     (phase) => {
-      if (phase === 'starting' || phase === 'running') drive();
+      if (phase === 'starting' || phase === 'running') unfold(false);
     },
     { flush: 'sync' },
   );
   watch(
     work.openings,
     () => {
-      if (host.parts.value === null && host.wish.mode !== 'build') drive();
+      if (host.parts.value === null && host.wish.mode !== 'build') unfold(false);
+    },
+    { flush: 'sync' },
+  );
+  watch(
+    () => run.past.value !== null,
+    (isPast) => {
+      if (isPast && !settings.current.value.lookedBack) settings.change({ lookedBack: true });
     },
     { flush: 'sync' },
   );

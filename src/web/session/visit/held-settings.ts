@@ -19,10 +19,9 @@ export const heldByWish = ({ settings, mode }: Pick<HostWish, 'settings' | 'mode
 });
 
 /**
- * True if the tools are among the parts: then the page begins with building. `null` if all parts are, but perhaps the
- * bar: then it begins as without a host.
+ * True if the tools are among the parts, and not all the others: then the page begins with building.
  */
-const toolsIn = (parts: readonly Part[]): boolean | null => {
+const toolsIn = (parts: readonly Part[]): boolean => {
   const isWhole = PARTS.every((part) => part === 'bar' || parts.includes(part));
-  return isWhole ? null : parts.includes('tools');
+  return !isWhole && parts.includes('tools');
 };

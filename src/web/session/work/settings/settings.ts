@@ -61,8 +61,10 @@ export interface Settings {
   readonly lidarUnit: LidarUnit;
   /** True if the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
-  /** The course is built: the tools are there (`session/mode`). `null`: not chosen yet, and the arena drives. */
-  readonly showTools: boolean | null;
+  /** The course is built: the tools are there (`session/mode`). */
+  readonly showTools: boolean;
+  /** Somebody has looked back once: the mode is no longer new. */
+  readonly lookedBack: boolean;
   /** The card of a task is unfolded; otherwise it is its title line. */
   readonly showCard: boolean;
   /** The commands to choose from are open below the program. */
@@ -127,7 +129,8 @@ export function defaultSettings(language: Language): Settings {
     panel: null,
     lidarUnit: 'cm',
     ...newWork,
-    showTools: null,
+    showTools: false,
+    lookedBack: false,
     showCard: true,
     showCommands: false,
     follow: false,
@@ -157,6 +160,8 @@ type Flag =
   | 'showArena'
   | 'arenaSenses'
   | 'deviceCheck'
+  | 'showTools'
+  | 'lookedBack'
   | 'showCard'
   | 'showCommands'
   | 'follow'
@@ -205,7 +210,8 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
     lidarUnit: LIDAR_UNITS.find((unit) => unit === read.lidarUnit) ?? fallback.lidarUnit,
     arenaSenses: flag('arenaSenses'),
-    showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    showTools: flag('showTools'),
+    lookedBack: flag('lookedBack'),
     showCard: flag('showCard'),
     showCommands: flag('showCommands'),
     follow: flag('follow'),

@@ -1,0 +1,13 @@
+import { languages } from '#core/languages';
+
+import type { MenuEntry } from '../../../kit/controls/menu-entry';
+import { LANGUAGES } from '../../../kit/i18n';
+import type { WorkParts } from '../model/parts';
+
+/** The languages of the page as entries of a menu. */
+export const languageEntries = (settings: WorkParts['settings']): readonly MenuEntry<unknown>[] =>
+  LANGUAGES.map((language) => ({
+    ...{ id: language, lang: language, title: languages[language].name, choice: 'radio' },
+    isChosen: language === settings.current.value.language,
+    act: () => settings.change({ language }),
+  }));
