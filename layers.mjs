@@ -22,6 +22,7 @@ export const layers = {
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
+  hex: ['core'],
   'device-check': ['core', 'python', 'reference'],
   'device-log': [],
   cli: [
