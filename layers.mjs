@@ -18,16 +18,16 @@ export const layers = {
   advice: ['core', 'robots'],
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
-  intake: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'check'],
+  intake: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'check', 'hex', 'robots'],
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
-  hex: ['core'],
+  hex: ['core', 'board', 'robots', 'project', 'python', 'libraries'],
   'device-check': ['core', 'python', 'reference'],
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'intake', 'catalogue', 'advice',
+    'check', 'intake', 'hex', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',
@@ -53,6 +53,7 @@ export const layers = {
     'device-log',
     'check',
     'intake',
+    'hex',
     'catalogue',
   ],
 };

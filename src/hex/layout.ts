@@ -41,7 +41,11 @@ const OLD_FLASH = 0x40000;
 const OLD_PAGE = 0x400;
 
 /** The layout of a board's flash; `null`: there is no MicroPython with files in it. */
-export const layoutOf = (regions: readonly Region[]): Layout | null => oldLayout(regions) ?? tableLayout(regions);
+export function layoutOf(regions: readonly Region[]): Layout | null {
+  const layout = oldLayout(regions) ?? tableLayout(regions);
+  const isUsable = layout !== null && layout.filesStart % layout.pageBytes === 0 && roomOf(layout) > 0;
+  return isUsable ? layout : null;
+}
 
 function oldLayout(regions: readonly Region[]): Layout | null {
   const view = viewOf(bytesAt(regions, UICR, 28));
@@ -51,7 +55,7 @@ function oldLayout(regions: readonly Region[]): Layout | null {
   const pageBytes = isOldChip ? OLD_PAGE : PAGE;
   const runtimeEnd = view.getUint16(14, true) * pageBytes;
   const dataEnd = isOldChip ? OLD_FLASH : 0x73000;
-  if (2 ** view.getUint32(8, true) !== pageBytes || runtimeEnd === 0 || runtimeEnd >= dataEnd) return null;
+  if (1 << view.getUint32(8, true) !== pageBytes || runtimeEnd === 0 || runtimeEnd >= dataEnd) return null;
   const flashEnd = isOldChip && hasAppended(regions) ? APPENDED : dataEnd;
   // The old chip keeps the compass's calibration in the page behind the files.
   const filesEnd = isOldChip ? flashEnd - pageBytes : flashEnd;

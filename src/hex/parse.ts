@@ -61,26 +61,29 @@ export function parseHex(text: string): ParsedHex | { readonly problem: HexProbl
 
 /** The record in a line; `null`: the line is damaged. */
 function recordOf(line: string): Record | null {
-  const bytes = new Uint8Array((line.length - 1) >> 1);
-  if (line[0] !== ':' || line.length % 2 === 0 || bytes.length < 5) return null;
+  const count = (line.length - 1) >> 1;
+  if (!line.startsWith(':') || line.length % 2 === 0 || count < 5) return null;
+  const bytes = new Uint8Array(count);
   let sum = 0;
-  for (let index = 0; index < bytes.length; index++) {
-    const byte = 16 * digitAt(line, 2 * index + 1) + digitAt(line, 2 * index + 2);
-    if (Number.isNaN(byte)) return null;
+  let digits = 0;
+  for (let index = 0; index < count; index++) {
+    const high = digitOf(line.charCodeAt(2 * index + 1));
+    const low = digitOf(line.charCodeAt(2 * index + 2));
+    digits |= high | low;
+    const byte = (high << 4) | low;
     bytes[index] = byte;
     sum += byte;
   }
-  const [length = 0, high = 0, low = 0, type = 0] = bytes;
-  if (length !== bytes.length - 5 || (sum & 0xff) !== 0) return null;
-  return { type, offset: 256 * high + low, data: bytes.subarray(4, 4 + length) };
+  if (digits > 0xf || (bytes[0] ?? 0) !== count - 5 || (sum & 0xff) !== 0) return null;
+  const offset = 256 * (bytes[1] ?? 0) + (bytes[2] ?? 0);
+  return { type: bytes[3] ?? 0, offset, data: bytes.subarray(4, count - 1) };
 }
 
-/** The value of a hexadecimal digit; NaN: it is none. */
-function digitAt(line: string, place: number): number {
-  const code = line.charCodeAt(place);
+/** The value of a hexadecimal digit by the number of its sign; 16: it is none. */
+function digitOf(code: number): number {
   if (code >= 0x30 && code <= 0x39) return code - 0x30;
   const letter = code & ~0x20;
-  return letter >= 0x41 && letter <= 0x46 ? letter - 0x37 : NaN;
+  return letter >= 0x41 && letter <= 0x46 ? letter - 0x37 : 16;
 }
 
 interface Piece extends Region {

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { putFiles, type PutProgress, type PutResult, type PutWish } from './put-files';
-import { filesForDevice } from './device-files';
+import { filesForDevice } from '#hex/device-files';
 import { fingerprint } from './device-python';
 import type { Port } from './port';
 import { simulatedBoard, type BoardStart, type SimulatedBoard } from './testing/simulated-board';

@@ -7,7 +7,7 @@ import { usePage } from '../../kit/parts';
 import { useWork } from '../../session/work/model/parts';
 import { nameToSave } from '../../session/work/work-name';
 import { fileName, saveBlob } from '../../session/work/save-file';
-import { filesForDevice } from './device-files';
+import { filesForDevice } from '#hex/device-files';
 import { fingerprint } from './device-python';
 import { knownPrograms } from './known-programs';
 import { pageTimer } from './port';

@@ -2,14 +2,13 @@ import { MAIN, type SourceFile } from '#project/project';
 import { boardTypes } from '#board/boards/index';
 import { importedModules } from '#python/imports';
 import { freeLibraries } from '#libraries/index';
-
 import { allLibraries, robotOwnLibraries } from './libraries';
-import type { DeviceFile } from './put-files';
+import type { HexFile } from './hex';
 
 /** The files that a program consists of on a real board. */
 export interface DeviceFiles {
   /** Libraries first, then the pupil's own files, main.py last. */
-  readonly files: readonly (DeviceFile & { readonly isOwn: boolean })[];
+  readonly files: readonly (HexFile & { readonly isOwn: boolean })[];
   /** Firmware modules that they need: one from each list. */
   readonly modules: readonly (readonly string[])[];
 }

@@ -2,7 +2,7 @@ import { freeLibraries } from '#libraries/index';
 import { findRobot, robotTypes } from '#robots/index';
 
 /** Python sources by path. Runs get them together with the robots' behaviour, which is not needed here. */
-const sources = import.meta.glob<string>('../../../robots/*/library/*.py', {
+const sources = import.meta.glob<string>('../robots/*/library/*.py', {
   query: '?raw',
   import: 'default',
   eager: true,
