@@ -1,9 +1,9 @@
 import { defineAsyncComponent, type Component } from 'vue';
 
-/** The list of a menu, which is loaded when it is first needed. */
+/** A part that is loaded when it is first needed, such as the list of a menu. */
 export interface LateList {
   readonly List: Component;
-  /** Listeners for the menu's button: they load the list once the button is pointed at or has the focus. */
+  /** Listeners for the button that shows it: they load it once the button is pointed at or has the focus. */
   readonly soon: { readonly pointerenter: () => void; readonly focus: () => void };
 }
 

@@ -20,7 +20,13 @@ const held = (name: string) => named(name, '.face [role="button"]').getAttribute
 
 describe('the pane of the microcomputer', () => {
   // The drawings come late; here they are there at once.
-  beforeAll(() => Promise.all([import('./drawing/MicrobitView.vue'), import('./drawing/CalliopeView.vue')]));
+  beforeAll(() =>
+    Promise.all([
+      import('./WholeBoard.vue'),
+      import('./drawing/MicrobitView.vue'),
+      import('./drawing/CalliopeView.vue'),
+    ]),
+  );
 
   it('is called by the device that is chosen', async () => {
     const { page, mounted } = await pane();
@@ -136,7 +142,7 @@ describe('the pane of the microcomputer', () => {
 });
 
 describe('a finger on the board', () => {
-  beforeAll(() => import('./drawing/MicrobitView.vue'));
+  beforeAll(() => Promise.all([import('./WholeBoard.vue'), import('./drawing/MicrobitView.vue')]));
   beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
   afterEach(() => void vi.useRealTimers());
   const finger = (type: string, name: string, pointerId = 1) =>
@@ -237,7 +243,7 @@ describe('a finger on the board', () => {
 });
 
 describe('the microcomputer in the micro:bit foundation’s editor', () => {
-  beforeAll(() => import('./drawing/MicrobitView.vue'));
+  beforeAll(() => Promise.all([import('./WholeBoard.vue'), import('./drawing/MicrobitView.vue')]));
 
   it('is the drawing alone: the host has the buttons, the panels and the heading', async () => {
     const { mounted } = await pane('microbit-v2', { dialect: 'microbit' });

@@ -1,5 +1,6 @@
 // @vitest-environment happy-dom
-import { beforeEach, describe, expect, it } from 'vitest';
+import { flushPromises } from '@vue/test-utils';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
 import { byId, isThere, tap } from '../../app/testing/find';
@@ -14,11 +15,14 @@ beforeEach(() => {
 });
 
 describe('the board beside a card', () => {
+  beforeAll(() => import('./WholeBoard.vue')); // comes late; here it is there at once
+
   it('is its display and its two buttons, and whole on request: then the card is its title line', async () => {
     const page = createPage();
     mountOn(page, BoardPane);
     expect([byId('board').querySelectorAll('rect').length, isThere('panel-sensors')]).toEqual([25, false]);
     await tap('board-whole');
+    await flushPromises();
     expect([page.layout.card.value, isThere('panel-sensors')]).toEqual(['folded', true]);
     page.task.open();
     await nextTick();
@@ -37,7 +41,7 @@ describe('the board beside a card', () => {
     const page = createPage();
     mountOn(page, BoardPane);
     page.settings.change({ panel: 'radio' });
-    await nextTick();
+    await flushPromises();
     expect([page.layout.card.value, isThere('panel-radio')]).toEqual(['folded', true]);
   });
 
