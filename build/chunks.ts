@@ -14,11 +14,12 @@ export const fetchedAhead = (part: string, files: string[]): string[] =>
 /**
  * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
  * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
- * drawings of the kinds of objects, the next step's bar with the words that the projector view tells, the editor (without the lines
+ * drawings of the kinds of objects (those of zones, which the first course has, apart), the next step's bar with the words that the projector view tells, the editor (without the lines
  * of a program that ran, which are found without an editor, too), and the greeting with the menu entries that it shows.
  */
 export const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
+  { name: 'zones', test: /\/arena\/picture\/draw-zones\.ts/ },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
   { name: 'ran-program', test: /\/debug\/(ran-program|file-key)\.ts/ },

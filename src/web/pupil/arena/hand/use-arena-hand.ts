@@ -1,7 +1,8 @@
 import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
-import type { Pose, Vec } from '#core/geometry';
+import type { Vec } from '#core/geometry';
 import type { PlacedBlock } from '../model/arena-model';
-import { Hand } from './hand';
+import type { PlacedPose } from '#simulation/input';
+import { createLateHand, type LateHand } from './late-hand';
 import type { HeldThing } from './held-thing';
 import type { RobotShape } from './hit-test';
 import type { ArenaView } from '../view/use-arena-view';
@@ -16,7 +17,7 @@ export interface HandPlace {
   readonly showAll: () => void;
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
-  readonly place: (thing: HeldThing, pose: Pose) => void;
+  readonly place: (thing: HeldThing, pose: PlacedPose) => void;
   /** True if nothing may be taken. */
   readonly refuses?: (() => boolean) | undefined;
   readonly redraw: () => void;
@@ -24,7 +25,7 @@ export interface HandPlace {
 
 /** The hand, and the handlers that pass the browser's events to it. */
 export interface ArenaHand {
-  readonly hand: Hand;
+  readonly hand: LateHand;
   readonly cursor: Readonly<ShallowRef<string>>;
   /** Zooms by keyboard. Returns whether the key was one of its keys. */
   readonly zoomKey: (event: ZoomKey) => boolean;
@@ -53,7 +54,7 @@ export function useArenaHand(where: HandPlace): ArenaHand {
     hand.tick();
     if (hand.held !== null) frame = requestAnimationFrame(follow);
   };
-  const hand = new Hand({
+  const hand = createLateHand({
     view: () => picture.view.value,
     arena: where.arena,
     robot: where.robot,
@@ -93,7 +94,7 @@ export function useArenaHand(where: HandPlace): ArenaHand {
 }
 
 function pointerHandlers(
-  hand: Hand,
+  hand: LateHand,
 ): Pick<
   ArenaHand['on'],
   'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel' | 'lostpointercapture' | 'pointerleave'
@@ -115,7 +116,7 @@ function pointerHandlers(
 }
 
 /** The wheel turns the thing in the hand; otherwise it zooms and moves the picture. */
-function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
+function onWheel(event: WheelEvent, hand: LateHand, picture: ArenaView): void {
   event.preventDefault();
   if (hand.held !== null) {
     hand.wheel(wheelPx(event.deltaY, event.deltaMode));

@@ -1,14 +1,12 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { UltrasonicState } from '#robots/robot';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import type { Arranged } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/draw-bodies';
 import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
-import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
-import { floorPx, sightPx } from '../picture/draw-floor';
-import { drawHeldPose, drawRing, type Ring } from '../hand/draw-hand';
+import { sightPx } from '../picture/draw-floor';
+import type { HandMarks } from '../hand/hand-marks';
+import type { LateHand } from '../hand/late-hand';
 import { drawRobot, paintedRadiusMm } from '../robot/draw-robot';
-import { ringRadiusPx, type Hand } from '../hand/hand';
 import type { OverlayPicture } from './overlays';
 import { clipTo } from '../view/clip-to';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
@@ -26,28 +24,22 @@ export interface MovingScene {
   readonly robot: { readonly now: ArenaRobot; readonly painting: RobotPainting; readonly scale: number } | null;
   readonly robotHeld: boolean;
   readonly display: ArrayLike<number>;
-  readonly cone: UltrasonicState | null;
   /** Overlays that are shown with the things themselves. */
   readonly overlay: OverlayPicture | null;
-  /** Simulated time for the cone's arcs, or `null` to freeze them. */
-  readonly breathUs: number | null;
-  readonly ring: Ring | null;
-  /** The pose of the held thing, with a label `distancePx` away from it. */
-  readonly label: { readonly pose: Pose; readonly turning: boolean; readonly distancePx: number } | null;
+  /** The ring of the robot, and the label of the held thing; `null`: neither shows. */
+  readonly marks: HandMarks | null;
 }
 
 /** The sources of a moving scene. */
 export interface MovingParts {
   readonly arena: ArenaSize;
   readonly now: Arranged;
-  readonly hand: Hand;
+  readonly hand: Pick<LateHand, 'poseOf' | 'held' | 'marks'>;
   /** `null` draws no robot. */
   readonly painting: RobotPainting | null;
   /** Size of the robot relative to the real one. */
   readonly scale: number;
   readonly display: ArrayLike<number>;
-  readonly showCone: boolean;
-  readonly breathUs: number | null;
 }
 
 /** Puts together the moving scene: the run's state, with the held thing under the hand. */
@@ -63,11 +55,8 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
   const heldBlock = held?.thing.kind === 'block' ? held.thing.id : null;
   const robotHeld = held?.thing.kind === 'robot';
   const heldPose = robotHeld ? robot?.pose : blocks.find(({ id }) => id === heldBlock)?.pose;
-  const turning = held?.turning ?? false;
-  const knobPx = hand.knobPx();
-  const outlineMm = painting?.look.body.outlineMm ?? [];
+  const shape = robot && painting && { pose: robot.pose, outlineMm: painting.look.body.outlineMm, scale };
   const frontMm = attachmentFrontMm(robot?.state.attachments);
-  const radiusPx = ringRadiusPx(view, { outlineMm, scale, frontMm });
   return {
     arena: parts.arena,
     blocks,
@@ -75,11 +64,8 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
     robot: robot === null || painting === null ? null : { now: robot, painting, scale },
     robotHeld,
     display: parts.display,
-    cone: parts.showCone && !robotHeld ? (robot?.state.ultrasonic ?? null) : null,
     overlay: null,
-    breathUs: parts.breathUs,
-    ring: robot === null || knobPx === null ? null : { pose: robot.pose, radiusPx, knobPx, turning },
-    label: heldPose === undefined ? null : { pose: heldPose, turning, distancePx: robotHeld ? radiusPx + 28 : 60 },
+    marks: hand.marks(view, shape && { ...shape, frontMm }, heldPose ?? null),
   };
 }
 
@@ -94,7 +80,7 @@ export function drawBlocks(
 }
 
 /**
- * Draws everything that moves all the time: cone, robot, held thing, ring. Called for every frame.
+ * Draws everything that moves all the time: robot, overlays, held thing, ring. Called for every frame.
  *
  * @param context draws in CSS px
  * @param ratio canvas pixels per CSS px
@@ -107,17 +93,11 @@ export function drawMoving(
   scene: MovingScene,
   palette: Palette,
 ): void {
-  const { robot, cone } = scene;
+  const { robot, marks } = scene;
   context.save();
   clipTo(context, sightPx(view, scene.arena, canvas));
   if (robot !== null) shiftToWholePixels(context, toPx(view, { x: robot.now.pose.xMm, y: robot.now.pose.yMm }));
   scene.overlay?.under(context);
-  if (cone !== null) {
-    context.save();
-    clipTo(context, floorPx(view, scene.arena));
-    drawCone(context, view, cone, scene.breathUs, palette);
-    context.restore();
-  }
   if (robot !== null) {
     const appearance = { display: scene.display, scale: robot.scale, held: scene.robotHeld };
     const painted = { robot: robot.now, painting: robot.painting, ...appearance };
@@ -128,32 +108,21 @@ export function drawMoving(
   for (const block of scene.blocks)
     if (block.id === scene.heldBlock) drawMovableBlock(context, view, block, true, palette);
   scene.overlay?.over(context);
-  if (cone !== null) drawHit(context, view, cone, canvas, palette);
-  if (scene.ring !== null) drawRing(context, view, scene.ring, palette);
+  marks?.drawRing(context, palette);
   context.restore();
-  if (scene.label !== null) {
-    const { pose, turning, distancePx } = scene.label;
-    drawHeldPose(context, view, pose, turning, distancePx, canvas, palette);
-  }
+  marks?.drawLabel(context, canvas, palette);
 }
-
-/** Room around a label, in px: half of the widest one, "123.4 | 123.4 cm". */
-const LABEL_PX = 80;
 
 /** The area in which `drawMoving` draws, in CSS px; too large rather than too small. */
 export function movingBox(scene: MovingScene, view: View): PxBox {
-  const boxes: PxBox[] = [...(scene.overlay?.boxes ?? [])];
+  const boxes: PxBox[] = [...(scene.overlay?.boxes ?? []), ...(scene.marks?.boxes ?? [])];
   const at = (pose: Pose): Vec => toPx(view, { x: pose.xMm, y: pose.yMm });
-  const { robot, cone, ring, label } = scene;
+  const { robot } = scene;
   if (robot !== null) {
     const bodyMm = paintedRadiusMm(robot.painting.drawing);
     const reachMm = Math.max(bodyMm, attachmentReachMm(robot.now.state)) * robot.scale;
     boxes.push(boxAround(at(robot.now.pose), reachMm * view.pxPerMm + 12));
   }
-  if (cone !== null) boxes.push(coneBox(cone, view));
-  if (cone?.hitMm) boxes.push(boxAround(toPx(view, cone.hitMm), LABEL_PX));
-  if (ring !== null) boxes.push(boxAround(at(ring.pose), ring.radiusPx + 22));
-  if (label !== null) boxes.push(boxAround(at(label.pose), Math.max(LABEL_PX, label.distancePx + 20)));
   const held = scene.blocks.find(({ id }) => id === scene.heldBlock);
   if (held !== undefined)
     boxes.push(boxAround(at(held.pose), Math.hypot(held.sizeMm.x, held.sizeMm.y) * 0.55 * view.pxPerMm + 12));

@@ -1,6 +1,6 @@
 /**
- * Overlays of the arena: the robot's trail, the fan of its lidar, the readings of its line sensors, its centre of rotation, and
- * chains of lights on it. Loaded when the first of these is wanted.
+ * Overlays of the arena: the robot's trail, the cone of its distance sensor or the fan of its lidar, the readings of its line
+ * sensors, its centre of rotation, and chains of lights on it. Loaded when the first of these is wanted.
  */
 import type { Pose, Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
@@ -10,6 +10,7 @@ import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../../session/work/settings/light-wish';
 import type { ArenaOptions, ArenaRobot, RobotLook } from '../model/arena-model';
 import { centreBox, drawCentre } from '../robot/draw-centre';
+import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
 import { attachmentFrontMm } from '../robot/draw-attachments';
 import { floorPx, sightPx } from '../picture/draw-floor';
 import { drawFan, drawFanHits, fanBoxes, placeFan } from '../robot/draw-fan';
@@ -38,6 +39,8 @@ export interface OverlayParts {
   readonly robot: ShownRobot | null;
   /** Simulated time, `null` before a run. */
   readonly timeUs: number | null;
+  /** Simulated time for the cone's arcs, or `null` to freeze them. */
+  readonly breathUs: number | null;
   readonly lights: readonly LightsOnRobot[];
   readonly trail: Trail;
   readonly trailCanvas: HTMLCanvasElement | null;
@@ -89,6 +92,7 @@ export function createOverlays(): Overlays {
       const hitMm = options.cone ? robot.now.state.ultrasonic?.hitMm : null;
       const sight = sightPx(view, parts.arena, canvas);
       const fan = fanPicture(parts, robot, sight);
+      const cone = conePicture(parts, robot);
       const hit = fan?.nearest ?? (hitMm ? toPx(view, hitMm) : null);
       const row: LabelRow = { ...lengthOf(robot), sight, hit };
       const labels = spotLabels(view, pose, robot.scale, row, spots);
@@ -101,6 +105,7 @@ export function createOverlays(): Overlays {
         boxes: [
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
           ...(fan?.boxes ?? []),
+          ...(cone?.boxes ?? []),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
           ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, labels)),
           ...chains.map(({ atMm, reachMm }) => boxAround(toPx(view, atMm), reachMm * view.pxPerMm)),
@@ -108,6 +113,7 @@ export function createOverlays(): Overlays {
         under(context) {
           drawTail(context, tail, palette);
           fan?.under(context);
+          cone?.under(context);
         },
         over(context) {
           for (const { atMm, unitMm, colors, form } of chains) {
@@ -117,6 +123,7 @@ export function createOverlays(): Overlays {
           if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, labels, palette);
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
           fan?.over(context);
+          cone?.over(context);
         },
       };
     },
@@ -144,6 +151,28 @@ function fanPicture(
       context.restore();
     },
     over: (context) => drawFanHits(context, fan, canvas, palette),
+  };
+}
+
+/** Room around the label of the distance, in px. */
+const LABEL_PX = 80;
+
+/** The cone of the distance sensor; `null`: none is shown. */
+function conePicture(
+  { options, view, arena, canvas, palette, breathUs }: OverlayParts,
+  { now, held }: ShownRobot,
+): OverlayPicture | null {
+  const cone = now.state.ultrasonic;
+  if (cone === null || !options.cone || held) return null;
+  return {
+    boxes: [coneBox(cone, view), ...(cone.hitMm ? [boxAround(toPx(view, cone.hitMm), LABEL_PX)] : [])],
+    under(context) {
+      context.save();
+      clipTo(context, floorPx(view, arena));
+      drawCone(context, view, cone, breathUs, palette);
+      context.restore();
+    },
+    over: (context) => drawHit(context, view, cone, canvas, palette),
   };
 }
 

@@ -9,6 +9,8 @@ import type { Trail } from '../../../session/run/trail';
 export interface OverlaySources {
   readonly options: () => ArenaOptions;
   readonly newest: () => Snapshot | null;
+  /** Simulated time for the cone's arcs, or `null` to freeze them. */
+  readonly breathUs: () => number | null;
   readonly trail: () => Trail;
   /** `null` while the trail is hidden. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
@@ -23,10 +25,13 @@ export type AroundRobot = (overlay: OverlayPicture | null) => OverlayPicture | n
 /** The overlays of a scene. Their code is loaded when the first one is wanted. */
 export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
   const overlays = shallowRef<Overlays | null>(null);
-  const hasLidar = (): boolean => Boolean(sources.newest()?.robot?.state.lidar);
+  const hasSight = (): boolean => {
+    const { lidar, ultrasonic } = sources.newest()?.robot?.state ?? {};
+    return Boolean(lidar) || Boolean(ultrasonic);
+  };
   const isWanted = (): boolean => {
     const { cone, spots, centre, trace, lights } = sources.options();
-    return spots || centre || trace || Object.keys(lights).length > 0 || (cone && hasLidar());
+    return spots || centre || trace || Object.keys(lights).length > 0 || (cone && hasSight());
   };
   const fetch = (): void => {
     import('./overlays').then(
@@ -37,7 +42,7 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
       () => undefined, // no connection at the moment: fetched with the next switch
     );
   };
-  watch([sources.options, hasLidar], () => isWanted() && overlays.value === null && fetch(), { immediate: true });
+  watch([sources.options, hasSight], () => isWanted() && overlays.value === null && fetch(), { immediate: true });
   return ({ arena, robot, robotHeld }) => {
     if (!isWanted() || overlays.value === null) return null;
     const options = sources.options();
@@ -47,6 +52,7 @@ export function useOverlays(sources: OverlaySources): (scene: MovingScene) => Ov
       options,
       arena,
       timeUs: snapshot?.timeUs ?? null,
+      breathUs: sources.breathUs(),
       robot: robot && { now: robot.now, look: robot.painting.look, scale: robot.scale, held: robotHeld },
       lights: (snapshot?.lights ?? []).flatMap(({ pin, colors }) => {
         const form = options.lights[pin];

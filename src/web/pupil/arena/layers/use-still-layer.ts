@@ -1,5 +1,6 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
+import { isZone } from '#scene/kinds/zone';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 import { drawScene, type PaintObjects } from '../picture/draw-scene';
@@ -30,7 +31,7 @@ export interface StillSources {
 /** The layer of everything that does not move. */
 export interface StillLayer {
   readonly draw: () => void;
-  /** The drawing of zones, obstacles, words and the background, once a course has needed it. */
+  /** The drawing of obstacles, words and the background, once a course has needed it. */
   readonly kinds: Readonly<ShallowRef<SceneKinds | null>>;
 }
 
@@ -40,9 +41,13 @@ export interface StillLayer {
 export function useStillLayer(sources: StillSources): StillLayer {
   const { picture } = sources;
   const ratio = (): number => picture.ratio.value;
-  const kinds = useKinds(
+  const zones = useLate(
+    () => sources.live().scene.objects.some(isZone),
+    () => import('../picture/draw-zones'),
+  );
+  const kinds = useLate(
     () => needsKinds(sources.live()) || sources.start() !== null,
-    () => draw(),
+    () => import('../picture/scene-kinds').then(({ createSceneKinds }) => createSceneKinds(() => draw())),
   );
   const keep = useKeptPicture(() => draw());
   const shown = computed(() => withoutHidden(sources.live().scene, sources.hidden()));
@@ -55,14 +60,15 @@ export function useStillLayer(sources: StillSources): StillLayer {
       const view = picture.view.value;
       const palette = sources.palette();
       const frame = { view, canvas: picture.canvas.value, ratio: ratio(), palette, look: kinds.value };
-      const still = { scene: shown.value, kinds: kinds.value, verdict: sources.verdict() };
+      const still = { scene: shown.value, zones: zones.value, kinds: kinds.value, verdict: sources.verdict() };
       drawScene(context, view, still, picture.canvas.value, palette, keep(frame, shown.value.objects));
       const waiting = { live: sources.live(), start: sources.start(), footprint: sources.footprint(), ratio: ratio() };
       kinds.value?.waiting(context, view, waiting, palette);
     },
   });
   const frame = () => [picture.view.value, picture.canvas.value, picture.ratio.value, sources.palette()];
-  const look = () => [shown.value, sources.live(), sources.start(), sources.footprint(), progress.value, kinds.value];
+  const code = () => [zones.value, kinds.value];
+  const look = () => [shown.value, sources.live(), sources.start(), sources.footprint(), progress.value, code()];
   watch([frame, look], draw, { flush: 'post' });
   return { draw, kinds };
 }
@@ -79,23 +85,24 @@ function withoutHidden(scene: Scene, hidden: ReadonlySet<string>): Scene {
 }
 
 /** True if a course has anything that `scene-kinds.ts` draws. */
-const needsKinds = ({ scene, waiting, size }: LiveScene): boolean =>
-  size !== null || scene.background !== null || [...scene.objects, ...waiting].some(isRare);
+const needsKinds = ({ scene, waiting, leaving, size }: LiveScene): boolean =>
+  size !== null || scene.background !== null || waiting.length + leaving.size > 0 || scene.objects.some(isRare);
 
 const COMMON: readonly SceneObject['type'][] = ['stroke', 'wall', 'block', 'fixed-block'];
-const isRare = ({ type }: SceneObject): boolean => !COMMON.includes(type);
+const isRare = (object: SceneObject): boolean => !COMMON.includes(object.type) && !isZone(object);
 
-function useKinds(needed: () => boolean, redraw: () => void): ShallowRef<SceneKinds | null> {
-  const kinds = shallowRef<SceneKinds | null>(null);
+/** Drawing code that is loaded when it is first needed. */
+function useLate<T extends object>(needed: () => boolean, load: () => Promise<T>): ShallowRef<T | null> {
+  const late: ShallowRef<T | null> = shallowRef(null);
   const isNeeded: ComputedRef<boolean> = computed(needed);
   const fetch = (): void => {
-    import('../picture/scene-kinds').then(
-      ({ createSceneKinds }) => (kinds.value ??= createSceneKinds(redraw)),
+    load().then(
+      (loaded) => (late.value ??= loaded),
       () => undefined, // no connection at the moment: fetched with the next course
     );
   };
-  watch(isNeeded, (is) => is && kinds.value === null && fetch(), { immediate: true });
-  return kinds;
+  watch(isNeeded, (is) => is && late.value === null && fetch(), { immediate: true });
+  return late;
 }
 
 /** Caches pictures of many lines and walls while the view moves; sharpens them when it rests. */

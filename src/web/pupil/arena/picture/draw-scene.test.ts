@@ -14,18 +14,17 @@ describe('what stands still', () => {
     const told = (name: string) => () => void order.push(name);
     const kinds: SceneKinds = {
       background: told('background'),
-      zones: told('zones'),
-      zoneSigns: told('zone signs'),
       signs: told('words'),
       spikes: told('spikes'),
       mover: told('mover'),
       waiting: told('waiting'),
     };
+    const zones = { drawZones: told('zones'), drawZoneSigns: told('zone signs') };
     const background = { at: [0, 0], size: [100, 100], cells: [1, 1], levels: '', picture: '' } as const;
     const scene = { ...defaultScene(), background };
     const canvas = { widthPx: 800, heightPx: 600 };
     const view = fitView(scene.size, canvas);
-    drawScene(nowhere, view, { scene, kinds, verdict: null }, canvas, lightPalette, (_, __, layer) =>
+    drawScene(nowhere, view, { scene, zones, kinds, verdict: null }, canvas, lightPalette, (_, __, layer) =>
       order.push(layer),
     );
     expect(order).toEqual(['background', 'zones', 'lines', 'zone signs', 'standing']);

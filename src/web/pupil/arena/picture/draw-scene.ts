@@ -6,6 +6,7 @@ import { drawFloor, drawFloorGrid, drawRim, floorPx } from './draw-floor';
 import { drawRulers } from './draw-rulers';
 import { drawStroke } from './draw-stroke';
 import type { Palette } from '../model/palette';
+import type * as Zones from './draw-zones';
 import type { SceneKinds } from './scene-kinds';
 import type { PaintList } from './still-cache';
 import type { CanvasSize, View } from '../view/view-transform';
@@ -14,7 +15,9 @@ import type { CanvasSize, View } from '../view/view-transform';
 export interface StillScene {
   /** Drawn from it: size, background, and all objects but those that can be pushed or move by themselves. */
   readonly scene: Scene;
-  /** The drawing of zones, obstacles, words and the background; `null` until it has come, or is not needed. */
+  /** The drawing of zones; `null` until it has come, or is not needed. */
+  readonly zones: typeof Zones | null;
+  /** The drawing of obstacles, words and the background, likewise. */
   readonly kinds: SceneKinds | null;
   readonly verdict: Verdict | null;
 }
@@ -41,7 +44,7 @@ export function drawScene(
   palette: Palette,
   keep?: PaintObjects,
 ): void {
-  const { scene, kinds } = still;
+  const { scene, zones, kinds } = still;
   const paint: PaintObjects = keep ?? ((on, paintObjects) => paintObjects(on, scene.objects, scene.objects));
   drawFloor(context, view, scene.size, canvas, palette);
   const floor = floorPx(view, scene.size);
@@ -54,9 +57,9 @@ export function drawScene(
   if (scene.background !== null) context.globalCompositeOperation = 'multiply';
   drawFloorGrid(context, view, scene.size, canvas, palette);
   context.globalCompositeOperation = 'source-over';
-  kinds?.zones(context, view, scene, palette);
+  zones?.drawZones(context, view, scene, palette);
   paint(context, (on, objects) => drawLines(on, view, objects, palette), 'lines');
-  kinds?.zoneSigns(context, view, scene, still.verdict, palette);
+  zones?.drawZoneSigns(context, view, scene, still.verdict, palette);
   paint(context, (on, ...objects) => drawWhatStands(on, view, objects, palette, kinds), 'standing');
   context.restore();
   drawRim(context, view, scene.size, palette);

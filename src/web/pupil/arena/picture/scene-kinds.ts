@@ -1,13 +1,11 @@
 /**
- * The drawing of what only some courses have: zones, obstacles, words, a background, and what waits for the next start.
- * Loaded when any of it is first to be seen.
+ * The drawing of what only some courses have: obstacles, words, a background, and what waits for the next start. Loaded when
+ * any of it is first to be seen.
  */
 import type { Pose } from '#core/geometry';
 import { kindOf } from '#picture/kinds/index';
 import { spikes } from '#picture/kinds/spikes';
-import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
-import { isZone } from '#scene/kinds/zone';
-import type { Verdict } from '#simulation/task/verdict';
+import type { Background, Mover, SceneObject } from '#scene/scene';
 import { createBackgroundShelf, drawBackground } from './draw-background';
 import { drawStanding } from './draw-bodies';
 import { drawMover } from './draw-object';
@@ -15,21 +13,10 @@ import { drawShapes, lookOf } from './draw-shapes';
 import { drawWaiting, type Waiting } from './draw-waiting';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
-import { zoneState } from './zone-state';
 
 /** Draws the kinds of objects that are loaded on demand, in CSS px. */
 export interface SceneKinds {
   background(context: CanvasRenderingContext2D, view: View, background: Background): void;
-  /** The grounds of zones, under the lines. */
-  zones(context: CanvasRenderingContext2D, view: View, scene: Scene, palette: Palette): void;
-  /** Numbers and signs of zones, over the lines. */
-  zoneSigns(
-    context: CanvasRenderingContext2D,
-    view: View,
-    scene: Scene,
-    verdict: Verdict | null,
-    palette: Palette,
-  ): void;
   /** Words and the ways of moving obstacles, over zones and lines. */
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   /** Spikes, which stand like walls. */
@@ -48,17 +35,6 @@ export function createSceneKinds(ready: () => void): SceneKinds {
   const shelf = createBackgroundShelf(ready);
   return {
     background: (context, view, background) => drawBackground(context, view, background, shelf),
-    zones(context, view, { objects }, palette) {
-      const look = lookOf(view, palette);
-      for (const object of objects) drawShapes(context, view, kindOf(object).ground?.(object, look) ?? []);
-    },
-    zoneSigns(context, view, { objects }, verdict, palette) {
-      const look = lookOf(view, palette);
-      for (const object of objects) {
-        const isReached = isZone(object) && zoneState(object, objects, verdict) === 'reached';
-        drawShapes(context, view, kindOf(object).sign?.(object, look, isReached) ?? []);
-      }
-    },
     signs(context, view, objects, palette) {
       const look = lookOf(view, palette);
       for (const object of objects) drawShapes(context, view, kindOf(object).mark?.(object, look, objects) ?? []);

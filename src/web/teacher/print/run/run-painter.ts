@@ -9,6 +9,7 @@ import { lightPalette as palette } from '../../../pupil/arena/model/palette';
 import { arranged } from '../../../pupil/arena/picture/arranged';
 import { drawPill } from '../../../pupil/arena/picture/draw-pill';
 import { drawScene } from '../../../pupil/arena/picture/draw-scene';
+import * as zones from '../../../pupil/arena/picture/draw-zones';
 import { createSceneKinds } from '../../../pupil/arena/picture/scene-kinds';
 import { drawTrail } from '../../../pupil/arena/robot/draw-trail';
 import { readRobotDrawing } from '../../../pupil/arena/robot/robot-drawing';
@@ -112,7 +113,7 @@ function createPainter(
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();
     if (still?.look === look) return still.canvas;
     const painted = emptyCanvas(size.widthPx, size.heightPx);
-    drawScene(contextOf(painted), view, { scene, kinds, verdict }, size, palette);
+    drawScene(contextOf(painted), view, { scene, zones, kinds, verdict }, size, palette);
     still = { look, canvas: painted };
     return painted;
   }
@@ -120,9 +121,9 @@ function createPainter(
     const painting = robots[place];
     const { robot: now, display } = device;
     if (!painting || now === null) return;
-    const nothing = { heldBlock: null, robotHeld: false, cone: null, overlay: null, breathUs: null };
+    const nothing = { heldBlock: null, robotHeld: false, overlay: null, marks: null };
     const robot = { now, painting, scale: now.scale };
-    const moving = { ...nothing, arena: scene.size, blocks, robot, display, ring: null, label: null };
+    const moving = { ...nothing, arena: scene.size, blocks, robot, display };
     drawMoving(context, view, size, 1, moving, palette);
     if (robots.length < 2) return;
     const at = toPx(view, { x: now.pose.xMm, y: now.pose.yMm });
