@@ -35,6 +35,7 @@ async function handIns(word: string): Promise<string> {
 /** The meaning of each file as a program to run, as a task, and as a hand-in. */
 const files: Readonly<Record<string, readonly [run: string, task: string, handIn: string]>> = {
   'anna.py': [': forward()', 'not JSON', 'anna forward()'],
+  'anna.hex': [': forward()', 'not JSON', 'anna forward()'],
   'anna.parcours.json': ['Hall: forward()', 'Hall', 'anna forward()'],
   'without-ending': ['Hall: forward()', 'Hall', 'without-ending forward()'],
   'hall.json': ['is a course without a program', 'Hall', 'hall course'],
@@ -46,11 +47,13 @@ const files: Readonly<Record<string, readonly [run: string, task: string, handIn
   'links.txt': [': Anna:', 'not JSON', 'Anna forward()'],
   'links.csv': [': Name', 'not JSON', 'Anna forward()'],
   'links.eml': [': From', 'not JSON', 'Anna forward()'],
+  'attached.eml': [': From', 'not JSON', 'attached forward()'],
   'walk.csv': [': Time', 'not JSON', 'walk no-link'],
   'floor.png': ['is not text', 'is not text', 'floor kind'],
   'broken.json': ['not JSON', 'not JSON', 'broken project'],
   'broken.py': ['is not text', 'is not text', 'broken not-text'],
   'broken.zip': [': no zip', 'not JSON', 'broken.zip zip'],
+  'blocks.hex': ['program from MakeCode', 'not JSON', 'blocks hex-makecode'],
   'film.mp4': [': ', 'not JSON', 'film kind'],
 };
 

@@ -2,7 +2,7 @@ import { closeSync, existsSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
-import { textOf } from '#intake/file';
+import { documentOf, textOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText, isOurs } from '#intake/text';
 import { MAIN, newWork } from '#project/project';
@@ -18,6 +18,7 @@ import {
   onlyProgram,
   shortened,
   workOfAddress,
+  workOfHex,
   workOfJson,
   type Work,
 } from './read-work';
@@ -56,9 +57,19 @@ export async function readRunFiles(options: RunOptions): Promise<RunFiles | { re
 }
 
 /** The text of a file of at most this many bytes, or one line about the problem with it. */
-export function readLimited(path: string, maxBytes: number): { readonly text: string } | { readonly problem: string } {
+export const readLimited = (path: string, maxBytes: number): { readonly text: string } | { readonly problem: string } =>
+  orProblem(() => ({ text: readText(path, maxBytes) }));
+
+/** The bytes of a file of at most so many, or one line about the problem with it. */
+export const readBytesLimited = (
+  path: string,
+  maxBytes: number,
+): { readonly bytes: Uint8Array } | { readonly problem: string } =>
+  orProblem(() => ({ bytes: readBytes(path, maxBytes) }));
+
+function orProblem<T>(read: () => T): T | { readonly problem: string } {
   try {
-    return { text: readText(path, maxBytes) };
+    return read();
   } catch (error) {
     if (error instanceof BadFile) return { problem: error.problem };
     throw error;
@@ -82,7 +93,7 @@ function refuse(path: string, what: string): never {
 
 /** The program or project, and further files on its board. */
 async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Promise<Work> {
-  const read = isAddress(program) ? await workOfAddress(program) : workOfFile(program);
+  const read = isAddress(program) ? await workOfAddress(program) : await workOfFile(program);
   if ('problem' in read) return refuse(isAddress(program) ? shortened(program) : program, read.problem);
   const files = { ...read.files };
   for (const path of paths) addFile(files, path);
@@ -90,7 +101,8 @@ async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 
 }
 
 /** A file contains a project if its ending or its content says so; otherwise it is a program. */
-function workOfFile(path: string): Work | { readonly problem: string } {
+async function workOfFile(path: string): Promise<Work | { readonly problem: string }> {
+  if (formatOf(path) === 'hex') return workOfHex(await documentOf(path, readBytes(path, limits.hex), () => null));
   const isNamed = formatOf(path) === 'json';
   const text = readText(path, isNamed ? limits.json : limits.program);
   return isNamed || isOurs(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text }, newWork);
@@ -163,7 +175,10 @@ function readAtMost(path: string, maxBytes: number): Uint8Array {
   }
 }
 
-function readText(path: string, maxBytes: number): string {
+const readText = (path: string, maxBytes: number): string =>
+  textOf(readBytes(path, maxBytes)) ?? refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
+
+function readBytes(path: string, maxBytes: number): Uint8Array {
   let bytes: Uint8Array;
   try {
     const status = statSync(path);
@@ -176,5 +191,5 @@ function readText(path: string, maxBytes: number): string {
     if (error instanceof BadFile) throw error;
     return refuse(path, reasonOf(error));
   }
-  return textOf(bytes) ?? refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
+  return bytes;
 }

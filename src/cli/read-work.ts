@@ -1,10 +1,12 @@
 import { boardOf } from '#board/boards/board-of-device';
 import { documentOfAddress } from '#intake/address';
-import type { AddressDocument } from '#intake/document';
+import { unreadText } from '#check/report/say';
+import type { HexBoard } from '#hex/firmware';
+import type { AddressDocument, Document, HexDocument } from '#intake/document';
 import { documentOfText } from '#intake/text';
 import { isProjectLink } from '#project/link/link';
 import { runFilesOf } from '#project/devices';
-import { filesByName, type Project, type ProjectSettings } from '#project/project';
+import { filesByName, newWork, type Project, type ProjectSettings } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
@@ -71,6 +73,24 @@ export async function workOfAddress(address: string): Promise<Read> {
 
 const COURSE_ALONE = 'is a course without a program. Give it with --scene, and name a program.';
 const RECORDED = 'is a recorded run. Run it again with parcours replay.';
+
+/** The program in a board's file. */
+export function workOfHex(document: Document): Read {
+  if (document.kind === 'unreadable') return { problem: unreadText(document.problem, 'en') };
+  if (document.kind !== 'hex') return { problem: 'is no hex.' };
+  const { files, boards } = document;
+  return { ...onlyProgram(filesByName(files), { ...newWork, ...deviceOf(boards) }), notes: hexNotes(document) };
+}
+
+/** A Calliope mini says so; of a micro:bit the program's imports say more. */
+export const deviceOf = (boards: readonly HexBoard[]): { readonly device?: string } =>
+  boards.some((board) => board.startsWith('calliope')) ? { device: 'calliope-mini-3' } : {};
+
+/** Sentences on files of a hex that are not among those of the work. */
+export const hexNotes = ({ ours, unfit }: Pick<HexDocument, 'ours' | 'unfit'>): readonly string[] => [
+  ...(ours.length === 0 ? [] : [`${ours.join(', ')}: left out, since Parcours brings it along.`]),
+  ...(unfit.length === 0 ? [] : [`${unfit.join(', ')}: left out, since a project holds only texts with simple names.`]),
+];
 
 /** A project from the text of its file. */
 export function workOfJson(text: string): Read {

@@ -18,7 +18,8 @@ export interface DeviceFiles {
  * second.
  */
 const CALLIOPE = ['calliopemini', 'calliope_mini'] as const;
-const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
+/** The module by its second name, for a board that knows only the first. */
+export const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
 
 /**
  * The pupil's files and the libraries that they import, directly or indirectly: everything for a board that has only

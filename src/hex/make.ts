@@ -22,7 +22,7 @@ export function makeHex(firmwares: readonly Firmware[], files: readonly HexFile[
   const names = files.map(({ name }) => name);
   const wrong = names.find((name, place) => !isName(name) || names.indexOf(name) !== place);
   if (wrong !== undefined) return { kind: 'name', name: wrong };
-  const contents = files.map(({ name, text }) => ({ name, bytes: new TextEncoder().encode(text === '' ? '\n' : text) })); // prettier-ignore
+  const contents = files.map(({ name, text }) => ({ name, bytes: bytesOf(text === '' ? '\n' : text) }));
   const sizes = contents.map(({ name, bytes }) => ({ name, bytes: storedBytes(name, bytes) }));
   const usedBytes = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
   const roomBytes = Math.min(...sorted.map((firmware) => firmware.roomBytes));
@@ -59,6 +59,9 @@ function withFiles({ regions }: Firmware, files: readonly Content[]): string {
   for (const { name, bytes } of files) hex.create(name, bytes);
   return hex.getIntelHex();
 }
+
+/** The library asks whose class its bytes are of, and an encoder may have another one than the page. */
+const bytesOf = (text: string): Uint8Array => Uint8Array.from(new TextEncoder().encode(text));
 
 const isNew = (board: HexBoard): boolean => board === 'microbit-v2' || board === 'calliope-mini-3';
 const isCalliope = (board: HexBoard): boolean => board.startsWith('calliope');

@@ -28,13 +28,13 @@ interface Packing {
 
 const alone = (): Packing => ({ budget: new Budget(), level: 0 });
 
-/** The hand-in of a file. Never throws. */
-export const handInOfBytes = (
+/** The hand-in of a file. Never rejects. */
+export const handInOfBytes = async (
   name: string,
   bytes: Uint8Array,
   courses: ReadyCourses,
   packing = alone(),
-): Promise<Content> => handInOfDocument(name, documentOf(name, bytes, courses), courses, packing);
+): Promise<Content> => handInOfDocument(name, await documentOf(name, bytes, courses), courses, packing);
 
 /** The hand-in in a file that was read: a program, a project, a run, a text with a link to one, or a zip of one. */
 export async function handInOfDocument(
@@ -52,6 +52,8 @@ export async function handInOfDocument(
       return unread(isTextWithLinks(name) ? 'no-link' : 'kind');
     case 'picture':
       return unread('kind');
+    case 'hex':
+      return handInOfPrograms(document.files);
     default:
       return handInOfWork(document);
   }

@@ -15,10 +15,10 @@ describe('a file', () => {
     '$name is of the kind “$kind”, in whatever folder and however its ending is written',
     async (one) => {
       const { name, bytes, kind } = one;
-      expect(documentOf(name, bytes, readyCourses).kind).toBe(kind);
-      expect(documentOf(`a.zip/${name.replace(/\.\w+$/, (ending) => ending.toUpperCase())}`, bytes, none).kind).toBe(
-        kind,
-      );
+      expect((await documentOf(name, bytes, readyCourses)).kind).toBe(kind);
+      expect(
+        (await documentOf(`a.zip/${name.replace(/\.\w+$/, (ending) => ending.toUpperCase())}`, bytes, none)).kind,
+      ).toBe(kind);
       expect((await documentIn(await openGiven(fileOf(name, bytes)), none)).kind).toBe(kind);
     },
   );

@@ -9,8 +9,9 @@ import type { Note } from '#project/webtigerpython/note';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { Scene } from '#scene/scene';
 import type { SceneProblem } from '#scene/problem';
+import type { HexBoard } from '#hex/firmware';
 import type { NamedLink } from './links';
-import type { ZipEntry } from './zip';
+import type { TreeFile } from './tree';
 
 /**
  * The result of reading a file, a text or an address. Each door takes some of the kinds and refuses the others in
@@ -18,12 +19,13 @@ import type { ZipEntry } from './zip';
  */
 export type Document =
   | ProgramDocument
+  | HexDocument
   | ProjectDocument
   | CourseDocument
   | SeriesDocument
   | RecordingDocument
-  /** A zip: hand-ins, tasks, or the folder of a series lie in it. */
-  | { readonly kind: 'zip'; readonly files: readonly ZipEntry[] }
+  /** A zip: hand-ins, tasks, or the folder of a series lie in it. Or an e-mail with files. */
+  | { readonly kind: 'zip'; readonly files: readonly TreeFile[] }
   /** A text with links to hand-ins. */
   | { readonly kind: 'links'; readonly links: readonly NamedLink[] }
   /** A device's readings, to be read by `#device-log`. */
@@ -62,6 +64,19 @@ export interface ProgramDocument {
   readonly notes: readonly Note[];
   /** Lines that were written in Python: `files` has them as they are now. */
   readonly rewritten: readonly RewrittenLine[];
+}
+
+/** The program in a board's file. */
+export interface HexDocument {
+  readonly kind: 'hex';
+  /** main.py first; at least one file. */
+  readonly files: readonly SourceFile[];
+  /** The boards that it is for: a universal one has two. */
+  readonly boards: readonly HexBoard[];
+  /** Names of modules in it that are here anyway: they are not among its files. */
+  readonly ours: readonly string[];
+  /** Names of what a project cannot hold, such as sounds. */
+  readonly unfit: readonly string[];
 }
 
 /** A line of a file that was written otherwise. */

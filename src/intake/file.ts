@@ -1,21 +1,28 @@
 import { unread } from '#check/hand-in/unread';
 import type { ReadyCourses } from '#project/link/link';
 import { unreadable, type Document } from './document';
-import { formatOf, isTextWithLinks, lastOf, limits, mayBeLog, mostBytes } from './formats';
+import { formatOf, isTextWithLinks, isWork, lastOf, limits, mayBeLog, mostBytes } from './formats';
+import { hexDocument } from './hex-document';
 import { linksInFile } from './links';
 import { documentOfText, isOurs } from './text';
+import { attachmentsIn } from './mail';
 import type { Bytes, TreeFile } from './tree';
 import { readZip, type Zip } from './zip';
 
-/** Reads the bytes of a file, by the ending of its name; our own files are known without one, too. Never throws. */
-export function documentOf(path: string, bytes: Uint8Array, courses: ReadyCourses): Document {
-  const name = lastOf(path);
+/** Reads the bytes of a file, by the ending of its name; our own files are known without one, too. Never rejects. */
+export async function documentOf(path: string, bytes: Uint8Array, courses: ReadyCourses): Promise<Document> {
+  return formatOf(path) === 'hex' ? hexDocument(bytes) : plainDocument(lastOf(path), bytes, courses);
+}
+
+function plainDocument(name: string, bytes: Uint8Array, courses: ReadyCourses): Document {
   const format = formatOf(name);
   if (format === 'picture') return { kind: 'picture' };
   if (format === 'zip') return zipDocument(readZip(bytes));
   if (isTextWithLinks(name)) {
     const links = linksInFile(name, new TextDecoder().decode(bytes));
     if (links.length > 0) return { kind: 'links', links };
+    const attached = format === 'mail' ? attachmentsIn(new TextDecoder().decode(bytes)) : [];
+    if (attached.some(({ path }) => isWork(path))) return { kind: 'zip', files: attached };
     return mayBeLog(name) ? { kind: 'log', bytes } : unreadable(unread('no-link').problem);
   }
   if (mayBeLog(name)) return { kind: 'log', bytes };

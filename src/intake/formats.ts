@@ -2,11 +2,12 @@ import { FILE_BYTES, projectLimits } from '#project/project';
 
 /** How a file is read, by the ending of its name. */
 export type Format =
-  'program' | 'json' | 'zip' | 'page' | 'table' | 'text' | 'mail' | 'note' | 'sheet' | 'picture' | 'other';
+  'program' | 'hex' | 'json' | 'zip' | 'page' | 'table' | 'text' | 'mail' | 'note' | 'sheet' | 'picture' | 'other';
 
 /** Every ending that is known; a file with any other is `other`. */
 const endings: Readonly<Record<Exclude<Format, 'other'>, readonly string[]>> = {
   program: ['py'],
+  hex: ['hex'],
   json: ['json'],
   zip: ['zip'],
   page: ['htm', 'html'],
@@ -20,6 +21,9 @@ const endings: Readonly<Record<Exclude<Format, 'other'>, readonly string[]>> = {
 
 /** Texts in which links to hand-ins may stand. */
 const LINKED: readonly Format[] = ['page', 'table', 'text', 'mail', 'note'];
+
+/** Programs, and what holds some. */
+const WORKS: readonly Format[] = ['program', 'hex', 'json', 'zip'];
 
 /** The formats of a device's readings, also after a detour through a spreadsheet. */
 const LOGS: readonly Format[] = ['page', 'table', 'text', 'sheet'];
@@ -39,6 +43,9 @@ export function formatOf(name: string): Format {
 /** True if links are looked for in a file of this name. */
 export const isTextWithLinks = (name: string): boolean => LINKED.includes(formatOf(name));
 
+/** True if a file of this name may be somebody's work. */
+export const isWork = (name: string): boolean => WORKS.includes(formatOf(name));
+
 /** True if a file of this name may hold a device's readings. */
 export const mayBeLog = (name: string): boolean => LOGS.includes(formatOf(name));
 
@@ -54,6 +61,8 @@ export const stemOf = (path: string): string => {
 /** The largest things that are read, in bytes: the same for every door. */
 export const limits = {
   program: FILE_BYTES,
+  /** One for both micro:bits has 2 MB. Chosen: MakeCode's may have pictures and sounds in it. */
+  hex: 8 * 1024 * 1024,
   /** Chosen: a project with a picture as floor has a few MB. */
   json: 16 * 1024 * 1024,
   /** A text with links. */
@@ -77,7 +86,7 @@ export const limits = {
 /** The largest file of this name that is read, in bytes. */
 export function mostBytes(name: string): number {
   const format = formatOf(name);
-  if (format === 'program' || format === 'zip') return limits[format];
+  if (format === 'program' || format === 'hex' || format === 'zip') return limits[format];
   return LINKED.includes(format) ? limits.links : LOGS.includes(format) ? limits.log : limits.json;
 }
 

@@ -36,7 +36,7 @@ describe('whatever comes in', () => {
         const noise = Uint8Array.from({ length: Math.floor(rng.unit() * 300) }, () => Math.floor(rng.unit() * 256));
         const content = rng.unit() < 0.2 ? noise : changed(bytes, rng);
         const called = rng.unit() < 0.3 ? `x.${pick(ENDINGS, rng)}` : name;
-        const { kind } = documentOf(called, content, none);
+        const { kind } = await documentOf(called, content, none);
         kinds.set(kind, (kinds.get(kind) ?? 0) + 1);
         const said = await handInOfBytes(called, content, none);
         expect('handIn' in said || said.problem.code !== 'broken', `seed ${String(seed)}`).toBe(true);
@@ -48,6 +48,7 @@ describe('whatever comes in', () => {
       }
       for (const kind of [
         'program',
+        'hex',
         'project',
         'course',
         'series',

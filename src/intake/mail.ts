@@ -1,4 +1,6 @@
 import { fromBase64 } from '#core/base64';
+import { unread } from '#check/hand-in/unread';
+import type { TreeFile } from './tree';
 
 /** The readable parts of an e-mail. */
 export interface Mail {
@@ -23,6 +25,31 @@ const MOST_LEVELS = 12;
 /** Reads a saved e-mail (RFC 5322, 2045, 2047): its texts are decoded, attachments are left out. Never throws. */
 export function readMail(source: string, reading: Reading): Mail {
   return { from: senderIn(partOf(source).headers.get('from') ?? ''), text: textOf(source, reading, 0) };
+}
+
+/** The files that an e-mail brings along, by their names; pictures between its words are among them. Never throws. */
+export function attachmentsIn(source: string, level = 0): readonly TreeFile[] {
+  if (level > MOST_LEVELS) return [];
+  const { headers, body } = partOf(source);
+  const type = headers.get('content-type') ?? 'text/plain';
+  if (/^message\/rfc822/i.test(type)) return attachmentsIn(body, level + 1);
+  if (/^multipart\//i.test(type))
+    return partsIn(body, parameter(type, 'boundary')).flatMap((part) => attachmentsIn(part, level + 1));
+  const name = nameOfFile(headers);
+  if (name === '') return [];
+  const coding = headers.get('content-transfer-encoding')?.toLowerCase() ?? '';
+  const bytes = bytesOf(body, coding);
+  const read = (most: number) => (bytes.length > most ? unread('large', { file: name, most }) : { bytes });
+  return [{ path: name, size: bytes.length, read }];
+}
+
+/** The name of a file in an e-mail (RFC 2183, 2231), without folders; empty: it is none. */
+function nameOfFile(headers: ReadonlyMap<string, string>): string {
+  const disposition = headers.get('content-disposition') ?? '';
+  const coded = /^utf-8''(.*)$/i.exec(parameter(disposition, 'filename\\*'))?.[1];
+  const plain = parameter(disposition, 'filename') || parameter(headers.get('content-type') ?? '', 'name');
+  const name = coded === undefined ? wordsIn(plain) : inCharset(fromQuoted(coded.replaceAll('%', '=')), 'utf-8');
+  return name.replace(/^.*[/\\]/, '').trim();
 }
 
 interface Part {
@@ -79,9 +106,12 @@ function partsIn(body: string, boundary: string): readonly string[] {
 }
 
 function decoded(body: string, coding: string, charset: string): string {
-  if (coding === 'base64') return inCharset(fromBase64(body.replace(/\s/g, '')) ?? new Uint8Array(), charset);
-  if (coding === 'quoted-printable') return inCharset(fromQuoted(body.replace(/=[ \t]*\r?\n/g, '')), charset);
-  return body;
+  return ['base64', 'quoted-printable'].includes(coding) ? inCharset(bytesOf(body, coding), charset) : body;
+}
+
+function bytesOf(body: string, coding: string): Uint8Array {
+  if (coding === 'base64') return fromBase64(body.replace(/\s/g, '')) ?? new Uint8Array();
+  return coding === 'quoted-printable' ? fromQuoted(body.replace(/=[ \t]*\r?\n/g, '')) : new TextEncoder().encode(body);
 }
 
 /** Bytes that are written as themselves or as `=C3`. */
@@ -116,14 +146,17 @@ function inCharset(bytes: Uint8Array, charset: string): string {
 function senderIn(header: string): string {
   const address = header.indexOf('<');
   if (address < 0) return '';
-  return header
-    .slice(0, address)
+  return wordsIn(header.slice(0, address))
+    .trim()
+    .replace(/^"(.*)"$/, '$1');
+}
+
+/** The words of a header, whatever they are coded in (RFC 2047). */
+const wordsIn = (header: string): string =>
+  header
     .replace(/\?=\s+=\?/g, '?==?')
     .replace(/=\?([^?\s]+)\?([BQ])\?([^?\s]*)\?=/gi, (_, charset: string, coding: string, text: string) =>
       /b/i.test(coding)
         ? decoded(text, 'base64', charset)
         : decoded(text.replaceAll('_', ' '), 'quoted-printable', charset),
-    )
-    .trim()
-    .replace(/^"(.*)"$/, '$1');
-}
+    );

@@ -53,7 +53,7 @@ export const withoutLitter = <T extends { readonly path: string }>(all: readonly
 
 /**
  * The program of one hand-in: the main.py that lies above all others, with what lies beside it; without one the only
- * program, project, run or zip; without such the only text that may have a link.
+ * program, project, run or zip; without such the only hex, or the only text that may have a link.
  */
 export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem: Unread } {
   const files = withoutLitter(all).filter(({ path }) => !path.endsWith('/'));
@@ -65,7 +65,10 @@ export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem:
     return { program, beside: files.filter((file) => file !== program && folderOf(file.path) === folder) };
   }
   const programs = files.filter(({ path }) => PROGRAMS.includes(formatOf(path)));
-  const likely = programs.length > 0 ? programs : files.filter(({ path }) => isTextWithLinks(path));
+  const hexes = files.filter(({ path }) => formatOf(path) === 'hex');
+  const texts = files.filter(({ path }) => isTextWithLinks(path));
+  // A board's file is often handed in beside the program that is in it.
+  const likely = [programs, hexes].find((some) => some.length > 0) ?? texts;
   const [program, another] = likely;
   if (program === undefined) return unread('no-main');
   return another === undefined ? { program } : several(likely);

@@ -9,6 +9,8 @@ export interface Unread {
 export const unreadCodes = [
   // files
   ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone', 'slow'] as const),
+  // a board's file
+  ...(['hex-line', 'hex-damaged', 'hex-makecode', 'hex-other', 'hex-empty'] as const),
   // folders
   ...(['no-main', 'several', 'many-files'] as const),
   // links

@@ -1,4 +1,5 @@
-import { writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { withLinesBack } from '#intake/lines-back';
 import { hardwareOf } from '#intake/webtigerpython';
 import { filesByName, MAIN } from '#project/project';
@@ -11,7 +12,7 @@ import { shortened } from '../read-work';
 import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
 import type { ConvertOptions } from './convert-arguments';
-import { makeForm } from './make-form';
+import { makeForm, type Made } from './make-form';
 import { readInput, type Input } from './read-input';
 
 /**
@@ -21,16 +22,17 @@ import { readInput, type Input } from './read-input';
  * @returns the exit code: 0 success, 2 something that cannot be read, made or written
  */
 export async function convert(
-  { input: word, as, out, json }: ConvertOptions,
+  options: ConvertOptions,
   terminal: Terminal,
   write: (text: string) => void,
 ): Promise<0 | 2> {
+  const { input: word, as, out, json } = options;
   const input = await readInput(word);
   if ('problem' in input) return refuse(input.problem, terminal);
-  const made = as === null ? null : await makeForm(input, as);
+  const made = as === null ? null : await makeForm(input, as, options);
   if (made !== null && 'problem' in made) return refuse(`${shortened(word)}: ${made.problem}`, terminal);
   if (made !== null && out !== null) {
-    const failed = writeOut(out, made.text, word);
+    const failed = writeOut(out, made, word);
     if (failed !== null) return refuse(`--out: ${out}: ${failed}`, terminal);
   }
   const hardware = hardwareOf(input.work);
@@ -54,10 +56,12 @@ function refuse(problem: string, terminal: Terminal): 2 {
 }
 
 /** @returns why it was not written; `null`: it was */
-function writeOut(out: string, text: string, word: string): string | null {
-  if (isSameFile(out, word)) return 'is the file that is read. Choose another name.';
+function writeOut(out: string, { text, files }: Made, word: string): string | null {
+  const all = files?.map((file) => [join(out, file.name), file.text] as const) ?? [[out, text] as const];
+  if (all.some(([path]) => isSameFile(path, word))) return 'is the file that is read. Choose another name.';
   try {
-    writeFileSync(out, text);
+    if (files !== undefined) mkdirSync(out, { recursive: true });
+    for (const [path, content] of all) writeFileSync(path, content);
     return null;
   } catch (error) {
     return reasonOf(error);
@@ -72,24 +76,30 @@ const idsOf = (hardware: Chosen): { readonly robot: string | null; readonly boar
     ? { robot: null, board: null }
     : { robot: hardware.robot?.id ?? null, board: hardware.board.id };
 
-const asJson = ({ kind, work: { files, scene }, rewritten = [] }: Input, hardware: Chosen) => ({
+const asJson = ({ kind, hex, work: { files, scene }, rewritten = [] }: Input, hardware: Chosen) => ({
   kind,
-  program: files.length === 0 ? { [MAIN]: '' } : filesByName(files.map((file) => withLinesBack(file, rewritten))),
+  ...(hex && { made: hex.made, boards: hex.boards }),
+  program:
+    files.length === 0 && kind === 'course'
+      ? { [MAIN]: '' }
+      : filesByName(files.map((file) => withLinesBack(file, rewritten))),
   ...idsOf(hardware),
   scene: scene === null ? null : (JSON.parse(serializeScene(scene)) as unknown),
 });
 
 /** Lines for people. */
-function summaryOf({ kind, work: { files, scene } }: Input, hardware: Chosen): readonly string[] {
+function summaryOf({ kind, hex, work: { files, scene } }: Input, hardware: Chosen): readonly string[] {
   const linesOf = (text: string): number => text.replace(/\n$/, '').split('\n').length;
   const programs = files.map(({ name, text }) => `${name} (${linesOf(text)} lines)`);
   const { robot, board } = idsOf(hardware);
   return [
-    `This is a ${kind}.`,
+    hex === undefined
+      ? `This is a ${kind}.`
+      : `This is a hex (${hex.made})${hex.boards.length === 0 ? '' : ` for ${hex.boards.join(', ')}`}.`,
     ...(programs.length > 0 ? [`Program: ${programs.join(', ')}`] : []),
     ...(board === null ? [] : [`Hardware: robot ${robot ?? NO_ROBOT}, board ${board}`]),
     ...(scene === null ? [] : [`Course: ${courseText(scene)}`]),
-    'Say --as project, course, program, link or webtigerpython to get it in that form, and --out FILE to save it.',
+    'Say --as project, course, program, files, hex, link or webtigerpython to get it in that form, and --out FILE to save it.',
   ];
 }
 

@@ -137,9 +137,9 @@ describe('parcours convert', () => {
   it.each<[string, readonly string[], string]>([
     ['nothing', [], 'What shall be converted? For example:'],
     ['two things', ['a.py', 'b.py'], 'One thing at a time: what is "b.py"?'],
-    ['an unknown form', [anna, '--as', 'pdf'], '--as: "pdf" is not known. Known: project, course, program, link, webtigerpython.'],
-    ['an ending that says nothing', [anna, '--out', 'x.txt'], '--out: x.txt does not end in .json (a project) or .py (a program).'],
-    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert. Known: --out, --as, --json.'],
+    ['an unknown form', [anna, '--as', 'pdf'], '--as: "pdf" is not known. Known: project, course, program, files, hex, link, webtigerpython.'],
+    ['an ending that says nothing', [anna, '--out', 'x.txt'], '--out: x.txt does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder).'],
+    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert. Known: --out, --as, --firmware, --board, --file, --json.'],
     ['a missing file', [join(folder, 'no.py')], 'no.py: there is no such file.'],
     ['a recorded run', [sample('anna.run.json')], 'is a recorded run. Run it again with parcours replay.'],
     ['a series', [sample('week.json')], 'is a series of tasks.'],

@@ -1,21 +1,28 @@
 import { linkForWebTigerPython } from '#intake/link-for-webtigerpython';
 import { projectToText } from '#project/file';
 import { linkOf, type Omitted } from '#project/link/link';
-import { MAIN, type Project } from '#project/project';
+import { MAIN, type Project, type SourceFile } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
-import type { Form } from './convert-arguments';
+import type { ConvertOptions, Form } from './convert-arguments';
+import { makeHexFile } from './make-hex-file';
 import type { Input } from './read-input';
 
 /** Work in another form, with sentences on what that form could not hold. */
 export interface Made {
   readonly text: string;
+  /** Files for a folder; left out: the text is one file. */
+  readonly files?: readonly SourceFile[];
   readonly notes: readonly string[];
 }
 
 /** Makes a form of work, or says why there is none. */
-export async function makeForm(input: Input, form: Form): Promise<Made | { readonly problem: string }> {
+export async function makeForm(
+  input: Input,
+  form: Form,
+  options: ConvertOptions,
+): Promise<Made | { readonly problem: string }> {
   const { files, scene } = input.work;
   switch (form) {
     case 'project':
@@ -26,10 +33,14 @@ export async function makeForm(input: Input, form: Form): Promise<Made | { reado
         : { text: serializeScene(scene), notes: [] };
     case 'program': {
       const [main, ...others] = files;
-      if (main === undefined) return { problem: 'has no program, only a course.' };
+      if (main === undefined) return { problem: noProgram(input) };
       const names = others.map(({ name }) => name).join(', ');
       return { text: main.text, notes: others.length === 0 ? [] : [`Only ${MAIN} is in it, without ${names}.`] };
     }
+    case 'files':
+      return files.length === 0 ? { problem: noProgram(input) } : { text: '', files, notes: [] };
+    case 'hex':
+      return files.length === 0 ? { problem: noProgram(input) } : makeHexFile(input, options);
     case 'link':
       return madeLink(input);
     case 'webtigerpython': {
@@ -39,6 +50,10 @@ export async function makeForm(input: Input, form: Form): Promise<Made | { reado
     }
   }
 }
+
+/** Why there is no program: a hex has said so in its notes. */
+const noProgram = ({ kind, notes }: Input): string =>
+  kind === 'hex' ? (notes[0] ?? 'has no program.') : 'has no program, only a course.';
 
 const TOO_LONG = 'is too long for a link. Save it as a project.';
 

@@ -8,18 +8,23 @@ import { noteText } from '#project/webtigerpython/say';
 import type { Note } from '#project/webtigerpython/note';
 import type { Linked } from '#project/webtigerpython/write-link';
 import { withoutReload } from '../check/series-task';
-import { isNoFile, readLimited } from '../read-files';
-import { documentAt, isAddress, shortened } from '../read-work';
+import { unreadText } from '#check/report/say';
+import type { ReadHex } from '#hex/hex';
+import { unreadHex, whyEmpty } from '#intake/hex-document';
+import { isNoFile, readBytesLimited, readLimited } from '../read-files';
+import { deviceOf, documentAt, hexNotes, isAddress, shortened } from '../read-work';
 
 /** Work that was read, whatever it came as. */
 export interface Input {
-  readonly kind: 'program' | 'project' | 'course';
+  readonly kind: 'program' | 'project' | 'course' | 'hex';
   /** Without files: a course alone. */
   readonly work: Linked;
   /** Id of the ready course that it has; `null`: none. */
   readonly course: string | null;
   /** Sentences on what could not be taken over, or was changed. */
   readonly notes: readonly string[];
+  /** How a hex was made, and for which boards; left out: it is none. */
+  readonly hex?: Pick<ReadHex, 'made' | 'boards'>;
   /** Lines of the program that came otherwise; left out: none. */
   readonly rewritten?: readonly RewrittenLine[];
 }
@@ -28,13 +33,18 @@ type Problem = { readonly problem: string };
 
 /** Reads a file, an address, the text of a course or the id of a ready course; or one sentence on why it is none of these. */
 export async function readInput(word: string): Promise<Input | Problem> {
-  const read = await documentOfWord(word);
-  const input = 'problem' in read && !('kind' in read) ? read : await inputOf(read);
+  const input = await inputOfWord(word);
   if ('problem' in input) return { problem: `${shortened(word)}: ${input.problem}` };
   // A program alone is new work, as parcours run has it.
   const isNew = input.kind === 'program' && formatOf(word) === 'program' && !isAddress(word);
   const settings = { ...defaultProjectSettings, ...newWork };
   return isNew ? { ...input, work: { ...input.work, settings } } : input;
+}
+
+async function inputOfWord(word: string): Promise<Input | Problem> {
+  if (formatOf(word) === 'hex' && !isAddress(word)) return inputOfHex(word);
+  const read = await documentOfWord(word);
+  return 'problem' in read && !('kind' in read) ? read : inputOf(read);
 }
 
 async function documentOfWord(word: string): Promise<Document | AddressDocument | Problem> {
@@ -49,7 +59,7 @@ async function documentOfWord(word: string): Promise<Document | AddressDocument 
   const text = file.text.trim();
   // Also a world alone, which is no link of a hand-in.
   if (formatOf(word) !== 'program' && isAddress(text) && !text.includes('\n')) return documentAt(text);
-  const document = documentOf(basename(word), new TextEncoder().encode(file.text), await readyCourses());
+  const document = await documentOf(basename(word), new TextEncoder().encode(file.text), await readyCourses());
   if (document.kind !== 'links') return document;
   const [first, second] = new Set(document.links.map(({ address }) => address));
   return first === undefined || second !== undefined
@@ -107,6 +117,20 @@ async function inputOfReady(id: string, isWhole: boolean): Promise<Input | Probl
   if (scene === null) return { problem: `there is no ready course "${id}".` };
   if (project !== null) return { kind: 'project', work: project, course: id, notes: [] };
   return { kind: 'course', work: { files: [], scene }, course: id, notes: [] };
+}
+
+/** A hex, also one without a program that can be taken over: then a sentence tells what it is. */
+async function inputOfHex(path: string): Promise<Input | Problem> {
+  const file = readBytesLimited(path, limits.hex);
+  if ('problem' in file) return { problem: file.problem.replace(`${path}: `, '') };
+  const { openHex } = await import('#hex/open');
+  const opened = openHex(new TextDecoder().decode(file.bytes));
+  if ('problem' in opened) return { problem: unreadText(unreadHex(opened.problem), 'en') };
+  const { hex, files, ours, unfit } = opened;
+  const why = whyEmpty(opened);
+  const notes = [...(why === null ? [] : [unreadText(why, 'en')]), ...hexNotes({ ours, unfit })];
+  const settings = { ...defaultProjectSettings, ...newWork, ...deviceOf(hex.boards) };
+  return { kind: 'hex', work: { files: withMain(files), scene: null, settings }, course: null, hex, notes };
 }
 
 /** A file alone is main.py, whatever it is called. */

@@ -1,5 +1,8 @@
 /** Something of each kind that comes in, for tests of the doors. */
 import { strToU8, zipSync } from 'fflate';
+import { cleanFirmware } from '#hex/clean';
+import { makeHex } from '#hex/make';
+import { firmwareText, makeCodeText } from '#hex/testing/firmware';
 import LZString from 'lz-string';
 import { seriesLinkOf } from '#check/series/series-link';
 import { aSeries, readyCourses } from '#check/series/testing/series';
@@ -31,6 +34,34 @@ const world = { StartBox: [400, 400, 0], Wallobjects: [[660, 976, 557, 6]], play
 
 const zipOf = (files: Readonly<Record<string, string>>): Uint8Array =>
   zipSync(Object.fromEntries(Object.entries(files).map(([path, text]) => [path, strToU8(text)])));
+
+/** A board's file with this program and a library of ours. */
+function hexOf(program: string): string {
+  const cleaned = cleanFirmware(firmwareText('microbit-v2'));
+  const files = [{ name: 'mbrobot.py', text: '# ours\n' }, { name: 'main.py', text: program }, { name: 'way.py', text: 'x = 1\n' }]; // prettier-ignore
+  const made = makeHex('firmwares' in cleaned ? cleaned.firmwares : [], files);
+  if (made.kind !== 'hex') throw new Error(made.kind);
+  return made.text;
+}
+/** An e-mail with a file. */
+const mailOf = (name: string, content: string): string =>
+  [
+    'From: Anna <a@example.org>',
+    'Content-Type: multipart/mixed; boundary="x"',
+    '',
+    '--x',
+    'Content-Type: text/plain',
+    '',
+    'Hallo',
+    '--x',
+    'Content-Type: application/octet-stream',
+    `Content-Disposition: attachment; filename="${name}"`,
+    'Content-Transfer-Encoding: base64',
+    '',
+    ...(btoa(content).match(/.{1,76}/g) ?? []),
+    '--x--',
+    '',
+  ].join('\r\n');
 const seriesFolder = () => seriesToFolder(aSeries(), ({ title }) => title || 'task');
 
 /** A file, and the kind of document that it is. */
@@ -48,6 +79,7 @@ const sample = (kind: Sample['kind'], name: string, content: string | Uint8Array
 /** A file of each kind. */
 export const samples: readonly Sample[] = [
   sample('program', 'anna.py', 'forward()\n'),
+  sample('hex', 'anna.hex', hexOf('forward()\n')),
   sample('project', 'anna.parcours.json', projectToText(project)),
   sample('project', 'without-ending', projectToText(project)),
   sample('course', 'hall.json', serializeScene(scene)),
@@ -59,11 +91,13 @@ export const samples: readonly Sample[] = [
   sample('links', 'links.txt', `Anna: https://parcours.example/#${projectLink}\n`),
   sample('links', 'links.csv', `Name,Link\nAnna,#${projectLink}\n`),
   sample('links', 'links.eml', `From: Anna <a@example.org>\n\n#${projectLink}\n`),
+  sample('zip', 'attached.eml', mailOf('board.hex', hexOf('forward()\n'))),
   sample('log', 'walk.csv', 'Time (seconds),cm\n0.10,12.5\n0.20,11\n'),
   sample('picture', 'floor.png', Uint8Array.of(0x89, 0x50, 0x4e, 0x47)),
   sample('unreadable', 'broken.json', '{ "format": "parcours-project", '),
   sample('unreadable', 'broken.py', Uint8Array.of(0xff, 0xfe, 0)),
   sample('unreadable', 'broken.zip', 'no zip'),
+  sample('unreadable', 'blocks.hex', makeCodeText()),
   sample('unreadable', 'film.mp4', Uint8Array.of(0, 1, 2)),
 ];
 

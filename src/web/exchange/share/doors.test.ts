@@ -52,6 +52,7 @@ function opened(before: unknown, name = ''): string {
  */
 const files: Readonly<Record<string, readonly [page: string, class_: string, maker: string, task: string]>> = {
   'anna.py': ['anna.py forward()', 'anna forward()', 'refused', 'is no task'],
+  'anna.hex': ['main.py forward(),way.py x = 1', 'anna forward()', 'refused', 'is no task'],
   'anna.parcours.json': ['Hall: main.py forward()', 'anna forward()', 'task', 'Hall'],
   'without-ending': ['Hall: main.py forward()', 'without-ending forward()', 'refused', 'Hall'],
   'hall.json': ['Hall: main.py ', 'hall course', 'task', 'Hall'],
@@ -63,11 +64,13 @@ const files: Readonly<Record<string, readonly [page: string, class_: string, mak
   'links.txt': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
   'links.csv': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
   'links.eml': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
+  'attached.eml': ['cannot be opened here', 'attached forward()', 'refused', 'is no task'],
   'walk.csv': ['log', 'walk no-link', 'refused', 'is no task'],
   'floor.png': ['floor', 'floor kind', 'refused', 'is no task'],
   'broken.json': ['damaged or was not', 'broken project', 'refused', 'is no task'],
   'broken.py': ['is not text', 'broken not-text', 'refused', 'is no task'],
   'broken.zip': ['cannot be opened here', 'broken.zip zip', 'refused', 'is no task'],
+  'blocks.hex': ['program from MakeCode', 'blocks hex-makecode', 'refused', 'is no task'],
   'film.mp4': ['cannot be opened here', 'film kind', 'refused', 'is no task'],
 };
 

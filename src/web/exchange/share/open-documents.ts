@@ -1,5 +1,7 @@
-import type { Document, Unreadable } from '#intake/document';
+import { unreadText } from '#check/report/say';
+import type { Document, HexDocument, Unreadable } from '#intake/document';
 import { inMB, mostBytes, stemOf } from '#intake/formats';
+import { defaultProjectSettings, newWork } from '#project/project';
 
 import type { PageParts } from '../../kit/parts';
 import type { Workplace } from '../../session/work/model/parts';
@@ -9,7 +11,7 @@ import { useOpenings } from '../../session/work/use-openings';
 import { isReadyArena } from '../../session/work/catalogue/examples';
 import { courseName } from '../../session/work/catalogue/first-course';
 import { workName } from '../../session/work/work-name';
-import { t } from '../../kit/i18n';
+import { shownLanguage, t } from '../../kit/i18n';
 import { tellOfCourse } from '../elsewhere/tell-of-course';
 import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
@@ -78,6 +80,10 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       tellOfCourse(app, document, false);
       return null;
     }
+    case 'hex': {
+      openHexDocument(app, document, file);
+      return null;
+    }
     case 'unreadable':
       return refusalOf(loaded, document);
     default:
@@ -85,10 +91,32 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
   }
 }
 
+/** Opens the program of a board's file in the course that is open, and tells of what is not taken from it. */
+function openHexDocument(app: TakesDocuments, { files, boards, ours, unfit }: HexDocument, file: string): void {
+  const { project: before, file: openFile } = app.work.work.value;
+  const { scene, course } = before;
+  const isCalliope = boards.some((board) => board.startsWith('calliope'));
+  const settings = isCalliope && { settings: { ...defaultProjectSettings, ...newWork, device: CALLIOPE } };
+  const isOurs = openFile === undefined && hasNothingOwn(before);
+  useOpenings(app).open({ files, scene, course, ...settings }, file, isOurs, plainStem(file));
+  const told = [
+    ...(ours.length === 0 ? [] : [t(words.hexOurs, { file, names: ours.join(', ') })]),
+    ...(unfit.length === 0 ? [] : [t(words.hexUnfit, { file, names: unfit.join(', ') })]),
+  ].join(' ');
+  if (told === '') return;
+  const { action } = app.notices.current.value ?? {};
+  app.notices.show({ kind: 'info', key: 'notice.text', values: { text: told }, ...(action && { action }) });
+}
+
+/** Id of the microcomputer for programs of any Calliope mini. */
+const CALLIOPE = 'calliope-mini-3';
+
 function refusalOf({ name: file, size: bytes }: File, { problem, problems }: Unreadable): string {
   if (problems.length > 0) return t(words.problems.file, { file, reason: reasonOf(problems) });
   if (problem.code === 'large')
     return t(words.problems.tooLargeFile, { file, size: inMB(bytes), max: inMB(mostBytes(file)) });
+  if (problem.code.startsWith('hex-'))
+    return t(words.problems.file, { file, reason: unreadText(problem, shownLanguage()) });
   const isReadAsText = problem.code === 'not-text' || problem.code === 'gone';
   return t(words.problems[isReadAsText ? 'unreadable' : 'otherKind'], { file });
 }

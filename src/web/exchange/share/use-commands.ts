@@ -21,7 +21,7 @@ export function commandsOf(app: TakesFiles) {
   }
 
   function load(): void {
-    const accept = '.py,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
+    const accept = '.py,.hex,.json,.zip,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
     pickFiles({ accept, multiple: true }, take);
   }
 
