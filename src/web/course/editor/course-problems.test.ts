@@ -8,16 +8,17 @@ import { editingPage, press, samples } from '../../app/testing/editing';
 import { mountOn, textOf } from '../../app/testing/mount-on';
 import { show, startRun } from '../../app/testing/run';
 import CourseProblems from './CourseProblems.vue';
-import { useCourseProblems, useWaiting } from './use-course-problems';
+import { useCourseProblems } from './use-course-problems';
+import { useWaiting } from './use-waiting';
 
 beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
 afterEach(() => void vi.useRealTimers());
 
 /** The problems of a course that is edited; `settle` waits until the course has been checked for them. */
-async function building(objects: readonly SceneObject[], isBuilding = true) {
+async function building(objects: readonly SceneObject[]) {
   const page = await editingPage(objects);
   const places: unknown[] = [];
-  const found = page.scope.run(() => useCourseProblems(page, () => isBuilding))!;
+  const found = page.scope.run(() => useCourseProblems(page))!;
   const waiting = page.scope.run(() => useWaiting(page))!;
   const mounted = mountOn(page, CourseProblems, { found, onShow: (at: unknown) => places.push(at) });
   const settle = async () => {
@@ -95,12 +96,6 @@ describe('the problems of a course', () => {
     expect(texts()).toEqual([]);
   });
 
-  it('are nothing for whoever only drives', async () => {
-    const { settle, texts } = await building([samples.wall, stuck], false);
-    await settle();
-    expect(texts()).toEqual([]);
-  });
-
   it('show their place, and select what is meant where things are being selected', async () => {
     const { editor, settle, places, list } = await building([samples.wall, stuck]);
     await settle();
@@ -132,7 +127,7 @@ describe('changes during a run', () => {
 
   it('are refused with a word when the course is full', async () => {
     const full = Array.from({ length: 2000 }, (_, i) => ({ ...samples.wall, id: `w${String(i)}` }));
-    const { editor, notices, ids } = await building(full, false);
+    const { editor, notices, ids } = await building(full);
     expect(editor.commit({ type: 'add', objects: [samples.block] })).toBe(false);
     await nextTick();
     expect([ids().length, notices.current.value?.key]).toEqual([2000, 'notice.courseFull']);

@@ -8,7 +8,6 @@ import { useHardware } from '../../session/work/hardware/use-hardware';
 import type { WorkParts } from '../../session/work/model/parts';
 import type * as Problems from './panels/told-problems';
 import type { CourseEditorParts } from './state/parts';
-import type * as Waiting from './words/waiting-words';
 
 type App = WorkParts & Pick<CourseEditorParts, 'editor'> & Pick<PageParts, 'notices'>;
 
@@ -29,14 +28,14 @@ export interface CourseProblems {
  * Finds them while they may be told: not in ready-made courses, which are checked before they are published, and not
  * while the open task locks the course, so that nobody could mend them.
  */
-export function useCourseProblems(app: App, isBuilding: () => boolean): CourseProblems {
+export function useCourseProblems(app: App): CourseProblems {
   const { work, editor } = app;
   const hardware = useHardware(app);
   const footprint = computed(() => hardware.value?.robot?.body.outlineMm ?? []);
   const found = shallowRef<readonly RuleProblem[]>([]);
   const late: ShallowRef<typeof Problems | null> = shallowRef(null);
   const isOwn = (): boolean => work.canUndo.value || work.canRedo.value || work.work.value.project.course === null;
-  const mayTell = (): boolean => isBuilding() && isOwn() && !work.locks.isLocked('course');
+  const mayTell = (): boolean => isOwn() && !work.locks.isLocked('course');
   /** Checks the course. The checker is loaded on demand: a ready-made course that is only driven never needs it. */
   async function find(): Promise<void> {
     late.value ??= await import('./panels/told-problems').catch(() => null); // offline: the next edit tries again
@@ -79,20 +78,3 @@ export function useCourseProblems(app: App, isBuilding: () => boolean): CoursePr
 
 const idsIn = ({ ids, params: { id, other } }: RuleProblem): readonly string[] =>
   [...ids, id, other].filter((name) => typeof name === 'string');
-
-/** The changes that take effect only at the next start, in words; empty if there are none. */
-export function useWaiting({ work, editor }: Pick<App, 'work' | 'editor'>): ComputedRef<string> {
-  /** Names the changes; loaded with the first of them. */
-  const teller = shallowRef<typeof Waiting | null>(null);
-  watch(
-    editor.isWaiting,
-    async (isWaiting) => {
-      if (isWaiting) teller.value ??= await import('./words/waiting-words').catch(() => null);
-    },
-    { immediate: true },
-  );
-  return computed(() => {
-    const start = editor.runStart.value;
-    return editor.isWaiting.value && start !== null ? (teller.value?.waitingWords(start, work.scene.value) ?? '') : '';
-  });
-}

@@ -17,6 +17,7 @@ async function withOutput() {
   const pane = mountOn(page, ConsolePane);
   page.console.write('Hallo\n');
   page.console.toText();
+  await vi.dynamicImportSettled();
   await nextTick();
   return { page, pane };
 }

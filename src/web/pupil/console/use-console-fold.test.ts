@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { afterEach, describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { mountOn, setWindow } from '../../app/testing/mount-on';
@@ -8,19 +8,22 @@ import { startRun } from '../../app/testing/run';
 import ConsolePane from './ConsolePane.vue';
 
 /** A console in a window of this size. */
-function consoleIn(width: number, height: number) {
+async function consoleIn(width: number, height: number) {
   setWindow(width, height);
   const page = createPage();
   const pane = mountOn(page, ConsolePane);
   const print = async (text: string): Promise<void> => {
     page.console.write(text);
     page.console.toText();
+    await vi.dynamicImportSettled();
     await nextTick();
   };
   const fold = async (): Promise<void> => {
     pane.get<HTMLElement>('[data-testid="console-fold"]').element.click();
     await nextTick();
   };
+  await vi.dynamicImportSettled();
+  await nextTick();
   return { page, pane, print, fold, isFolded: () => page.layout.isConsoleFolded.value };
 }
 
@@ -28,15 +31,15 @@ describe('the console beside the arena', () => {
   afterEach(() => setWindow(1024, 768));
 
   it('shows its head alone while it is empty', async () => {
-    const { page, pane, isFolded } = consoleIn(1366, 625);
+    const { page, pane, isFolded } = await consoleIn(1366, 625);
     expect(isFolded()).toBe(true);
-    expect(pane.get('.frame').isVisible()).toBe(false);
+    expect(pane.find('.frame').exists()).toBe(false);
     await startRun(page);
     expect(isFolded()).toBe(true);
   });
 
   it('opens for what the program prints, and closes when it is cleared', async () => {
-    const { page, pane, print, isFolded } = consoleIn(1366, 625);
+    const { page, pane, print, isFolded } = await consoleIn(1366, 625);
     await startRun(page);
     await print('Hallo\n');
     expect([isFolded(), pane.get('.frame').isVisible()]).toEqual([false, true]);
@@ -46,7 +49,7 @@ describe('the console beside the arena', () => {
   });
 
   it('stays closed for the greeting of the REPL', async () => {
-    const { page, print, isFolded } = consoleIn(1366, 625);
+    const { page, print, isFolded } = await consoleIn(1366, 625);
     await startRun(page);
     page.console.addNote('console.finished');
     await print('MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2\r\nType "help()" for more information.\r\n>>> ');
@@ -54,7 +57,7 @@ describe('the console beside the arena', () => {
   });
 
   it('stays closed at a stop, whatever the device says to it', async () => {
-    const { page, print, isFolded } = consoleIn(1366, 625);
+    const { page, print, isFolded } = await consoleIn(1366, 625);
     await startRun(page);
     await print('Traceback (most recent call last):\n  File "main.py", line 1, in <module>\nKeyboardInterrupt:\n');
     expect(isFolded()).toBe(true);
@@ -66,7 +69,7 @@ describe('the console beside the arena', () => {
   });
 
   it('opens and closes by hand, until the next run', async () => {
-    const { page, print, fold, isFolded } = consoleIn(1366, 625);
+    const { page, print, fold, isFolded } = await consoleIn(1366, 625);
     await fold();
     expect(isFolded()).toBe(false);
     await startRun(page);
@@ -81,7 +84,7 @@ describe('the console beside the arena', () => {
   });
 
   it('opens for an error, also when it was closed by hand', async () => {
-    const { page, print, fold, isFolded } = consoleIn(1366, 625);
+    const { page, print, fold, isFolded } = await consoleIn(1366, 625);
     await print('1\n');
     await fold();
     page.console.addError(null, {
@@ -93,8 +96,8 @@ describe('the console beside the arena', () => {
     expect(isFolded()).toBe(false);
   });
 
-  it('does not fold behind the tab of a phone', () => {
-    const { pane } = consoleIn(390, 844);
+  it('does not fold behind the tab of a phone', async () => {
+    const { pane } = await consoleIn(390, 844);
     expect(pane.find('[data-testid="console-fold"]').exists()).toBe(false);
     expect(pane.get('.frame').isVisible()).toBe(true);
   });

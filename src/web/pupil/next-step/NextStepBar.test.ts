@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it, vi } from 'vitest';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import type { SceneObject } from '#scene/scene';
@@ -44,6 +44,8 @@ async function bar(objects: readonly SceneObject[], seconds: number | null = nul
 const two = { ...samples.checkpoint, id: 'two', at: [700, 200], number: 2 } as const;
 
 describe('the bar at the foot of the arena', () => {
+  beforeAll(() => import('./StepGoals.vue')); // comes late; here it is there at once
+
   it('tells before the start what there is to do, and starts', async () => {
     const page = await bar([samples.checkpoint, two, samples.target]);
     expect(page.text()).toBe('BereitFahre der Reihe nach durch die Kontrollpunkte 1 bis 2 · Fahre dann ins Ziel');
@@ -116,6 +118,7 @@ describe('the bar at the foot of the arena', () => {
     const page = await bar([samples.target], 20);
     const time = () => page.mounted.get('[data-testid="time-left"]');
     await startRun(page);
+    await vi.dynamicImportSettled();
     await page.tell({}, 14_000_000);
     expect([textOf(time().element), time().classes().includes('time--short')]).toEqual(['noch 6 s', false]);
     expect(textOf(page.mounted.get('.clock').element)).toBe('0:14.0');

@@ -2,7 +2,7 @@ import { computed, shallowRef, watch, type ComputedRef } from 'vue';
 
 import { hasTask } from '#simulation/task/task-brief';
 
-import { useCourseProblems, useWaiting, type CourseProblems } from '../../course/editor/use-course-problems';
+import { useWaiting } from '../../course/editor/use-waiting';
 import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
@@ -37,7 +37,8 @@ export function useStepFacts(app: StepApp, checked: () => CheckedFacts | null) {
   const isTask = computed(() => hasTask(work.scene.value) || work.work.value.project.task !== undefined);
   const drive = computed(() => driveOf(app, isTask.value && verdict.goals.value.length === 0));
   const isBuilding = computed(() => mode.current.value === 'build');
-  const problems = useCourseProblems(app, () => isBuilding.value);
+  /** How many probable mistakes have been found in the course. */
+  const problems = shallowRef(0);
   const task = useStepTask(app, { verdict, checked, isTask, isPhone });
   const waiting = useWaiting(app);
   const facts = computed((): StepFacts => ({
@@ -49,7 +50,7 @@ export function useStepFacts(app: StepApp, checked: () => CheckedFacts | null) {
     seconds: drive.value === 'stopped' || drive.value === 'over' ? secondsText(run.nowUs.value) : '',
     error: errorOf(app),
     task: task.value,
-    course: isBuilding.value ? courseText(app, problems) : '',
+    course: isBuilding.value ? courseText(app, problems.value) : '',
     waiting: waiting.value,
   }));
   return { facts, verdict, problems, isTask, isBuilding };
@@ -72,10 +73,10 @@ function errorOf(app: StepApp): StepFacts['error'] {
 }
 
 /** The course in figures. */
-function courseText({ work }: Pick<StepApp, 'work'>, { problems }: CourseProblems): string {
+function courseText({ work }: Pick<StepApp, 'work'>, wrong: number): string {
   const { size, objects } = work.scene.value;
   const [width, height] = size.map((mm) => numberText(mm / 10, shownLanguage()));
-  const [things, wrong] = [objects.length, problems.value.length];
+  const things = objects.length;
   const found = [
     t(words.size, { width: width ?? '', height: height ?? '' }),
     things === 1 ? t(words.thing) : t(words.things, { count: things }),
