@@ -18,7 +18,8 @@
  *
  * The page loads this on demand, with the list.
  */
-import { coursesOf, type Course, type CourseFiles } from './course';
+import type { Course } from './course';
+import { coursesOf, type CourseFiles } from './read-courses';
 
 const files: CourseFiles = {
   scenes: import.meta.glob('../../courses/*/scene.json', { query: '?scene', import: 'default', eager: true }),

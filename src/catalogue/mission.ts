@@ -2,7 +2,8 @@ import type { Language } from '#core/languages';
 import { inEvery } from '#core/words';
 import type { Scene } from '#scene/scene';
 
-import type { Course, ProgramWords } from './course';
+import type { Course } from './course';
+import type { ProgramWords } from './read-courses';
 import { missionId, missionRobots, type Mission, type MissionRobot } from './mission-place';
 
 /** The library that a mission's programs import. */

@@ -3,7 +3,8 @@ import { cpSync, linkSync, mkdirSync, readdirSync, readFileSync, symlinkSync, wr
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
-import { projectOf, withSolution } from '#catalogue/course';
+import { projectOf } from '#catalogue/course';
+import { withSolution } from '#catalogue/read-courses';
 import { courses } from '#catalogue/courses';
 import { missions } from '#catalogue/missions';
 import { projectToText } from '#project/file';

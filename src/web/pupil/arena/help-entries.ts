@@ -3,7 +3,7 @@ import { mdiEyeOutline, mdiGhostOutline, mdiRadar } from '@mdi/js';
 import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import showWords from '../../session/layout/words';
-import arenaWords from './words';
+import viewWords from './words/view';
 import helpWords from './words/help';
 
 export const helpEntries: readonly HelpEntry[] = [
@@ -12,7 +12,7 @@ export const helpEntries: readonly HelpEntry[] = [
     section: 'arena',
     after: 'ask-why',
     icon: mdiRadar,
-    name: () => t(arenaWords.view.sight),
+    name: () => t(viewWords.sight),
     text: () => t(helpWords.sight),
     covers: ['robot-sight', 'show-sight'],
   },
@@ -21,7 +21,7 @@ export const helpEntries: readonly HelpEntry[] = [
     section: 'arena',
     after: 'sight',
     icon: mdiEyeOutline,
-    name: () => t(arenaWords.view.title),
+    name: () => t(viewWords.title),
     text: () => t(helpWords.view),
     covers: ['show', 'show-*', 'fit', 'near', 'zoom-selected', 'zoom-true', 'cinema', 'fullscreen', 'page-back'],
   },

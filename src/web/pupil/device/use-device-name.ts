@@ -2,7 +2,7 @@ import { computed, type ComputedRef } from 'vue';
 
 import { t } from '../../kit/i18n';
 import { useDevice, type DeviceModel } from '../../session/work/hardware/use-device';
-import words from './words';
+import words from './words/several';
 
 /** How the device that is shown is called, for a button that leads to its choice. */
 export interface DeviceName {

@@ -4,7 +4,7 @@ import type { Contribution } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import { useLayout } from '../../session/layout/parts';
 import { useVisit } from '../../session/visit/parts';
-import words from './words';
+import words from './words/notice';
 
 /** The way to the pupil's works; none where a host chooses what is shown. */
 export const contribution: Contribution = {

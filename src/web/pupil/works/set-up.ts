@@ -3,7 +3,7 @@ import { watch } from 'vue';
 import { t } from '../../kit/i18n';
 import type { SetUp } from '../../session/models/session';
 import { CROWDED_CHARACTERS, sizeOf } from '../../session/work/storage/history';
-import words from './words';
+import words from './words/notice';
 
 /** Asks once which works may go when they need much room. None goes by itself. */
 export const setUp: SetUp = ({ work, notices, router }) => {

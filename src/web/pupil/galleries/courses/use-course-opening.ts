@@ -7,7 +7,8 @@ import { useRun } from '../../../session/run/parts';
 import { useWork } from '../../../session/work/model/parts';
 import { useLayout } from '../../../session/layout/parts';
 import { useCourses } from '../../../session/work/use-courses';
-import { withSolution, type Course } from '#catalogue/course';
+import type { Course } from '#catalogue/course';
+import { withSolution } from '#catalogue/read-courses';
 
 /** Name of the robot that a course and its solution are made for; empty if there is none. */
 export function robotNameOfCourse({ scene, solution }: Course): string {
