@@ -23,6 +23,7 @@ test(
     await openApp(app);
     await pasteProgram(app, PROGRAM);
     await app.click(on('run'));
+    await app.click(by('console-fold'));
     await app.click(by('tab-chart'));
     await until(app, by('chart-plot'));
     await expect.poll(() => valueText(app)).toMatch(/number \d{2,}$/);

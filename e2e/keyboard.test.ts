@@ -70,6 +70,8 @@ for (const [module, drawing, pins, engines] of [
     await app.press('End');
     await says(app, 'light 255');
 
+    await tabTo(app, by('console-fold'));
+    await app.press('Enter');
     await tabTo(app, '[data-testid=console-input]');
     await app.press('Control', 'c');
     await says(app, 'KeyboardInterrupt');

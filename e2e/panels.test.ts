@@ -1,7 +1,7 @@
 import { expect, test } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isThere, on, openApp, pasteProgram, typeProgram } from './page';
-import { openPanel, until } from './parts';
+import { by, openPanel, until } from './parts';
 
 test(
   'a sensor set before the run is felt by the program, and one moved meanwhile too',
@@ -34,6 +34,7 @@ test(
     await app.click(on('run'));
     await until(app, 'button.stop.over');
     const field = '[data-testid=console-input]';
+    await app.click(by('console-fold'));
     await app.click(field);
     await expect.poll(() => app.text('.pane-console .pane-head')).toContain('REPL');
     await app.type('n = n + 1');

@@ -1,7 +1,7 @@
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isEnabled, on, openApp, pasteProgram } from './page';
-import { until } from './parts';
+import { by, until } from './parts';
 
 const FIELD = '[data-testid=console-input]';
 
@@ -16,6 +16,12 @@ async function start(app: App, source: string): Promise<void> {
   await app.click(on('run'));
 }
 
+/** Goes to the REPL: what a program prints leaves the console folded. */
+async function toField(app: App): Promise<void> {
+  await app.click(by('console-fold'));
+  await app.click(FIELD);
+}
+
 /** Types one line and sends it. */
 async function line(app: App, text: string): Promise<void> {
   if (text !== '') await app.type(text);
@@ -26,7 +32,7 @@ test('after the program the REPL greets as the device does, calculates, and show
   await start(app, 'total = 20\nprint("end")');
   await until(app, 'button.stop.over');
   expect(await consoleIn(app), 'until one goes to it').not.toContain('>>>');
-  await app.click(FIELD);
+  await toField(app);
   await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
   await line(app, 'total * 2 + 2');
   await says(app, /\+ 2\s+42\s+>>>/);
@@ -37,7 +43,7 @@ test('after the program the REPL greets as the device does, calculates, and show
 test('a function of several lines is written at the REPL and called', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, 'print("end")');
   await until(app, 'button.stop.over');
-  await app.click(FIELD);
+  await toField(app);
   await says(app, '>>>');
   await line(app, 'def twice(x):');
   await line(app, 'y = x + x');
@@ -53,7 +59,7 @@ const ENDLESS = 'n = 0\nprint("begin")\nwhile True:\n    n = n + 1';
 test('Ctrl-C ends a loop without end, and its variable can be looked at', async ({ app }) => {
   await start(app, ENDLESS);
   await says(app, 'begin');
-  await app.click(FIELD);
+  await toField(app);
   await app.press('Control', 'c');
   await says(app, /KeyboardInterrupt[^]*>>>/);
   await line(app, 'n > 0');
@@ -63,7 +69,7 @@ test('Ctrl-C ends a loop without end, and its variable can be looked at', async 
 test('Ctrl-D begins the program anew, and Ctrl-C ends it again', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, ENDLESS);
   await says(app, 'begin');
-  await app.click(FIELD);
+  await toField(app);
   await app.press('Control', 'd'); // interrupts first: only the REPL takes it
   await says(app, /KeyboardInterrupt[^]*MPY: soft reboot\s+begin/);
   expect(await isEnabled(app, 'stop')).toBe(true);

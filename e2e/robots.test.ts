@@ -148,6 +148,7 @@ test(
       await expect.poll(() => consoleIn(app), { timeout: 40_000 }).toMatch(/there\s/);
       const headingDeg = await headingAtRest(app);
       await app.click(on('reset'));
+      await app.click(by('console-fold'));
       await app.click('.pane-console [aria-label="Clear console"]');
       await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(550); // the text follows a second later
       return headingDeg > 180 ? headingDeg - 360 : headingDeg;

@@ -14,6 +14,7 @@ const tags = (pane: ReturnType<typeof mountOn>) => pane.findAll('.tag').map((it)
 /** A console with a line of output. */
 async function withOutput() {
   const page = createPage();
+  page.settings.change({ showArena: false });
   const pane = mountOn(page, ConsolePane);
   page.console.write('Hallo\n');
   page.console.toText();

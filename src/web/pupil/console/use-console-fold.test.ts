@@ -4,7 +4,7 @@ import { nextTick } from 'vue';
 
 import { mountOn, setWindow } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
-import { startRun } from '../../app/testing/run';
+import { show, startRun } from '../../app/testing/run';
 import ConsolePane from './ConsolePane.vue';
 
 /** A console in a window of this size. */
@@ -38,14 +38,32 @@ describe('the console beside the arena', () => {
     expect(isFolded()).toBe(true);
   });
 
-  it('opens for what the program prints, and closes when it is cleared', async () => {
+  it('stays folded for what the program prints, and shows its latest line in the head', async () => {
     const { page, pane, print, isFolded } = await consoleIn(1366, 625);
+    await startRun(page);
+    await print('Abstand 12\nAbstand 11\n');
+    expect([isFolded(), pane.get('.latest').text()]).toEqual([true, 'Abstand 11']);
+    page.console.clear();
+    await nextTick();
+    expect(pane.find('.latest').exists()).toBe(false);
+  });
+
+  it('opens for what the program prints where no arena is in sight, and closes when it is cleared', async () => {
+    const { page, pane, print, isFolded } = await consoleIn(1366, 625);
+    page.settings.change({ showArena: false });
     await startRun(page);
     await print('Hallo\n');
     expect([isFolded(), pane.get('.frame').isVisible()]).toEqual([false, true]);
     page.console.clear();
     await nextTick();
     expect(isFolded()).toBe(true);
+  });
+
+  it('opens for a question of the program', async () => {
+    const { page, isFolded } = await consoleIn(1366, 625);
+    await startRun(page);
+    await show(page, { awaitsInput: true });
+    expect(isFolded()).toBe(false);
   });
 
   it('stays closed for the greeting of the REPL', async () => {
@@ -74,18 +92,17 @@ describe('the console beside the arena', () => {
     expect(isFolded()).toBe(false);
     await startRun(page);
     expect(isFolded()).toBe(true);
-    await print('1\n');
     await fold();
-    await print('2\n');
-    expect(isFolded()).toBe(true);
+    await print('1\n');
+    expect(isFolded()).toBe(false);
     void page.run.stop();
     await startRun(page);
-    expect(isFolded()).toBe(false);
+    expect(isFolded()).toBe(true);
   });
 
   it('opens for an error, also when it was closed by hand', async () => {
-    const { page, print, fold, isFolded } = await consoleIn(1366, 625);
-    await print('1\n');
+    const { page, fold, isFolded } = await consoleIn(1366, 625);
+    await fold();
     await fold();
     page.console.addError(null, {
       failure: { type: 'ValueError', message: 'x', typed: false },

@@ -13,9 +13,9 @@ export interface ConsoleFold {
 }
 
 /**
- * Folds the console while it has nothing to say, and opens it for what a program prints or asks and for an error. What
- * a pupil has chosen by hand stays until the next run; an error or a question opens it all the same. While somebody
- * looks back it is folded, unless they open it.
+ * Folds the console, and opens it for what a program asks and for an error; for what it prints only where no arena is
+ * in sight, since beside that its latest line stands in the head. What a pupil has chosen by hand stays until the next
+ * run; an error or a question opens it all the same. While somebody looks back it is folded, unless they open it.
  */
 export function useConsoleFold({
   run,
@@ -23,7 +23,12 @@ export function useConsoleFold({
   console,
 }: Pick<RunParts, 'run'> & Pick<LayoutParts, 'layout'> & Pick<ConsoleParts, 'console'>): ConsoleFold {
   const chosen = shallowRef<'open' | 'folded' | null>(null);
-  const speaks = computed(() => run.isWaitingForInput.value || console.shown.value.some(says));
+  const isCalm = computed(() => layout.isShown.value.arena);
+  const speaks = computed(
+    () =>
+      run.isWaitingForInput.value ||
+      console.shown.value.some((entry) => says(entry) || (!isCalm.value && isPrinted(entry))),
+  );
   /** A chart that is folded away would be none. */
   const canFold = computed(() => layout.canFold.value && !console.isChart.value);
   const isPast = computed(() => run.past.value !== null);
@@ -50,8 +55,9 @@ export function useConsoleFold({
   };
 }
 
-/** True if this is something to read: neither the head of a run nor a word about its end, such as a traceback, which a card explains. */
-const says = (entry: ConsoleEntry): boolean =>
-  entry.kind === 'error' ||
-  entry.kind === 'fit' ||
-  (entry.kind === 'text' && entry.tone === 'plain' && entry.text.trim() !== '');
+/** True if this is to be read at once: neither the head of a run nor a word about its end. */
+const says = ({ kind }: ConsoleEntry): boolean => kind === 'error' || kind === 'fit';
+
+/** True if the program has written this; a traceback is explained by a card. */
+const isPrinted = (entry: ConsoleEntry): boolean =>
+  entry.kind === 'text' && entry.tone === 'plain' && entry.text.trim() !== '';

@@ -29,11 +29,17 @@ describe('the panes with a card', () => {
     expect(columnOf(folded.areas, 2)).toEqual(['card', '.', 'board', '.', 'console']);
   });
 
-  it('have the card as high as its text above the program on a smaller screen, which keeps 160 px', () => {
+  it('have the card as high as its text above the program on a smaller screen, which keeps 220 px', () => {
     const grid = cardGrid('medium', all, wished, { widthPx: 1164, heightPx: 812 }, 'open');
     expect(columnOf(grid.areas, 0)).toEqual(['card', '.', 'code', '.', 'board', '.', 'console']);
     const [, cardPx] = /fit-content\((\d+)px\)/.exec(grid.rows) ?? [];
-    expect(812 - 76 - 56 - 92 - 8 - Number(cardPx)).toBe(160);
+    expect(812 - 76 - 56 - 92 - 8 - Number(cardPx)).toBe(220);
+  });
+
+  it('leave the card its text where the console takes much room', () => {
+    const room = { widthPx: 1008, heightPx: 600 };
+    const grid = cardGrid('medium', all, { ...wished, console: 162, isConsoleFolded: false }, room, 'open');
+    expect(grid.rows).toContain('fit-content(94px)'); // with 160 px for the program
   });
 
   it('have program and card above the arena on a tablet held upright, console and board below it', () => {

@@ -18,6 +18,9 @@ import {
 /** Height of a card's title line with the frame around it, and of the small board: high below the card of a wide window, else a row. */
 const TITLE_PX = 54;
 const SMALL_PX = { high: 146, row: 84 } as const;
+/** Height that the program keeps beside a long card, where that leaves the card the second one. Chosen by eye. */
+const PROGRAM_PX = 220;
+const CARD_PX = 150;
 /** From this height of the room on, the small board below the card is high. */
 const HIGH_PX = 690;
 /** Share of the height for program and card where the arena lies below them. Chosen by eye. */
@@ -65,7 +68,8 @@ function inTwo(shown: Shown, wished: PaneSizes, room: Room, card: CardForm): Pan
   const fit = fitting(wished, room);
   const below = consoleOf(shown, wished, room);
   const consolePx = shown.console ? (wished.isConsoleFolded ? FOLDED_PX : fit('console')) + 8 : 0;
-  const freePx = room.heightPx - BARS_PX - consolePx - LEAST.top - 8;
+  const allPx = room.heightPx - BARS_PX - consolePx - 8;
+  const freePx = allPx - Math.max(LEAST.top, Math.min(PROGRAM_PX, allPx - CARD_PX - SMALL_PX.row - 8));
   const isOpen = card === 'open';
   const boardPx = isOpen ? SMALL_PX.row : Math.max(LEAST.below, Math.min(fit('below'), freePx - TITLE_PX - 8));
   const cardPx = Math.max(TITLE_PX, freePx - (shown.board ? boardPx + 8 : 0));
