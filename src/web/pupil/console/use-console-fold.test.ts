@@ -111,6 +111,9 @@ describe('the console beside the arena', () => {
     } as never);
     await nextTick();
     expect(isFolded()).toBe(false);
+    page.console.startRun(2);
+    await nextTick();
+    expect(isFolded()).toBe(true); // the next run has no error yet
   });
 
   it('does not fold behind the tab of a phone', async () => {

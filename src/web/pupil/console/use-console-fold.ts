@@ -27,7 +27,7 @@ export function useConsoleFold({
   const speaks = computed(
     () =>
       run.isWaitingForInput.value ||
-      console.shown.value.some((entry) => says(entry) || (!isCalm.value && isPrinted(entry))),
+      ofPresentRun(console.shown.value).some((entry) => says(entry) || (!isCalm.value && isPrinted(entry))),
   );
   /** A chart that is folded away would be none. */
   const canFold = computed(() => layout.canFold.value && !console.isChart.value);
@@ -54,6 +54,10 @@ export function useConsoleFold({
     toggle: () => (chosen.value = isFolded.value ? 'open' : 'folded'),
   };
 }
+
+/** The entries of the present run; what an earlier one has left is read already. */
+const ofPresentRun = (entries: readonly ConsoleEntry[]): readonly ConsoleEntry[] =>
+  entries.slice(entries.findLastIndex(({ kind }) => kind === 'run') + 1);
 
 /** True if this is to be read at once: neither the head of a run nor a word about its end. */
 const says = ({ kind }: ConsoleEntry): boolean => kind === 'error' || kind === 'fit';

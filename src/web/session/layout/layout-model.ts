@@ -1,4 +1,5 @@
-import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+import { useFirstMatch } from '../../kit/use-first-match';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { PARTS, type Part } from '#embed/simulator';
 
@@ -197,21 +198,6 @@ function useSizes(
       isConsoleFolded: canFold.value && isConsoleFolded.value,
     };
   });
-}
-
-/** The value of the first query that matches the window, now and from now on; `other` if none does. */
-function useFirstMatch<K>(queries: readonly [K, string][], other: K): Readonly<ShallowRef<K>> {
-  const lists = queries.map(([kind, query]) => [kind, matchMedia(query)] as const);
-  const measure = (): K => lists.find(([, list]) => list.matches)?.[0] ?? other;
-  const kind = shallowRef(measure());
-  const follow = (): void => {
-    kind.value = measure();
-  };
-  for (const [, list] of lists) list.addEventListener('change', follow);
-  onScopeDispose(() => {
-    for (const [, list] of lists) list.removeEventListener('change', follow);
-  });
-  return kind;
 }
 
 /** The first pane of a phone: without a program the arena, which has a small board in it. */

@@ -2,13 +2,13 @@ import { computed, watch } from 'vue';
 
 import type { SessionParts } from './session';
 
-type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'>;
+type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'work'>;
 
 /** Gives the card its place in the layout: beside the program while the robot drives, not in the other modes. */
-export function placeCard({ task, layout, mode, settings, work }: Parts): void {
+export function placeCard({ task, layout, mode, work }: Parts): void {
   const card = computed(() => {
     if (mode.current.value !== 'drive' || !layout.parts.value.includes('arena')) return null;
-    if (layout.isGreeting.value) return settings.current.value.showCard ? 'open' : 'folded';
+    if (layout.isGreeting.value) return task.isUnfolded.value ? 'open' : 'folded';
     return task.card.value;
   });
   watch(card, (form) => (layout.card.value = form), { immediate: true, flush: 'sync' });

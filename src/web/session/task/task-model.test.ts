@@ -6,6 +6,7 @@ import type { RobotSnapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 
+import { setWindow } from '../../app/testing/mount-on';
 import { samples } from '../../app/testing/editing';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
@@ -46,6 +47,17 @@ describe('the card of the task', () => {
     showLanguage('fr');
     expect(page.task.text.value.text).toBe(slalom.texts.fr.task);
     showLanguage('de');
+  });
+
+  it('is its title line in a very low window until it is asked for', () => {
+    setWindow(683, 312);
+    const page = createPage();
+    expect(page.task.card.value).toBe('folded');
+    page.task.open();
+    expect(page.task.card.value).toBe('open');
+    page.task.close();
+    expect([page.task.card.value, page.settings.current.value.showCard]).toEqual(['folded', true]);
+    setWindow(1024, 768);
   });
 
   it('opens with an address, be it that of the course that is open', async () => {

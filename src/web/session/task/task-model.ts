@@ -1,6 +1,7 @@
 import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../../kit/i18n';
+import { useFirstMatch } from '../../kit/use-first-match';
 import type { CardForm } from '../layout/layout-model';
 import type { RunParts } from '../run/parts';
 import { firstCourse } from '../work/catalogue/first-course';
@@ -23,6 +24,8 @@ export interface TaskModel {
   readonly hasText: ComputedRef<boolean>;
   /** True if the card is unfolded. */
   readonly isOpen: Readonly<Ref<boolean>>;
+  /** True if what stands in the card’s place is unfolded. */
+  readonly isUnfolded: Readonly<Ref<boolean>>;
   /** The form of the card; `null`: there is none, because there is nothing to do or nobody has asked for it. */
   readonly card: ComputedRef<CardForm | null>;
   /** True while a drive takes the place of the card where there is room for one alone, unless the card was asked for. */
@@ -61,7 +64,8 @@ export function createTask(
   const isAsked = shallowRef(false);
   const hints = shallowRef(0);
   const isNew = shallowRef(false);
-  const { givesWay, isWanted } = useWay(run);
+  const { givesWay, isWanted, isTiny } = useWay(run);
+  const isUnfolded = computed(() => settings.current.value.showCard && (!isTiny.value || isWanted.value));
   const ready = computed(() => {
     const id = work.work.value.project.course;
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
@@ -73,14 +77,14 @@ export function createTask(
     const { course, task } = work.work.value.project;
     return isOwnPage && (course === null || task !== undefined || hasGoals.value);
   });
-  const isOpen = computed(() => hasText.value && (isKept.value ? settings.current.value.showCard : isAsked.value));
+  const isOpen = computed(() => hasText.value && (isKept.value ? isUnfolded.value : isAsked.value));
   const show = (isShown: boolean): void => {
     isAsked.value = isShown;
     if (isKept.value) settings.change({ showCard: isShown });
   };
   watch([work.openings, work.arrivals], () => {
     hints.value = 0;
-    isAsked.value = false;
+    isAsked.value = isWanted.value = false;
     isNew.value = isKept.value;
     if (isKept.value) show(true);
   });
@@ -91,7 +95,7 @@ export function createTask(
     hasText,
     ready,
     stars,
-    isOpen,
+    ...{ isOpen, isUnfolded },
     card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
     givesWay,
     isNew,
@@ -106,7 +110,10 @@ export function createTask(
       isNew.value = true;
       show(true);
     },
-    close: () => show(false),
+    close() {
+      isWanted.value = false;
+      if (!isTiny.value) show(false);
+    },
   };
 }
 
@@ -117,11 +124,15 @@ function textOf(scene: Scene, ready: Course | null, hasGoals: boolean): ShownTex
   return taskText(scene, ready, shownLanguage());
 }
 
-/** When a drive takes the card's place; `isWanted`: the card was asked for since the present run began. */
+/**
+ * When a drive takes the card's place, and a very low window, which has no room for text and course; `isWanted`: the card
+ * was asked for since the present run began.
+ */
 function useWay(run: RunParts['run']) {
   const isWanted = shallowRef(false);
   watch(run.isActive, () => (isWanted.value = false));
-  return { givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value), isWanted };
+  const isTiny = useFirstMatch([[true, '(max-height: 439px)']], false);
+  return { givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value), isWanted, isTiny };
 }
 
 /** Name and description of a course, as far as they are not those of the one that it was drawn on. */
