@@ -49,7 +49,6 @@ async function take(browser, url, { path, width, height, dark, tool }) {
   const page = await context.newPage();
   page.on('console', (message) => note(`${path}: the page says ${message.text()}`));
   await page.goto(`${url}?task=closed-line`);
-  await page.click('[data-testid=task-close]');
   await page.click('button.run');
   if (width < 600) await page.click('nav >> text=Arena');
   await chooseTool(page, tool);
