@@ -2,6 +2,7 @@
 import { readFile, rm } from 'node:fs/promises';
 import { join } from 'node:path';
 import { buildWhenChanged } from './fingerprint.mjs';
+import { BESIDE_APP } from './firmware.mjs';
 import { Failure, main, mustRun, note, root, step } from './progress.mjs';
 import { writeWordTypes } from './word-types.mjs';
 
@@ -89,6 +90,8 @@ export async function buildApp(vm = Promise.resolve()) {
     }),
   );
   if (!built) note('App: up to date.');
+  // Tests and packages are without it; `npm start` and `npm run build` put it there.
+  await rm(BESIDE_APP, { recursive: true, force: true });
 }
 
 function refuseOldNode() {
