@@ -23,7 +23,16 @@ export const storedBytes = (name: string, content: Uint8Array): number =>
 
 /** The files in the flash by their place; `null`: their chunks do not fit together. */
 export function storedFiles(regions: readonly Region[], layout: Layout): readonly StoredFile[] | null {
-  const flash = bytesAt(regions, layout.filesStart, layout.filesEnd - layout.filesStart);
+  const { filesStart, filesEnd, pageBytes, isOldChip } = layout;
+  const isFirstEmpty = isOldChip && bytesAt(regions, filesStart, pageBytes).every((byte) => byte === 0xff);
+  // uflash, and with it Mu, numbers the chunks of a V1 from the second page on.
+  const others = (): readonly StoredFile[] | null =>
+    isFirstEmpty ? filesFrom(regions, filesStart + pageBytes, filesEnd) : null;
+  return filesFrom(regions, filesStart, filesEnd) ?? others();
+}
+
+function filesFrom(regions: readonly Region[], start: number, end: number): readonly StoredFile[] | null {
+  const flash = bytesAt(regions, start, end - start);
   const count = flash.length / CHUNK_BYTES;
   const files: StoredFile[] = [];
   for (let number = 1; number <= count; number++) {

@@ -175,6 +175,15 @@ describe('a hex that is read', () => {
     expect(readHex(later)).toMatchObject({ made: 'micropython-appended', files: one });
   });
 
+  it('may be one of uflash and Mu, which number the chunks of a V1 from the second page on', () => {
+    const script = 'x = 1\n'.repeat(30);
+    const bytes = new Uint8Array(256).fill(0xff);
+    bytes.set([0xfe, 9 + script.length - 126, 7, ...new TextEncoder().encode(`main.py${script.slice(0, 117)}`), 2, 1]);
+    bytes.set(new TextEncoder().encode(script.slice(117)), 129);
+    const text = hexText([...firmwareRegions('microbit-v1').slice(0, 1), { address: 0x38c00, bytes }, ...firmwareRegions('microbit-v1').slice(1)]); // prettier-ignore
+    expect(readHex(text)).toMatchObject({ files: [{ name: 'main.py', text: script }] });
+  });
+
   it('may be universal with the number that older editors gave the V1', () => {
     const part = (id: number, board: HexBoard, type: number) => [
       record(4, 0, [0, 0]),
