@@ -7,6 +7,8 @@ const TEST = '\\.test\\.ts$|/testing/';
 const BUILD = '^src/vm/firmware/';
 /** Made by set-up, so it need not be there yet. */
 const MADE = '\\.cache/vm/';
+/** Its package names a file of types that is not there. */
+const MISTYPED = '^@microbit/microbit-fs$';
 
 /**
  * One rule per room below `root`: whatever is not listed in its row of layers.mjs is forbidden. Tests may reach further: a
@@ -113,6 +115,12 @@ export default {
       '^src/web/',
       'Vue and the code editor only in web.',
     ),
+    onlyIn(
+      'hexes-in-hex',
+      ['nrf-intel-hex', '@microbit/microbit-fs', '@microbit/microbit-universal-hex'],
+      '^src/hex/',
+      'What writes hexes only in hex.',
+    ),
     onlyIn('icons-in-pictures', ['@mdi'], '^src/(web|picture)/', 'Icons (plain texts) only in web and in the picture.'),
     onlyIn(
       'parser-in-python',
@@ -125,7 +133,7 @@ export default {
       comment: 'The import leads nowhere.',
       severity: 'error',
       from: { path: '^src/' },
-      to: { couldNotResolve: true, pathNot: ['^virtual:', '^single:', '^w3c-web-serial$', MADE] },
+      to: { couldNotResolve: true, pathNot: ['^virtual:', '^single:', '^w3c-web-serial$', MISTYPED, MADE] },
     },
   ],
   options: {

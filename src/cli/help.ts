@@ -11,12 +11,13 @@ const boardNames = boardTypes.map(({ id }) => id).join(' or ');
 export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
 
   npx parcours run MAIN.py [options]
-  npx parcours run PROJECT.json|LINK [options]
+  npx parcours run PROJECT.json|HEX.hex|LINK [options]
   npx parcours check TASK HAND-INS… [--jobs N] [--report REPORT.html] [--junit R.xml]
                      [--csv R.csv] [--json] [--lang NAME] [--shard I/N] [--resume DIR]
   npx parcours check --merge DIR [--report …] [--junit …] [--csv …] [--json]
   npx parcours replay RUN.json [--at TIME | --line FILE:LINE [--hit N]] [--device NAME] [--json]
-  npx parcours convert IN [--out PATH] [--as project|course|program|link|webtigerpython] [--json]
+  npx parcours convert IN [--out PATH] [--as project|course|program|files|link|webtigerpython] [--json]
+  npx parcours convert IN --as hex --firmware FILE.hex [--board NAME] [--file DRIVER.py] [--out PATH]
   npx parcours probe compare BOARD.csv [OTHER.csv]
 
 A project or a link brings its program, course, robot and settings; options win over them.
@@ -109,12 +110,19 @@ Exit code: 0 the same run, or the moment; 1 another run, or the line does not co
 2 no recording.
 
 convert: turns one form of work into another, or says what it is. IN is a program (.py), a project
-or a course, a link of Parcours or of WebTigerPython (also in a file), a course file of
-WebTigerPython, the id of a ready course. What cannot be taken over is told.
-  --out PATH          where it goes (default: here); .json: a project, .py: a program
-  --as FORM           what it shall be: project, course, program, link, webtigerpython (its link)
+or a course, a hex of a micro:bit or Calliope mini, a link of Parcours or of WebTigerPython (also
+in a file), a course file of WebTigerPython, the id of a ready course. What cannot be taken over
+is told.
+  --out PATH          where it goes (default: here); .json: a project, .py: a program, .hex: a hex,
+                      folder/: all its files
+  --as FORM           what it shall be: project, course, program, files, hex, link, webtigerpython (its link)
+  --firmware FILE.hex for a hex: any hex of MicroPython for the board, cleaned of its files; several,
+                      or a universal one, give a universal hex
+  --board NAME        for a hex: microbit-v1, microbit-v2, calliope-mini-1 or calliope-mini-3 alone
+  --file DRIVER.py    for a hex: a further file on the board; may be given several times
   --json              one line: kind, program, robot, board, scene and notes
-Exit code: 0 done; 2 it is none of these, or cannot be had in that form.
+Exit code: 0 done; 2 it is none of these, or cannot be had in that form,
+such as a hex that has too little room: then the missing bytes are told.
 
 probe compare: what a real board printed under the programs of docs/hardware/probe, beside
 what the simulated one prints, or beside another board's; exit code 1 when rows differ.
@@ -128,5 +136,6 @@ Examples
   npx parcours run main.py --record run.json
   npx parcours replay run.json --line main.py:14 --hit 3
   npx parcours convert "https://webtigerpython.ethz.ch/#?code=…" --out anna.json
+  npx parcours convert main.py --as hex --firmware my-board.hex --out main.hex
   npx parcours check closed-line class.zip --report report.html --lang de
 `;

@@ -4,6 +4,7 @@ import { importedModules } from '#python/imports';
 import { freeLibraries } from '#libraries/index';
 import { allLibraries, robotOwnLibraries } from './libraries';
 import type { HexFile } from './hex';
+import { STAND_IN } from './stand-in';
 
 /** The files that a program consists of on a real board. */
 export interface DeviceFiles {
@@ -18,8 +19,6 @@ export interface DeviceFiles {
  * second.
  */
 const CALLIOPE = ['calliopemini', 'calliope_mini'] as const;
-/** The module by its second name, for a board that knows only the first. */
-export const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
 
 /**
  * The pupil's files and the libraries that they import, directly or indirectly: everything for a board that has only

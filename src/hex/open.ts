@@ -1,10 +1,10 @@
 import { freeLibraries } from '#libraries/index';
 import { nameProblem, type SourceFile } from '#project/project';
 import { robotTypes } from '#robots/index';
-import { STAND_IN } from './device-files';
 import type { HexProblem } from './firmware';
 import type { ReadHex } from './hex';
 import { readHex } from './read';
+import { STAND_IN } from './stand-in';
 
 /** The pupil's work in a hex. */
 export interface OpenedHex {

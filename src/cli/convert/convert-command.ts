@@ -12,7 +12,8 @@ import { shortened } from '../read-work';
 import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
 import type { ConvertOptions } from './convert-arguments';
-import { makeForm, type Made } from './make-form';
+import type { Made } from './made';
+import { makeForm } from './make-form';
 import { readInput, type Input } from './read-input';
 
 /**

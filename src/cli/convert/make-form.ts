@@ -1,21 +1,14 @@
 import { linkForWebTigerPython } from '#intake/link-for-webtigerpython';
 import { projectToText } from '#project/file';
 import { linkOf, type Omitted } from '#project/link/link';
-import { MAIN, type Project, type SourceFile } from '#project/project';
+import { MAIN, type Project } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import type { ConvertOptions, Form } from './convert-arguments';
+import type { Made } from './made';
 import { makeHexFile } from './make-hex-file';
 import type { Input } from './read-input';
-
-/** Work in another form, with sentences on what that form could not hold. */
-export interface Made {
-  readonly text: string;
-  /** Files for a folder; left out: the text is one file. */
-  readonly files?: readonly SourceFile[];
-  readonly notes: readonly string[];
-}
 
 /** Makes a form of work, or says why there is none. */
 export async function makeForm(

@@ -9,7 +9,7 @@ import { limits } from '#intake/formats';
 import type { SourceFile } from '#project/project';
 import { readLimited } from '../read-files';
 import type { ConvertOptions } from './convert-arguments';
-import type { Made } from './make-form';
+import type { Made } from './made';
 import type { Input } from './read-input';
 
 type Problem = { readonly problem: string };
