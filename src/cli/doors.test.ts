@@ -47,7 +47,7 @@ const files: Readonly<Record<string, readonly [run: string, task: string, handIn
   'links.txt': [': Anna:', 'not JSON', 'Anna forward()'],
   'links.csv': [': Name', 'not JSON', 'Anna forward()'],
   'links.eml': [': From', 'not JSON', 'Anna forward()'],
-  'attached.eml': [': From', 'not JSON', 'attached forward()'],
+  'attached.eml': [': From', 'not JSON', 'Anna forward()'],
   'walk.csv': [': Time', 'not JSON', 'walk no-link'],
   'floor.png': ['is not text', 'is not text', 'floor kind'],
   'broken.json': ['not JSON', 'not JSON', 'broken project'],

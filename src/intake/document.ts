@@ -24,8 +24,8 @@ export type Document =
   | CourseDocument
   | SeriesDocument
   | RecordingDocument
-  /** A zip: hand-ins, tasks, or the folder of a series lie in it. Or an e-mail with files. */
-  | { readonly kind: 'zip'; readonly files: readonly TreeFile[] }
+  /** A zip: hand-ins, tasks, or the folder of a series lie in it. Or the files of an e-mail, whose sender is `from`. */
+  | { readonly kind: 'zip'; readonly files: readonly TreeFile[]; readonly from?: string }
   /** A text with links to hand-ins. */
   | { readonly kind: 'links'; readonly links: readonly NamedLink[] }
   /** A device's readings, to be read by `#device-log`. */

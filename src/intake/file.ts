@@ -5,7 +5,7 @@ import { formatOf, isTextWithLinks, isWork, lastOf, limits, mayBeLog, mostBytes 
 import { hexDocument } from './hex-document';
 import { linksInFile } from './links';
 import { documentOfText, isOurs } from './text';
-import { attachmentsIn } from './mail';
+import { attachmentsIn, senderOf } from './mail';
 import type { Bytes, TreeFile } from './tree';
 import { readZip, type Zip } from './zip';
 
@@ -21,8 +21,8 @@ function plainDocument(name: string, bytes: Uint8Array, courses: ReadyCourses): 
   if (isTextWithLinks(name)) {
     const links = linksInFile(name, new TextDecoder().decode(bytes));
     if (links.length > 0) return { kind: 'links', links };
-    const attached = format === 'mail' ? attachmentsIn(new TextDecoder().decode(bytes)) : [];
-    if (attached.some(({ path }) => isWork(path))) return { kind: 'zip', files: attached };
+    const attached = format === 'mail' ? filesInMail(new TextDecoder().decode(bytes)) : null;
+    if (attached !== null) return attached;
     return mayBeLog(name) ? { kind: 'log', bytes } : unreadable(unread('no-link').problem);
   }
   if (mayBeLog(name)) return { kind: 'log', bytes };
@@ -40,6 +40,12 @@ function plainDocument(name: string, bytes: Uint8Array, courses: ReadyCourses): 
     notes: [],
     rewritten: [],
   };
+}
+
+/** The files of an e-mail; `null`: none of them is somebody's work. */
+function filesInMail(source: string): Document | null {
+  const files = attachmentsIn(source);
+  return files.some(({ path }) => isWork(path)) ? { kind: 'zip', files, from: senderOf(source) } : null;
 }
 
 /** Reads a file of at most `most` bytes; left out: as many as its name allows (`mostBytes`). Never rejects. */

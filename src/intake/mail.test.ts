@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { linksInFile } from './links';
+import { attachmentsIn } from './mail';
 
 const LINK = 'https://parcours.example/app/#p=4.abcdef-_';
 const found = (...lines: readonly string[]) =>
@@ -113,4 +114,27 @@ describe('the links in a saved e-mail', () => {
         expect(linksInFile('mail.eml', `${head}${much}\n\n${LINK}`)).toBeInstanceOf(Array); // prettier-ignore
     },
   );
+});
+
+describe('the files in a saved e-mail', () => {
+  const mail = (...head: readonly string[]) =>
+    ['From: Zoë <z@x.example>', 'Content-Type: multipart/mixed; boundary=b', '', '--b', '', 'Hallo', '--b', ...head, '', base64('forward()'), '--b--'].join('\r\n'); // prettier-ignore
+  const names = (text: string) => attachmentsIn(text).map(({ path, size }) => [path, size]);
+  const coded = 'Content-Transfer-Encoding: base64';
+
+  it('have their names, however they are written, and their bytes', () => {
+    const named = (disposition: string) => names(mail(coded, `Content-Disposition: attachment; ${disposition}`));
+    expect(named('filename="zoe.py"')).toEqual([['zoe.py', 9]]);
+    expect(named("filename*=UTF-8''Zo%C3%AB.py")).toEqual([['Zoë.py', 9]]);
+    expect(named('filename="=?utf-8?Q?Zo=C3=AB.py?="')).toEqual([['Zoë.py', 9]]);
+    expect(named('filename="../a/zoe.py"')).toEqual([['zoe.py', 9]]);
+    expect(names(mail(coded, 'Content-Type: text/x-python; name=zoe.py'))).toEqual([['zoe.py', 9]]);
+    expect(names(mail(coded))).toEqual([]);
+  });
+
+  it('are never read beyond what is wanted', () => {
+    const [file] = attachmentsIn(mail(coded, 'Content-Disposition: attachment; filename=zoe.py'));
+    expect(file?.read(9)).toHaveProperty('bytes.length', 9);
+    expect(file?.read(8)).toHaveProperty('problem.code', 'large');
+  });
 });

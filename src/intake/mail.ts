@@ -24,8 +24,11 @@ const MOST_LEVELS = 12;
 
 /** Reads a saved e-mail (RFC 5322, 2045, 2047): its texts are decoded, attachments are left out. Never throws. */
 export function readMail(source: string, reading: Reading): Mail {
-  return { from: senderIn(partOf(source).headers.get('from') ?? ''), text: textOf(source, reading, 0) };
+  return { from: senderOf(source), text: textOf(source, reading, 0) };
 }
+
+/** The sender of an e-mail, by the name that goes with the address; empty: unknown. */
+export const senderOf = (source: string): string => senderIn(partOf(source).headers.get('from') ?? '');
 
 /** The files that an e-mail brings along, by their names; pictures between its words are among them. Never throws. */
 export function attachmentsIn(source: string, level = 0): readonly TreeFile[] {

@@ -48,8 +48,9 @@ export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, is
   if (zip !== null) return givenZip(name, zip, courses, isAlone);
   if (!isTextWithLinks(name)) return plainly([fileSource(file, courses)]);
   const document = await openFile(file, courses);
+  const from = document.kind === 'zip' ? document.from : undefined;
   if (document.kind !== 'links')
-    return plainly([{ name: stemOf(name), read: () => handInOfDocument(name, document, courses) }]);
+    return plainly([{ name: from || stemOf(name), read: () => handInOfDocument(name, document, courses) }]);
   return plainly(document.links.map((link, place) => linkSource(link, place, courses)));
 }
 

@@ -64,7 +64,7 @@ const files: Readonly<Record<string, readonly [page: string, class_: string, mak
   'links.txt': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
   'links.csv': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
   'links.eml': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
-  'attached.eml': ['cannot be opened here', 'attached forward()', 'refused', 'is no task'],
+  'attached.eml': ['cannot be opened here', 'Anna forward()', 'refused', 'is no task'],
   'walk.csv': ['log', 'walk no-link', 'refused', 'is no task'],
   'floor.png': ['floor', 'floor kind', 'refused', 'is no task'],
   'broken.json': ['damaged or was not', 'broken project', 'refused', 'is no task'],
