@@ -25,9 +25,11 @@ export function useCardRoom(
     card = null;
     watching.disconnect();
   }
+  const newest = () => entries.value.findLast((entry) => entry.kind === 'error' || entry.kind === 'run');
+  // The error may be there before the console is: that comes with the first run.
   watch(
-    () => entries.value.findLast((entry) => entry.kind === 'error' || entry.kind === 'run'),
-    (latest) => {
+    [newest, box],
+    ([latest]) => {
       letGo();
       if (latest?.kind !== 'error') return;
       card = box.value?.querySelector<HTMLElement>(`[data-entry="${String(latest.id)}"]`) ?? null;
