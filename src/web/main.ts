@@ -51,7 +51,11 @@ const fetchGreeting = (): Promise<unknown> => import('./help/greeting/WelcomeCar
 
 /** Loads the parts of a phone, so that they are there with its first picture. */
 const fetchPhoneParts = (): Promise<unknown> =>
-  Promise.all([import('./app/PhoneNav.vue'), import('./pupil/board/MiniBoard.vue')]).catch(() => undefined);
+  Promise.all([
+    import('./app/PhoneNav.vue'),
+    import('./pupil/board/MiniBoard.vue'),
+    import('./pupil/code/ProgramPeek.vue'),
+  ]).catch(() => undefined);
 
 keepEarlyMessages();
 void start();

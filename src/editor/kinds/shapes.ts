@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { convexHull } from '#scene/outline';
 import { sceneLimits, type Point, type Shaped } from '#scene/scene';
-import { polygonFault } from '#scene/shape/polygon';
+import { polygonFault } from '#scene/shape/polygon-fault';
 import { polygonThrough, shapeNameOf, type ShapeName } from '#scene/shape/shape';
 import { simplified } from '#scene/simplify';
 import type { Field } from '../object-fields';

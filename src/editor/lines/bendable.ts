@@ -1,6 +1,6 @@
 import { boundsOfOutline } from '#scene/outline';
 import { sceneLimits, type Block, type Point, type Scene, type SceneObject, type Spikes, type Stroke, type Zone } from '#scene/scene'; // prettier-ignore
-import { polygonFault } from '#scene/shape/polygon';
+import { polygonFault } from '#scene/shape/polygon-fault';
 import { polygonThrough, shapeOutline, toOwnFrame } from '#scene/shape/shape';
 import { isLargeEnough } from '../kinds/box';
 import { plus, toPoint, toVec, turned, within } from '../plane';

@@ -5,7 +5,8 @@ import { overlapMm, type Outline } from '../outline';
 import { stuckBlocks } from '../overlaps';
 import type { Block, Point, Zone } from '../scene';
 import { forManySeeds, wholeFrom } from '../testing/fuzz';
-import { areaOf, polygonFault } from './polygon';
+import { areaOf } from './polygon';
+import { polygonFault } from './polygon-fault';
 import { ownOutline, ownParts, shapeParts } from './shape';
 
 /** An L: the square of 100 mm without its upper right quarter. */

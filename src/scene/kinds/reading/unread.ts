@@ -1,6 +1,7 @@
 import { join, type Fields, type Reader } from '../../reader';
 import { fullTurnDeg } from '#core/angle';
-import { areaOf, polygonFault, type PolygonFault } from '../../shape/polygon';
+import { areaOf } from '../../shape/polygon';
+import { polygonFault, type PolygonFault } from '../../shape/polygon-fault';
 import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../../scene';
 import type { StandingObject } from '../heights';
 

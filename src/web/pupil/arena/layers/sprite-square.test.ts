@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Mover } from '#scene/scene';
-import { spriteSquare, spritePlace, wayWindow } from './sprite-square';
+import { spritePlace, wayWindow } from './sprite-place';
+import { spriteSquare } from './sprite-square';
 import { toPx } from '../view/view-transform';
 
 const mover: Mover = { type: 'mover', id: 'm', at: [200, 300], to: [500, 300], size: [60, 80], angle: 0, speed: 100, spiked: false }; // prettier-ignore
