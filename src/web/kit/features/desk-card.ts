@@ -13,6 +13,12 @@ export interface DeskHost {
   openDialog(load: LoadedView): void;
 }
 
+/** Work that somebody has left on a card's page: its name, and a word on it. */
+export interface DeskLeft {
+  readonly title: string;
+  readonly about: string;
+}
+
 /** A card on the page for teachers. A feature lists its own in its `desk-cards.ts`, which is loaded with that page. */
 export interface DeskCard {
   readonly part: (typeof DESK_PARTS)[number];
@@ -23,6 +29,8 @@ export interface DeskCard {
   readonly title: () => string;
   /** One sentence on what it is for. */
   readonly about: () => string;
+  /** The work that was left there; it stands above the cards. `null`: none. */
+  readonly left?: () => DeskLeft | null;
   readonly open: (desk: DeskHost) => void;
 }
 
