@@ -94,7 +94,7 @@ export const wings = {
     device: ['session', 'pupil/arena', 'pupil/several-devices'],
     galleries: ['session', 'pupil/device'],
     works: ['session', 'pupil/galleries'],
-    'real-device': ['session/work'],
+    'real-device': ['session'],
     'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
   },
   exchange: {

@@ -11,7 +11,10 @@ import { words } from './build/words.ts';
 const PAGE = 'src/web/**/*.test.ts';
 
 /** These need what a document of its own within a thread lacks: the thread's MessageChannel, and one ArrayBuffer for all. */
-const WHOLE_THREAD = ['src/web/teacher/print/PrintDialog.test.ts', 'src/web/pupil/real-device/transfer.test.ts'];
+const WHOLE_THREAD = [
+  'src/web/teacher/print/PrintDialog.test.ts',
+  'src/web/pupil/real-device/{RealDeviceDialog,transfer,usb/usb-transfer}.test.ts',
+];
 
 /**
  * Unit tests and headless runs; the browsers are driven by playwright.config.ts. A test that mounts components begins with

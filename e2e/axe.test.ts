@@ -118,7 +118,7 @@ const SCREENS = {
     await until(app, by('share-link'));
   },
   'link to open': (app: App) => fromMainMenu(app, 'menu-open', 'open-dialog'),
-  'real device': (app: App) => fromMainMenu(app, 'menu-real-device', 'real-device-zip'),
+  'real device': (app: App) => fromMainMenu(app, 'menu-real-device', 'way-firmware'),
   help: async (app: App) => {
     await mainMenu(app, 'help');
     await until(app, by('guide-search'));

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
 import { words } from '../build/words';
-import type * as Testing from '../src/web/pupil/real-device/testing/simulated-board';
+import type * as Testing from '../src/web/pupil/real-device/serial/testing/simulated-board';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
@@ -22,7 +22,9 @@ type WithCable = Window & { cable?: Cable };
 
 /** A simulated board in this process. */
 async function switchedOn(files: Readonly<Record<string, string>>): Promise<Testing.SimulatedBoard> {
-  const path = fileURLToPath(new URL('../src/web/pupil/real-device/testing/simulated-board.ts', import.meta.url));
+  const path = fileURLToPath(
+    new URL('../src/web/pupil/real-device/serial/testing/simulated-board.ts', import.meta.url),
+  );
   const { module } = await runnerImport<typeof Testing>(path, {
     configFile: false,
     logLevel: 'warn',
@@ -97,6 +99,8 @@ async function openDialog(app: App): Promise<void> {
   await app.click(by('menu'));
   await until(app, by('menu-real-device'));
   await app.click(by('menu-real-device'));
+  await until(app, by('way-serial'));
+  await app.click(by('way-serial'));
   await until(app, by('real-device-put'));
 }
 
@@ -109,7 +113,6 @@ test('a program goes onto the device with its library, is checked, and runs ther
   await pasteProgram(app, PROGRAM);
   await plugIn(app);
   await openDialog(app);
-  expect(await app.text(by('real-device-files'))).toMatch(/mbled\.py[^]*main\.py/);
   expect(await violationsOn(app), 'before').toEqual([]);
   await app.click(by('real-device-put'));
   await talkUntil(app, board, by('real-device-replace'));
@@ -151,18 +154,21 @@ test('a cable that is pulled out is told, with what to do', IN_ONE_ENGINE, async
   await expect.poll(() => said(app)).toMatch(/Verbindung ist abgebrochen.*Steck das Kabel wieder ein/);
 });
 
-test('a browser without serial lines says so and saves the files instead', async ({ app }) => {
+test('a browser without USB and serial lines says so and saves the files instead', async ({ app }) => {
   await openApp(app, { language: 'fr' });
   await pasteProgram(app, PROGRAM);
   await watchSaving(app);
   await app.evaluate(() => {
-    if ('serial' in navigator) Object.defineProperty(navigator, 'serial', { configurable: true, value: undefined });
+    for (const name of ['serial', 'usb'])
+      if (name in navigator) Object.defineProperty(navigator, name, { configurable: true, value: undefined });
   });
   await app.click(by('menu'));
   await until(app, by('menu-real-device'));
   await app.click(by('menu-real-device'));
-  await until(app, by('real-device-unable'));
-  expect(await app.text(by('real-device-unable'))).toMatch(/Chrome ou Edge.*WebTigerPython/);
+  await until(app, by('way-usb'));
+  expect(await app.text(by('way-usb'))).toMatch(/sur un ordinateur avec Chrome ou Edge/);
+  await app.click(by('real-device-single'));
+  await until(app, by('real-device-zip'));
   await app.click(by('real-device-zip'));
   await app.click(`${by('real-device-files')} li:last-child button`);
   const saved = await savedFiles(app);

@@ -81,9 +81,11 @@ export async function writeFirmware(wheel, folder, firmwares = FIRMWARES) {
   await writeFile(join(folder, 'NOTICE.txt'), NOTICE);
 }
 
-/** Puts the firmware beside the built app, if there is one. */
+/** Puts the firmware beside the built app; if there is none, a list that says so, which the page asks for. */
 export async function putFirmwareBesideApp() {
-  if (await exists(FOLDER)) await cp(FOLDER, BESIDE_APP, { recursive: true });
+  if (await exists(FOLDER)) return cp(FOLDER, BESIDE_APP, { recursive: true });
+  await mkdir(BESIDE_APP, { recursive: true });
+  await writeFile(join(BESIDE_APP, 'firmware.json'), '{"firmwares":[]}\n');
 }
 
 /** The bytes of one file in a zip: a wheel is one (APPNOTE.TXT 6.3.10 of PKWARE: 4.3.16, 4.3.12, 4.3.7). */

@@ -9,8 +9,11 @@ import { root } from './progress.mjs';
 const SOURCE = 'src/web/exchange/offline/sw.ts';
 /** Placeholder for the list of files in the built script. */
 const PLACE = 'self.__WB_MANIFEST';
-/** Not kept: the service worker itself, and pages for frames that have no storage. */
-const LEFT_OUT = /^sw\.js$|\.single\.html$/;
+/**
+ * Not kept: the service worker itself, pages for frames that have no storage, and the boards' MicroPython, which hosts
+ * change and the page keeps itself.
+ */
+const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\//;
 /** Files whose name changes with what is in them. */
 const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{8}\.\w+$/;
 

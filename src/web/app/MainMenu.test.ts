@@ -163,7 +163,7 @@ describe('the main menu', () => {
       ...['Datei', 'Ansicht', 'Hilfe', null],
     ]);
     expect(items()).toEqual([
-      ...['Meine Arbeiten', 'Öffnen …', 'Speichern', 'Aufs Gerät laden …'],
+      ...['Meine Arbeiten', 'Öffnen …', 'Speichern', 'Auf den Roboter …'],
       ...['Sprache', 'Hell oder dunkel', 'Bereiche'],
       ...['Hilfe', 'Rundgang', 'Tasten', 'Roboter-Galerie', 'Für Lehrpersonen'],
     ]);
@@ -350,7 +350,7 @@ describe('the button of the main menu', () => {
 
   it.each([
     ['Öffnen …', 'OpenDialog'],
-    ['Aufs Gerät laden …', 'RealDeviceDialog'],
+    ['Auf den Roboter …', 'RealDeviceDialog'],
   ])('closes for the dialog behind “%s” and keeps the keyboard', async (name, dialog) => {
     const { asked, button, isOpen } = await opened();
     await pressItem(name);

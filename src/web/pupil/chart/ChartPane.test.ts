@@ -1,11 +1,12 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { flushPromises } from '@vue/test-utils';
-import { nextTick } from 'vue';
+import { nextTick, shallowRef } from 'vue';
 
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun, show } from '../../app/testing/run';
+import { realBoard, type BoardText } from '../../session/run/real-board';
 import ChartPane from './ChartPane.vue';
 
 let page: TestPage;
@@ -47,6 +48,27 @@ describe('the chart', () => {
       '00:00.10, Abstand 21, links 1',
     );
     expect(textOf(document.querySelector('#chart-about'))).toContain('Abstand: von 21 bis 23');
+  });
+
+  it('draws what the same program prints on a real board beside it, from its own start on', async () => {
+    const count = shallowRef(0);
+    const output: BoardText[] = [];
+    realBoard(page).value = {
+      ...{ name: shallowRef('micro:bit V2'), state: shallowRef('connected'), start: shallowRef(1), count, output },
+      ...{ outputGone: 0, send: () => undefined, disconnect: () => undefined },
+    };
+    await startRun(page);
+    await show(page, { timeUs: 100_000 });
+    page.run.recording.value.addOutput({ device: 0, text: 'Abstand: 23\n', timeUs: 20_000 });
+    mountOn(page, ChartPane, { head });
+    await pass();
+    output.push({ device: 0, text: 'Abstand: 25\r\n', timeUs: 30_000 });
+    count.value += 1;
+    await pass();
+    expect(values()).toEqual(['Abstand 23', 'Abstand · micro:bit V2 25']);
+    realBoard(page).value = null;
+    await pass();
+    expect(values()).toEqual(['Abstand 23']);
   });
 
   it('leads to the moment that a key of the time line leads to', async () => {

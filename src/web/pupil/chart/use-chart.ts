@@ -7,6 +7,7 @@ import { shownLanguage, t } from '../../kit/i18n';
 import type { WithLate } from '../../kit/state/late-models';
 import { fillInSilently, useFilled } from '../../session/run/fill/fill-in';
 import type { RunParts } from '../../session/run/parts';
+import { realBoard, type RealBoard } from '../../session/run/real-board';
 import type { WorkParts } from '../../session/work/model/parts';
 import words from './series/words';
 import { canJoin, chosenCurves, drawable } from './chosen-curves';
@@ -32,7 +33,8 @@ export interface CurveGroup {
 export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & WithLate) {
   const { run, work } = app;
   const chosenIds = chosenCurves(app);
-  let sources: Sources = { printed: null, all: [], usual: [] };
+  const board = realBoard(app);
+  let sources: Sources = { printed: [], all: [], usual: [] };
   let timer: ReturnType<typeof setTimeout> | undefined;
   const curves = shallowRef<readonly Curve[]>([]);
   const groups = shallowRef<readonly CurveGroup[]>([]);
@@ -41,7 +43,7 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & 
   function update(): void {
     clearTimeout(timer);
     timer = undefined;
-    sources.printed?.update(); // what was printed is known once it was taken in: the choice comes after it
+    for (const printed of sources.printed) printed.update(); // what was printed is known once it was taken in: the choice comes after it
     const lists = sources.all.map((source) => ({ source, list: source.list() }));
     const drawn = drawable(chosenIds.value ?? usualOf(sources), lists.flatMap(({ list }) => list)); // prettier-ignore
     const ids = new Set(drawn.map(({ id }) => id));
@@ -64,14 +66,14 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & 
     return device && [device.robot?.type, Object.keys(device.robot?.state.servos ?? {}).length].join(' ');
   });
   watch(
-    [run.recording, work.place, things, shownLanguage],
+    [run.recording, work.place, things, shownLanguage, board, () => board.value?.start.value],
     () => {
-      sources = sourcesOf(app);
+      sources = sourcesOf(app, board.value);
       update();
     },
     { immediate: true },
   );
-  watch([run.present, () => run.recording.value.count.value], updateSoon);
+  watch([run.present, () => run.recording.value.count.value, () => board.value?.count.value], updateSoon);
   useFilled(() => run.recording.value, (tape) => fillInSilently(tape, run)); // prettier-ignore
   watch(chosenIds, update);
   onScopeDispose(() => clearTimeout(timer));
@@ -86,12 +88,13 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & 
 
 /** The sources of a device's curves, and the readings drawn by default. */
 interface Sources {
-  readonly printed: PrintedSource | null;
+  /** The numbers that the program prints in the run, and those that it prints on a real board. */
+  readonly printed: readonly PrintedSource[];
   readonly all: readonly SeriesSource[];
   readonly usual: readonly string[];
 }
 
-function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>): Sources {
+function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>, board: RealBoard | null): Sources {
   const device = work.place.value;
   const shown = deviceAt(run.present.value, device);
   const type = robotTypes.find(({ id }) => id === shown?.robot?.type);
@@ -99,8 +102,18 @@ function sourcesOf({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'
   const recording = run.recording.value;
   const unnamed = (place: number): string => (place === 0 ? t(words.output) : t(words.outputOf, { place }));
   const taped = () => ({ pieces: recording.pieces, present: run.present.value });
-  const printed = new PrintedSource(() => t(words.printed), () => recording, device, unnamed); // prettier-ignore
-  return { printed, all: [printed, new TapeSource(() => t(words.robot), readings, device, taped)], usual: usualReadings(readings) }; // prettier-ignore
+  const here = new PrintedSource(() => t(words.printed), () => recording, device, unnamed); // prettier-ignore
+  const printed = board === null ? [here] : [here, printedOn(board, unnamed)];
+  return { printed, all: [...printed, new TapeSource(() => t(words.robot), readings, device, taped)], usual: usualReadings(readings) }; // prettier-ignore
+}
+
+/** The numbers that a real board's program prints, from its start on, as a run's are from its own. */
+function printedOn(board: RealBoard, unnamed: (place: number) => string): PrintedSource {
+  const name = board.name.value;
+  return new PrintedSource(() => t(words.printedOn, { board: name }), () => board, 0, unnamed, {
+    id: 'board',
+    named: (curve) => t(words.curveOn, { name: curve, board: name }),
+  }); // prettier-ignore
 }
 
 const deviceAt = (snapshot: Snapshot | null, device: number): DeviceSnapshot | null =>
@@ -108,7 +121,7 @@ const deviceAt = (snapshot: Snapshot | null, device: number): DeviceSnapshot | n
 
 /** The curves drawn by default: those that the program prints, else the usual readings. */
 function usualOf({ printed, usual }: Sources): readonly string[] {
-  const ids = printed?.list().map(({ id }) => id) ?? [];
+  const ids = printed.flatMap((source) => source.list().map(({ id }) => id));
   return ids.length > 0 ? ids : usual;
 }
 

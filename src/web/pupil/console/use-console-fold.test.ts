@@ -5,6 +5,7 @@ import { nextTick } from 'vue';
 import { mountOn, setWindow } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
+import { realBoard, type RealBoard } from '../../session/run/real-board';
 import ConsolePane from './ConsolePane.vue';
 
 /** A console in a window of this size. */
@@ -64,6 +65,14 @@ describe('the console beside the arena', () => {
     await startRun(page);
     await show(page, { awaitsInput: true });
     expect(isFolded()).toBe(false);
+  });
+
+  it('opens for a real board, whose output stands beside it', async () => {
+    const { page, pane, isFolded } = await consoleIn(1366, 625);
+    expect(pane.find('.sides').exists()).toBe(false);
+    realBoard(page).value = {} as RealBoard;
+    await nextTick();
+    expect([isFolded(), pane.find('.sides').exists()]).toEqual([false, true]);
   });
 
   it('stays closed for the greeting of the REPL', async () => {

@@ -16,17 +16,19 @@ export interface ConsoleFold {
  * Folds the console, and opens it for what a program asks and for an error; for what it prints only where no arena is
  * in sight, since beside that its latest line stands in the head. What a pupil has chosen by hand stays until the next
  * run; an error or a question opens it all the same. While somebody looks back it is folded, unless they open it.
+ *
+ * @param hasBoard true while a real board's output stands in it, too
  */
-export function useConsoleFold({
-  run,
-  layout,
-  console,
-}: Pick<RunParts, 'run'> & Pick<LayoutParts, 'layout'> & Pick<ConsoleParts, 'console'>): ConsoleFold {
+export function useConsoleFold(
+  { run, layout, console }: Pick<RunParts, 'run'> & Pick<LayoutParts, 'layout'> & Pick<ConsoleParts, 'console'>,
+  hasBoard: () => boolean,
+): ConsoleFold {
   const chosen = shallowRef<'open' | 'folded' | null>(null);
   const isCalm = computed(() => layout.isShown.value.arena);
   const speaks = computed(
     () =>
       run.isWaitingForInput.value ||
+      hasBoard() ||
       ofPresentRun(console.shown.value).some((entry) => says(entry) || (!isCalm.value && isPrinted(entry))),
   );
   /** A chart that is folded away would be none. */
@@ -38,6 +40,7 @@ export function useConsoleFold({
   });
   watch(isPast, () => (chosen.value = null));
   watch(isFolded, (folded) => (layout.isConsoleFolded.value = folded), { immediate: true, flush: 'sync' });
+  watch(hasBoard, () => (chosen.value = null));
   watch(run.phase, (phase) => {
     if (phase === 'starting') chosen.value = null;
   });

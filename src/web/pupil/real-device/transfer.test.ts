@@ -9,7 +9,7 @@ import { press } from '../../app/testing/editing';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import RealDeviceDialog from './RealDeviceDialog.vue';
-import { simulatedBoard, type SimulatedBoard } from './testing/simulated-board';
+import { simulatedBoard, type SimulatedBoard } from './serial/testing/simulated-board';
 
 const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 const byId = (id: string) => document.querySelector<HTMLElement>(`[data-testid="${id}"]`);
@@ -30,14 +30,20 @@ async function opened(text = HELLO, robot = 'none') {
   page.work.setText('main.py', text);
   let closed = 0;
   mountOn(page, RealDeviceDialog, { onClose: () => (closed += 1) });
+  await vi.waitFor(() => expect(byId('way-serial')).not.toBeNull());
+  byId('way-serial')?.click();
   await flushPromises();
   return { page, closed: () => closed };
 }
 
-beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
+beforeEach(() => {
+  vi.stubGlobal('fetch', () => Promise.reject(new Error('There is no web server.')));
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+});
 afterEach(() => {
   Reflect.deleteProperty(navigator, 'serial');
   vi.restoreAllMocks();
+  vi.unstubAllGlobals();
   vi.useRealTimers();
 });
 
@@ -170,7 +176,7 @@ describe('a project on its way to a device', { timeout: 60_000 }, () => {
     board.unplug();
     await turns(() => !said().startsWith('main.py wird'));
     expect(said()).toMatch(/^Die Verbindung ist abgebrochen\. Steck das Kabel wieder ein/);
-    expect(buttons()[0]).toBe('Nochmals laden');
+    expect(buttons().at(-1)).toBe('Nochmals laden');
   });
 
   it('is stopped by the button: at first nothing has happened, later no whole program is left', async () => {

@@ -11,6 +11,13 @@ interface Curve {
   readonly values: number[];
 }
 
+/** Tells curves of one program from those of another that prints the same. */
+export interface Whose {
+  /** The beginning of their ids. */
+  readonly id: string;
+  named(name: string): string;
+}
+
 /**
  * The numbers that the program of a device prints, a curve for each name; those without a name by their place in the
  * line.
@@ -24,12 +31,14 @@ export class PrintedSource implements SeriesSource {
   /**
    * @param printed what was printed so far
    * @param unnamed gives the name of a number without one; `place` is 0 where it stands alone, else from 1
+   * @param whose tells them from those of another program. Left out: they are of the run
    */
   constructor(
     readonly title: () => string,
     private readonly printed: () => Pick<Recording, 'output' | 'outputGone'>,
     private readonly device: number,
     private readonly unnamed: (place: number) => string,
+    private readonly whose: Whose = { id: 'printed', named: (name) => name },
   ) {}
 
   list(): readonly Series[] {
@@ -64,8 +73,8 @@ export class PrintedSource implements SeriesSource {
     const numbers = printedNumbers(this.line) ?? [];
     for (const [place, { name, value }] of numbers.entries()) {
       const of = numbers.length === 1 ? 0 : place + 1;
-      const id = name === '' ? `printed ${of}` : `printed ${name}`;
-      this.curveOf(id, name === '' ? this.unnamed(of) : name)?.add(this.lineUs / 1_000_000, value);
+      const id = `${this.whose.id} ${name === '' ? of : name}`;
+      this.curveOf(id, this.whose.named(name === '' ? this.unnamed(of) : name))?.add(this.lineUs / 1_000_000, value);
     }
   }
 

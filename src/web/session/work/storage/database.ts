@@ -1,5 +1,11 @@
-/** The browser's database, which holds far more than its storage for text, and can say that something is on the disk. */
-const STORE = 'pieces';
+/** A table of the browser's databases, which hold far more than its storage for text, and can say that something is on the disk. */
+export interface Table {
+  readonly database: string;
+  /** Its entries have a `name` each. */
+  readonly store: string;
+}
+
+const WORKS: Table = { database: 'parcours', store: 'pieces' };
 
 /** A text that is stored under a name. */
 export interface Entry {
@@ -13,14 +19,18 @@ export interface Entry {
  * Acts on the stored entries. Resolves once the changes are on the disk itself, as far as the browser can ensure that.
  * Rejects where the browser has no database or no room.
  */
-export async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
-  const database = await openDatabase();
+export async function inStore(
+  mode: IDBTransactionMode,
+  act: (store: IDBObjectStore) => void,
+  table = WORKS,
+): Promise<void> {
+  const database = await openDatabase(table);
   try {
     await new Promise<void>((resolve, reject) => {
-      const transaction = database.transaction(STORE, mode, { durability: 'strict' });
+      const transaction = database.transaction(table.store, mode, { durability: 'strict' });
       transaction.oncomplete = () => resolve();
       transaction.onabort = () => reject(transaction.error ?? new Error());
-      act(transaction.objectStore(STORE));
+      act(transaction.objectStore(table.store));
     });
   } finally {
     database.close();
@@ -37,11 +47,11 @@ export async function entriesIn(names: string | IDBKeyRange): Promise<readonly E
   return entries;
 }
 
-function openDatabase(): Promise<IDBDatabase> {
+function openDatabase({ database, store }: Table): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
-    const request = indexedDB.open('parcours', 1);
+    const request = indexedDB.open(database, 1);
     request.onupgradeneeded = () => {
-      request.result.createObjectStore(STORE, { keyPath: 'name' }).createIndex('used', 'usedMs');
+      request.result.createObjectStore(store, { keyPath: 'name' }).createIndex('used', 'usedMs');
     };
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error ?? new Error());

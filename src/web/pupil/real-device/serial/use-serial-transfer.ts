@@ -1,23 +1,18 @@
-import { computed, onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
+import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 
-import { MAIN, type SourceFile } from '#project/project';
-import { saveText } from '../../session/work/save-file';
-import { useHardware } from '../../session/work/hardware/use-hardware';
-import { usePage } from '../../kit/parts';
-import { useWork } from '../../session/work/model/parts';
-import { nameToSave } from '../../session/work/work-name';
-import { fileName, saveBlob } from '../../session/work/save-file';
-import { filesForDevice } from '#hex/device-files';
+import type { DeviceFiles } from '#hex/device-files';
+
+import { saveBlob } from '../../../session/work/save-file';
+import { pageStorage } from '../page-storage';
 import { fingerprint } from './device-python';
 import { knownPrograms } from './known-programs';
-import { pageTimer } from './port';
+import { pageTimer, type Port } from './port';
 import { PutError, type PutProblem } from './problem';
-import { putFiles, type DeviceFile, type PutProgress, type PutResult, type PutWish } from './put-files';
-import { chooseSerialPort, serialAbility } from './serial-port';
-import { zipOf } from '../../session/work/zip';
+import { putFiles, type PutProgress, type PutResult, type PutWish } from './put-files';
+import { chooseSerialPort } from './serial-port';
 
 /** State of the transfer. */
-export type DeviceState =
+export type SerialState =
   | { readonly kind: 'ready' }
   /** The browser's own list of devices is open. */
   | { readonly kind: 'choosing' }
@@ -34,24 +29,10 @@ export type DeviceState =
   | { readonly kind: 'done'; readonly result: Extract<PutResult, { kind: 'done' }> }
   | { readonly kind: 'failed'; readonly problem: PutProblem };
 
-/** A program that goes to the device instead of the project. */
-export interface OtherProgram {
-  readonly text: string;
-  /** Id of the robot that it drives. */
-  readonly robot: string;
-  /** Name of the zip file in which all is saved. */
-  readonly name: string;
-}
-
-/** The transfer of the project, or of another program, to a real device: over the cable, or as files. */
-export function useRealDevice(other: OtherProgram | null = null) {
-  const app = { ...usePage(), ...useWork() };
-  const hardware = useHardware(app);
-  const known = knownPrograms(storage());
-  const state = shallowRef<DeviceState>({ kind: 'ready' });
-  const needed = computed(() =>
-    filesOf(other ?? { files: app.work.files.value, robot: hardware.value?.robot?.id ?? null }),
-  );
+/** The transfer of files onto a device that runs MicroPython, over the serial line of its cable. */
+export function useSerialTransfer(needed: () => DeviceFiles) {
+  const known = knownPrograms(pageStorage());
+  const state = shallowRef<SerialState>({ kind: 'ready' });
   let stop = new AbortController();
   onBeforeUnmount(() => stop.abort());
 
@@ -76,8 +57,8 @@ export function useRealDevice(other: OtherProgram | null = null) {
     }
   }
 
-  async function transfer(port: Parameters<typeof putFiles>[0], signal: AbortSignal): Promise<PutResult> {
-    const { files, modules } = needed.value;
+  async function transfer(port: Port, signal: AbortSignal): Promise<PutResult> {
+    const { files, modules } = needed();
     const sums = files.map(({ text }) => fingerprint(new TextEncoder().encode(text)));
     const onProgress = (progress: PutProgress): void => void (state.value = { kind: 'working', progress });
     const isKnown = (sum: string): boolean => known.has(sum);
@@ -88,28 +69,11 @@ export function useRealDevice(other: OtherProgram | null = null) {
   }
 
   const ask = askIn(state);
-  const base = (): string => other?.name ?? nameToSave(app);
-  return {
-    state,
-    ability: serialAbility(),
-    /** The files for the device: libraries, the pupil's files, main.py. */
-    files: computed(() => needed.value.files),
-    put,
-    stop: (): void => stop.abort(),
-    saveZip: (): void => {
-      const bytes = zipOf(needed.value.files);
-      saveBlob(fileName(base(), 'zip'), new Blob([bytes], { type: 'application/zip' }));
-    },
-    saveOne: ({ name, text }: DeviceFile): void => saveText(app, name, text, 'text/x-python'),
-  };
+  return { state, put, stop: (): void => stop.abort() };
 }
 
-/** The files that a board needs for this program and this robot. */
-const filesOf = (of: OtherProgram | { readonly files: readonly SourceFile[]; readonly robot: string | null }) =>
-  filesForDevice('files' in of ? of.files : [{ name: MAIN, text: of.text }], of.robot);
-
 /** Asks in the dialog, where the files can be saved before the answer. */
-function askIn(state: ShallowRef<DeviceState>): PutWish['mayReplace'] {
+function askIn(state: ShallowRef<SerialState>): PutWish['mayReplace'] {
   return (names, read) =>
     new Promise((resolve) => {
       const show = (saved: 'no' | 'going' | 'yes'): void => {
@@ -129,17 +93,8 @@ function askIn(state: ShallowRef<DeviceState>): PutWish['mayReplace'] {
 }
 
 /** A transfer that was stopped before it changed anything has not failed. */
-function endOf(result: PutResult): DeviceState {
+function endOf(result: PutResult): SerialState {
   if (result.kind === 'done') return { kind: 'done', result };
   const { problem } = result;
   return problem.kind === 'stopped' && !problem.isTouched ? { kind: 'ready' } : { kind: 'failed', problem };
-}
-
-/** The browser's storage, or, in a frame that has none, one that forgets. */
-function storage(): Pick<Storage, 'getItem' | 'setItem'> {
-  try {
-    return localStorage;
-  } catch {
-    return { getItem: () => null, setItem: () => undefined };
-  }
 }

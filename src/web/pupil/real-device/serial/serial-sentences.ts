@@ -1,4 +1,4 @@
-import { t } from '../../kit/i18n';
+import { t } from '../../../kit/i18n';
 import type { PutProblem } from './problem';
 import type { PutProgress, PutResult } from './put-files';
 import words from './words';

@@ -7,22 +7,9 @@ const BOARDS: readonly SerialPortFilter[] = [{ usbVendorId: 0x0d28, usbProductId
 /** Baud rate of MicroPython on the micro:bit and most other boards. */
 const BAUD = 115_200;
 
-/**
- * Whether the page can use serial lines. `browser`: the browser has none; `frame`: the frame around the page does not
- * allow them.
- */
-export type SerialAbility = 'yes' | 'browser' | 'frame';
-
 /** The page's line, when the browser has one. */
 function serial(): Serial | null {
   return (navigator as { readonly serial?: Serial }).serial ?? null;
-}
-
-/** Finds out whether the page can use serial lines. */
-export function serialAbility(): SerialAbility {
-  if (serial() === null) return 'browser';
-  const { featurePolicy } = document as { readonly featurePolicy?: { allowsFeature?(name: string): boolean } };
-  return featurePolicy?.allowsFeature?.('serial') === false ? 'frame' : 'yes';
 }
 
 /**

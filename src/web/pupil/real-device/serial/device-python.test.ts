@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { strToU8, unzipSync } from 'fflate';
 import { fingerprint, pythonBytes, pythonText } from './device-python';
-import { zipOf } from '../../session/work/zip';
+import { zipOf } from '../../../session/work/zip';
 
 const named = (main: string, more: Readonly<Record<string, string>> = {}) =>
   [['main.py', main] as const, ...Object.entries(more)].map(([name, text]) => ({ name, text }));
