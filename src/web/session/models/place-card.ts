@@ -2,10 +2,10 @@ import { computed, watch } from 'vue';
 
 import type { SessionParts } from './session';
 
-type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'work'>;
+type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'>;
 
 /** Gives the card its place in the layout: beside the program while the robot drives, not in the other modes. */
-export function placeCard({ task, layout, mode, work }: Parts): void {
+export function placeCard({ task, layout, mode, settings, work }: Parts): void {
   const card = computed(() => {
     if (mode.current.value !== 'drive' || !layout.parts.value.includes('arena')) return null;
     if (layout.isGreeting.value) return task.isUnfolded.value ? 'open' : 'folded';
@@ -14,7 +14,9 @@ export function placeCard({ task, layout, mode, work }: Parts): void {
   watch(card, (form) => (layout.card.value = form), { immediate: true, flush: 'sync' });
   // A phone has the course behind a tab: card and course are read together.
   const bringToFront = (): void => {
-    const isRead = layout.card.value === 'open' && layout.tabs.value.includes('arena');
+    // Also where the window is too low for more than its title line.
+    const isMeant = layout.card.value !== null && settings.current.value.showCard;
+    const isRead = isMeant && layout.tabs.value.includes('arena');
     if (isRead && layout.arrangement.value === 'phone') layout.tab.value = 'arena';
   };
   watch([work.openings, work.arrivals], bringToFront);

@@ -49,10 +49,12 @@ describe('the card of the task', () => {
     showLanguage('de');
   });
 
-  it('is its title line in a very low window until it is asked for', () => {
+  it('is its title line in a very low window until it is asked for, with the course in front', async () => {
     setWindow(683, 312);
     const page = createPage();
-    expect(page.task.card.value).toBe('folded');
+    useCourses(page).openWhole(ladderOf('maqueen-lite')[1]!);
+    await nextTick();
+    expect([page.task.card.value, page.layout.tab.value]).toEqual(['folded', 'arena']);
     page.task.open();
     expect(page.task.card.value).toBe('open');
     page.task.close();
