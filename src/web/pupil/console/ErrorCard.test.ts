@@ -124,7 +124,7 @@ describe('the card of an error', () => {
   it('leads to lines of Python where the device’s words stand, and ends for it what the display shows', async () => {
     const page = pageWith('main.py');
     await startRun(page);
-    const failure = { ...nameError.failure, line: 2 };
+    const failure = { ...nameError.failure, traceback: '', line: 2 };
     page.say({ type: 'program-ended', device: 0, ended: { kind: 'exception', exception: failure, timeUs: 1000 } }); // prettier-ignore
     const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 2 }, report: { ...nameError, failure } });
     await card.get('.device [data-testid="error-repl"]').trigger('click');
