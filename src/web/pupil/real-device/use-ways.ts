@@ -2,6 +2,7 @@ import { computed, onMounted, shallowRef, watch } from 'vue';
 
 import { MAIN } from '#project/project';
 import { filesForDevice } from '#hex/device-files';
+import { fittingFiles } from '#hex/fitting-files';
 import type { HexBoard } from '#hex/firmware';
 
 import { usePage } from '../../kit/parts';
@@ -38,6 +39,11 @@ export function useWays(other: OtherProgram | null) {
       : { own: [{ name: MAIN, text: other.text }], robot: other.robot },
   );
   const needed = computed(() => filesForDevice(program.value.own, program.value.robot));
+  /** Names of the libraries that go over without comments, since they would not fit otherwise. */
+  const smaller = computed(() => {
+    const room = firmware.of(board.value)?.roomBytes;
+    return room === undefined ? [] : fittingFiles(program.value.own, program.value.robot, room).smaller;
+  });
   const platform = platformOf(navigator);
   const last = lastWay();
   const ways = computed(() =>
@@ -64,7 +70,7 @@ export function useWays(other: OtherProgram | null) {
   });
   const base = (): string => other?.name ?? nameToSave(app);
   return {
-    ...{ board, firmware, firmwares, program, needed, platform, ways, open, last, isKnown },
+    ...{ board, firmware, firmwares, program, needed, smaller, platform, ways, open, last, isKnown },
     choose: (way: OfferedWay['way']): void => void (chosen.value = way),
     /** Names of the files to save: the hex's is short and of plain letters, since apps on tablets take it. */
     hexName: (): string => fileName(plain(base()), 'hex'),
@@ -76,7 +82,9 @@ export function useWays(other: OtherProgram | null) {
 const plain = (name: string): string =>
   name
     .normalize('NFD')
+    .replace(/[\u0300-\u036f]/g, '')
     .replace(/[^A-Za-z0-9]+/g, '-')
     .replace(/^-+|-+$/g, '')
-    .slice(0, 32)
+    .slice(0, 24)
+    .replace(/-$/, '')
     .toLowerCase();

@@ -1,6 +1,6 @@
-import MemoryMap from 'nrf-intel-hex';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 
+import { hexText } from '#hex/testing/firmware';
 import { FakeBoard, type FakeStart } from './testing/fake-board';
 import { UsbBoard, type UsbProgress } from './usb-board';
 import { HexError, type BoardVersion } from './usb-problem';
@@ -17,7 +17,7 @@ function plugged(start: FakeStart = {}): FakeBoard {
 function hexOf(program: string): string {
   const bytes = new Uint8Array(4096 * PAGES).fill(0x55);
   bytes.set(new TextEncoder().encode(program), bytes.length - 4096);
-  return new MemoryMap([[0, bytes]]).asHexString();
+  return hexText([{ address: 0, bytes }]);
 }
 const programOn = ({ flash }: FakeBoard, letters: number): string =>
   new TextDecoder().decode(flash.subarray(4096 * (PAGES - 1), 4096 * (PAGES - 1) + letters));
