@@ -6,7 +6,7 @@ import { nextTick, shallowRef } from 'vue';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun, show } from '../../app/testing/run';
-import { realBoard, type BoardText } from '../../session/run/real-board';
+import { realBoard, type BoardText } from '../../session/run/board/real-board';
 import ChartPane from './ChartPane.vue';
 
 let page: TestPage;

@@ -7,7 +7,7 @@ import { shownLanguage, t } from '../../kit/i18n';
 import type { WithLate } from '../../kit/state/late-models';
 import { fillInSilently, useFilled } from '../../session/run/fill/fill-in';
 import type { RunParts } from '../../session/run/parts';
-import { realBoard, type RealBoard } from '../../session/run/real-board';
+import { realBoard, type RealBoard } from '../../session/run/board/real-board';
 import type { WorkParts } from '../../session/work/model/parts';
 import words from './series/words';
 import { canJoin, chosenCurves, drawable } from './chosen-curves';

@@ -5,7 +5,7 @@ import { nextTick } from 'vue';
 import { mountOn, setWindow } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { show, startRun } from '../../app/testing/run';
-import { realBoard, type RealBoard } from '../../session/run/real-board';
+import { realBoard, type RealBoard } from '../../session/run/board/real-board';
 import ConsolePane from './ConsolePane.vue';
 
 /** A console in a window of this size. */

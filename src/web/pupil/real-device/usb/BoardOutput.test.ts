@@ -5,7 +5,7 @@ import { nextTick, shallowRef } from 'vue';
 import { byId, isThere, tap } from '../../../app/testing/find';
 import { mountOn, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
-import { realBoard, type BoardText, type RealBoard } from '../../../session/run/real-board';
+import { realBoard, type BoardText, type RealBoard } from '../../../session/run/board/real-board';
 import BoardOutput from './BoardOutput.vue';
 
 beforeEach(() => {

@@ -1,4 +1,4 @@
-import type { BoardText } from '../../../session/run/real-board';
+import type { BoardText } from '../../../session/run/board/real-board';
 
 /** Most characters that are kept. Chosen: far more than anybody scrolls through, and little memory. */
 const MOST_CHARACTERS = 200_000;

@@ -1,4 +1,4 @@
-import type { BoardText } from '../../../session/run/real-board';
+import type { BoardText } from '../../../session/run/board/real-board';
 
 /** Most characters that are shown. Chosen: as many lines as somebody reads. */
 const SHOWN = 20_000;

@@ -2,7 +2,7 @@ import { FlashDataError } from '@microbit/microbit-connection';
 import { createUSBConnection, type MicrobitUSBConnection } from '@microbit/microbit-connection/usb';
 import { shallowRef } from 'vue';
 
-import type { RealBoard } from '../../../session/run/real-board';
+import type { RealBoard } from '../../../session/run/board/real-board';
 import { BoardOutput } from './board-output';
 import { HexError, usbProblem, type BoardVersion, type UsbProblem } from './usb-problem';
 

@@ -1,5 +1,5 @@
 import { t } from '../../../kit/i18n';
-import { boardNames } from '../boards';
+import { boardNames } from '../board/boards';
 import type { UsbProblem } from './usb-problem';
 import words from './words';
 

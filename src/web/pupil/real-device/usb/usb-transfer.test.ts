@@ -6,7 +6,7 @@ import { firmwareText } from '#hex/testing/firmware';
 import { byId, tap } from '../../../app/testing/find';
 import { mountOn, textOf } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
-import { realBoard } from '../../../session/run/real-board';
+import { realBoard } from '../../../session/run/board/real-board';
 import { firmwareModel } from '../firmware/firmware-model';
 import RealDeviceDialog from '../RealDeviceDialog.vue';
 import { FakeBoard, type FakeStart } from './testing/fake-board';

@@ -1,7 +1,7 @@
 import { onBeforeUnmount, shallowRef } from 'vue';
 
 import type { WithLate } from '../../../kit/state/late-models';
-import { realBoard } from '../../../session/run/real-board';
+import { realBoard } from '../../../session/run/board/real-board';
 import type { UsbEnd, UsbProgress } from './usb-board';
 import type { BoardVersion, UsbProblem } from './usb-problem';
 

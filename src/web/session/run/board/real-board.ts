@@ -1,6 +1,6 @@
 import { shallowRef, type Ref, type ShallowRef } from 'vue';
 
-import { lateModel } from '../../kit/state/late-models';
+import { lateModel } from '../../../kit/state/late-models';
 
 /** Text that a real board has sent; of the form of a run's, so that both can be drawn alike. */
 export interface BoardText {

@@ -3,7 +3,7 @@ import { fittingFiles } from '#hex/fitting-files';
 import { makeHex } from '#hex/make';
 import type { SourceFile } from '#project/project';
 
-import { HexError, type BoardVersion } from '../usb/usb-problem';
+import { HexError, type BoardVersion } from './usb-problem';
 
 /** A program and the robot that it drives: all that a board's files depend on. */
 export interface BoardProgram {

@@ -5,7 +5,7 @@ import type { Firmware, HexBoard } from '#hex/firmware';
 import { readHex } from '#hex/read';
 import { firmwareText } from '#hex/testing/firmware';
 
-import { HexError } from '../usb/usb-problem';
+import { HexError } from './usb-problem';
 import { firmwaresToSave, firmwareToFlash, hexOf, type Firmwares } from './board-hex';
 
 /** These boards' firmwares are at hand. */
