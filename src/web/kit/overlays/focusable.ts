@@ -1,5 +1,11 @@
 const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex], [contenteditable="true"]';
 
+/** Gives the keyboard to what has just come, unless somebody already writes somewhere: nothing takes it from them. */
+export function focusNews(element: HTMLElement | null): void {
+  const isWriting = document.activeElement?.closest('input, textarea, [contenteditable="true"]') ?? null;
+  if (isWriting === null) element?.focus({ preventScroll: true });
+}
+
 /** True if an element is visible; browsers of before 2024 cannot say, and count it as visible. */
 export const isShown = (element: Partial<Pick<Element, 'checkVisibility'>>): boolean =>
   element.checkVisibility?.() ?? true;

@@ -119,6 +119,17 @@ describe('the card of a task', () => {
     expect([task.isOpen.value, find('.body').exists()]).toEqual([true, true]);
   });
 
+  it('leaves the keys to whoever writes already when it comes', async () => {
+    const { work, scene, find } = await card({});
+    const program = document.body.appendChild(document.createElement('textarea'));
+    program.focus();
+    work.setScene({ ...scene(), description: 'Und jetzt zurück.' }, null);
+    await flushPromises();
+    expect(document.activeElement).toBe(program);
+    expect(textOf(find('[role="status"]').element)).toContain('Und jetzt zurück.');
+    program.remove();
+  });
+
   it('takes the keys when a task is opened, and says title, text and goals', async () => {
     const { work, scene, find } = await card({});
     work.setScene({ ...scene(), description: 'Und jetzt zurück.' }, null);
