@@ -124,7 +124,7 @@ const keptAssets = (app: App): Promise<{ second: boolean; first: boolean }> =>
     for (const name of await caches.keys()) {
       for (const { url } of await (await caches.open(name)).keys()) if (url.includes('/assets/')) urls.push(url);
     }
-    const isSecond = (url: string): boolean => /-v2[\w-]{6}\.\w+$/.test(url);
+    const isSecond = (url: string): boolean => /-v2[\w-]{4,6}\.\w+$/.test(url);
     return { second: urls.some(isSecond), first: !urls.every(isSecond) };
   });
 

@@ -37,7 +37,8 @@ export async function openHost(): Promise<Host> {
   };
 }
 
-const HASHED = /^(.*-)([\w-]{8})(\.\w+)$/;
+/** Names of styles have six characters of their hash, all others eight. */
+const HASHED = /^(.*-)([\w-]{8}|[\w-]{6})(\.\w+)$/;
 const TEXT = /\.(js|css|html|webmanifest)$/;
 
 /**
@@ -52,7 +53,7 @@ export async function release(folder: string, version: string): Promise<void> {
     if (start !== undefined && hash !== undefined)
       names.set(name, `${start}${version}${hash.slice(version.length)}${end}`);
   }
-  const renamed = (text: string): string => text.replace(/[\w.-]+-[\w-]{8}\.\w+/g, (name) => names.get(name) ?? name);
+  const renamed = (text: string): string => text.replace(/[\w.-]+-[\w-]{6,8}\.\w+/g, (name) => names.get(name) ?? name);
   for (const place of [folder, assets]) {
     for (const name of await readdir(place)) {
       if (!TEXT.test(name) || name.endsWith('.single.html')) continue;

@@ -76,7 +76,12 @@ export async function withFingers(page: Page): Promise<Pupil & { readonly finger
       if (keys.join('+') !== 'Control+a') none();
       await page.evaluate(async () => {
         // As by the menu that a tablet shows at the text; the editor hears of it a moment later.
+        const heard = new Promise((resolve) => {
+          document.addEventListener('selectionchange', resolve, { once: true });
+          setTimeout(resolve, 500); // all was selected before
+        });
         if (document.activeElement !== null) getSelection()?.selectAllChildren(document.activeElement);
+        await heard;
         for (let frame = 0; frame < 3; frame += 1) await new Promise(requestAnimationFrame);
       });
     },

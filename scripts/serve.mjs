@@ -49,7 +49,7 @@ export const WORKER_POLICY =
 /** These carry a policy in themselves that is stricter and knows their script. */
 const IS_SINGLE = /\.single\.html$/;
 const IS_WORKER = /(^|\/)worker[^/]*\.m?js$/;
-const HAS_HASH = /^\/assets\/.*-[\w-]{8}\.\w+$/;
+const HAS_HASH = /^\/assets\/.*-[\w-]{6,8}\.\w+$/;
 
 /**
  * Serves a folder.

@@ -15,7 +15,7 @@ const PLACE = 'self.__WB_MANIFEST';
  */
 const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\//;
 /** Files whose name changes with what is in them. */
-const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{8}\.\w+$/;
+const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{6,8}\.\w+$/;
 
 /**
  * Writes `sw.js` into a folder that holds the built app.
