@@ -23,7 +23,7 @@ export const classSubject: Subject<Stage> = {
         buffer: Buffer.from(`# ${index + 1}\npupil = ${index + 1}\n${solution}`),
       }));
       const fromMs = performance.now();
-      await page.locator('[data-testid=class-adding] input[multiple]').setInputFiles(files);
+      await page.locator('[data-testid=class-adding] input[multiple]').first().setInputFiles(files);
       await until(page, (count) => document.querySelectorAll('.result--passed').length === count, CLASS);
       const seconds = (performance.now() - fromMs) / 1000;
       return [{ text: `${seconds.toFixed(1)} s`, met: seconds <= BUDGET_S }];
