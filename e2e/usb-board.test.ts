@@ -39,34 +39,37 @@ async function put(app: App): Promise<void> {
   await until(app, `${by('usb-output')}, ${by('usb-problem')}`);
 }
 
-test('a program goes onto a board by USB: as a whole, then in part; its output stands beside the console', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en' });
-  await pasteProgram(app, 'print("distance", 23)\n');
-  await plugIn(app, { says: 'distance 23\r\n' });
-  await openDialog(app);
-  expect(await violationsOn(app), 'before').toEqual([]);
-  await put(app);
-  expect(await said(app)).toBe('Transferred. Your program now runs on the device (micro:bit V2).');
-  expect(await violationsOn(app), 'after').toEqual([]);
-  expect(await counts(app)).toMatchObject({ full: 1, pages: 0, asked: 1 });
-  await put(app);
-  await expect.poll(() => said(app)).toContain('Exactly this program was on it already');
-  await app.click(by('usb-output'));
-  await until(app, by('board-output'));
-  await expect.poll(() => app.text(by('board-output'))).toContain('distance 23');
-  expect(await violationsOn(app), 'with its output').toEqual([]);
-  await app.click(by('tab-chart'));
-  await expect.poll(() => app.text('.values')).toContain('distance · micro:bit V2');
-  await app.click(by('tab-console'));
+// No other engine has WebUSB.
+test(
+  'a program goes onto a board by USB: as a whole, then in part; its output stands beside the console',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en' });
+    await pasteProgram(app, 'print("distance", 23)\n');
+    await plugIn(app, { says: 'distance 23\r\n' });
+    await openDialog(app);
+    expect(await violationsOn(app), 'before').toEqual([]);
+    await put(app);
+    expect(await said(app)).toBe('Transferred. Your program now runs on the device (micro:bit V2).');
+    expect(await violationsOn(app), 'after').toEqual([]);
+    expect(await counts(app)).toMatchObject({ full: 1, pages: 0, asked: 1 });
+    await put(app);
+    await expect.poll(() => said(app)).toContain('Exactly this program was on it already');
+    await app.click(by('usb-output'));
+    await until(app, by('board-output'));
+    await expect.poll(() => app.text(by('board-output'))).toContain('distance 23');
+    expect(await violationsOn(app), 'with its output').toEqual([]);
+    await app.click(by('tab-chart'));
+    await expect.poll(() => app.text('.values')).toContain('distance · micro:bit V2');
+    await app.click(by('tab-console'));
 
-  await pasteProgram(app, 'print("distance", 24)\n');
-  await openDialog(app);
-  await put(app);
-  await expect.poll(() => said(app)).toContain('Transferred.');
-  expect(await counts(app)).toMatchObject({ full: 1, pages: 1, asked: 1 });
-});
+    await pasteProgram(app, 'print("distance", 24)\n');
+    await openDialog(app);
+    await put(app);
+    await expect.poll(() => said(app)).toContain('Transferred.');
+    expect(await counts(app)).toMatchObject({ full: 1, pages: 1, asked: 1 });
+  },
+);
 
 test('each problem at the USB is told with the way out', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'de' });

@@ -115,7 +115,8 @@ in a file), a course file of WebTigerPython, the id of a ready course. What cann
 is told.
   --out PATH          where it goes (default: here); .json: a project, .py: a program, .hex: a hex,
                       folder/: all its files
-  --as FORM           what it shall be: project, course, program, files, hex, link, webtigerpython (its link)
+  --as FORM           what it shall be: project, course, program, files, hex, link or webtigerpython
+                      (a link for it)
   --firmware FILE.hex for a hex: any hex of MicroPython for the board, cleaned of its files; several,
                       or a universal one, give a universal hex
   --board NAME        for a hex: microbit-v1, microbit-v2, calliope-mini-1 or calliope-mini-3 alone
