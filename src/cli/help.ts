@@ -16,8 +16,9 @@ export const help = `Parcours runs a micro:bit program with a simulated robot, w
                      [--csv R.csv] [--json] [--lang NAME] [--shard I/N] [--resume DIR]
   npx parcours check --merge DIR [--report …] [--junit …] [--csv …] [--json]
   npx parcours replay RUN.json [--at TIME | --line FILE:LINE [--hit N]] [--device NAME] [--json]
-  npx parcours convert IN [--out PATH] [--as project|course|program|files|link|webtigerpython] [--json]
-  npx parcours convert IN --as hex --firmware FILE.hex [--board NAME] [--file DRIVER.py] [--out PATH]
+  npx parcours convert IN [--out PATH] [--as FORM] [--json]
+  npx parcours convert IN --as hex --firmware FILE.hex [--board NAME] [--file DRIVER.py]
+                       [--out PATH]
   npx parcours probe compare BOARD.csv [OTHER.csv]
 
 A project or a link brings its program, course, robot and settings; options win over them.
@@ -117,8 +118,8 @@ is told.
                       folder/: all its files
   --as FORM           what it shall be: project, course, program, files, hex, link or webtigerpython
                       (a link for it)
-  --firmware FILE.hex for a hex: any hex of MicroPython for the board, cleaned of its files; several,
-                      or a universal one, give a universal hex
+  --firmware FILE.hex for a hex: any hex of MicroPython for the board, cleaned of its files;
+                      several, or a universal one, give a universal hex
   --board NAME        for a hex: microbit-v1, microbit-v2, calliope-mini-1 or calliope-mini-3 alone
   --file DRIVER.py    for a hex: a further file on the board; may be given several times
   --json              one line: kind, program, robot, board, scene and notes
