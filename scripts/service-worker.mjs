@@ -5,6 +5,7 @@ import { join, resolve } from 'node:path';
 import { build } from 'vite';
 import { OLDEST } from './oldest.mjs';
 import { root } from './progress.mjs';
+import { NAMED_BY_CONTENT } from './serve.mjs';
 
 const SOURCE = 'src/web/exchange/offline/sw.ts';
 /** Placeholder for the list of files in the built script. */
@@ -14,8 +15,6 @@ const PLACE = 'self.__WB_MANIFEST';
  * change and the page keeps itself.
  */
 const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\//;
-/** Files whose name changes with what is in them. */
-const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{6,8}\.\w+$/;
 
 /**
  * Writes `sw.js` into a folder that holds the built app.

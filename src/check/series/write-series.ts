@@ -1,3 +1,4 @@
+import { plainFileName } from '#core/plain-file-name';
 import { projectToText } from '#project/file';
 import type { Project } from '#project/project';
 import { withoutSecrets } from '../task/write-task';
@@ -67,20 +68,12 @@ export function seriesToFolder(series: Series, nameOf: (task: SeriesTask) => str
   const files: NamedText[] = [];
   const tasks = series.tasks.map((task, index): SeriesTask => {
     if (task.from.kind !== 'project') return task;
-    const name = `${String(index + 1).padStart(2, '0')}-${plainName(nameOf(task))}.json`;
+    const name = `${String(index + 1).padStart(2, '0')}-${taskFileName(nameOf(task))}.json`;
     files.push({ name, text: projectToText(task.from.project) });
     return { ...task, from: { kind: 'file', file: name } };
   });
   return [{ name: SERIES_FILE, text: seriesToText({ ...series, tasks }) }, ...files];
 }
 
-/** Letters without marks, digits and `-`: every web server has such a file under such an address. */
-export function plainName(name: string): string {
-  const plain = name
-    .normalize('NFKD')
-    .toLowerCase()
-    .replace(/\p{M}/gu, '')
-    .replace(/[^a-z0-9]+/g, '-')
-    .slice(0, 40);
-  return plain.replace(/^-+|-+$/g, '') || 'task';
-}
+/** The name of a task or series as every web server has files and addresses. */
+export const taskFileName = (name: string): string => plainFileName(name, 40) || 'task';

@@ -3,21 +3,11 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { readHex } from '#hex/read';
 import { appended, firmwareRegions, firmwareText, hexText, makeCodeText } from '#hex/testing/firmware';
-import { createTerminal } from '../terminal';
-import { parseCommand } from '../arguments';
 import { useFolder } from '../testing/parcours';
-import { convert } from './convert-command';
+import { converted } from './testing/converted';
 
 const { file, folder } = useFolder();
 
-async function converted(...words: readonly string[]) {
-  const command = parseCommand(['convert', ...words]);
-  if (command.type !== 'convert') return { code: 2, out: '', err: command.type === 'bad' ? command.problem : '' };
-  const [out, err]: [string[], string[]] = [[], []];
-  const terminal = createTerminal({ write: (text) => out.push(text) }, { write: (text) => err.push(text) }, false);
-  const code = await convert(command.options, terminal, (text) => out.push(text));
-  return { code, out: out.join(''), err: err.join('') };
-}
 const v1 = file('v1.hex', firmwareText('microbit-v1'));
 const v2 = file('v2.hex', firmwareText('microbit-v2'));
 const mini = file('mini.hex', firmwareText('calliope-mini-3'));

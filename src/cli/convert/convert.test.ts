@@ -7,28 +7,11 @@ import { parseProject, projectToText } from '#project/file';
 import { fullProject } from '#project/testing/projects';
 import { linkSamples } from '#project/webtigerpython/testing/links';
 import { parseScene } from '#scene/parse';
-import { createTerminal } from '../terminal';
 import { parseCommand } from '../arguments';
 import { useFolder } from '../testing/parcours';
-import { convert } from './convert-command';
+import { converted } from './testing/converted';
 
 const { file, folder } = useFolder();
-
-/** The output of the command, and its exit code. */
-interface Printed {
-  readonly code: number;
-  readonly out: string;
-  readonly err: string;
-}
-
-async function converted(...words: readonly string[]): Promise<Printed> {
-  const command = parseCommand(['convert', ...words]);
-  if (command.type !== 'convert') return { code: 2, out: '', err: command.type === 'bad' ? command.problem : '' };
-  const [out, err]: [string[], string[]] = [[], []];
-  const terminal = createTerminal({ write: (text) => out.push(text) }, { write: (text) => err.push(text) }, false);
-  const code = await convert(command.options, terminal, (text) => out.push(text));
-  return { code, out: out.join(''), err: err.join('') };
-}
 
 /** The line of `--json`. */
 interface Line {

@@ -1,5 +1,6 @@
 import { computed, onMounted, shallowRef, watch } from 'vue';
 
+import { plainFileName } from '#core/plain-file-name';
 import { MAIN } from '#project/project';
 import { filesForDevice } from '#hex/device-files';
 import { fittingFiles } from '#hex/fitting-files';
@@ -73,18 +74,7 @@ export function useWays(other: OtherProgram | null) {
     ...{ board, firmware, firmwares, program, needed, smaller, platform, ways, open, last, isKnown },
     choose: (way: OfferedWay['way']): void => void (chosen.value = way),
     /** Names of the files to save: the hex's is short and of plain letters, since apps on tablets take it. */
-    hexName: (): string => fileName(plain(base()), 'hex'),
+    hexName: (): string => fileName(plainFileName(base(), 24), 'hex'),
     zipName: (): string => fileName(base(), 'zip'),
   };
 }
-
-/** A name in ASCII, without spaces. */
-const plain = (name: string): string =>
-  name
-    .normalize('NFD')
-    .replace(/[\u0300-\u036f]/g, '')
-    .replace(/[^A-Za-z0-9]+/g, '-')
-    .replace(/^-+|-+$/g, '')
-    .slice(0, 24)
-    .replace(/-$/, '')
-    .toLowerCase();

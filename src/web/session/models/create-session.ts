@@ -33,7 +33,7 @@ import { useLiveEdits } from '../work/model/use-live-edits';
 import { WorkModel } from '../work/model/work-model';
 import { createSettings } from '../work/settings/settings-model';
 import type { Work } from '../work/storage/history';
-import { memoryStorage } from '../work/storage/memory-storage';
+import { pageStorage } from '../work/storage/memory-storage';
 import { browserEngine, createRun, type RunEngine } from './create-run';
 import { placeCard } from './place-card';
 import { sayUnsaved } from './say-unsaved';
@@ -133,13 +133,7 @@ function followCourse({ work, run, hand, runStart }: Pick<WorkParts, 'work'> & R
 }
 
 /** The store for stars and programs of courses: none on a page that stores no work; if the browser forbids one, for this visit. */
-function starStore({ keepsWork }: HostWish): Storage | null {
-  try {
-    return keepsWork ? localStorage : null;
-  } catch {
-    return memoryStorage();
-  }
-}
+const starStore = ({ keepsWork }: HostWish): Storage | null => (keepsWork ? pageStorage() : null);
 
 function firstWork(language: Language): Work {
   const empty = { files: [{ name: MAIN, text: '' }], scene: defaultScene(), course: null };

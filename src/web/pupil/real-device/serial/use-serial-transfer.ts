@@ -3,7 +3,7 @@ import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 import type { DeviceFiles } from '#hex/device-files';
 
 import { saveBlob } from '../../../session/work/save-file';
-import { pageStorage } from '../ways/page-storage';
+import { pageStorage } from '../../../session/work/storage/memory-storage';
 import { fingerprint } from './device-python';
 import { knownPrograms } from './known-programs';
 import { pageTimer, type Port } from './port';

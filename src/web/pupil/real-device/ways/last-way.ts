@@ -1,4 +1,4 @@
-import { pageStorage } from './page-storage';
+import { pageStorage } from '../../../session/work/storage/memory-storage';
 import { WAYS, type Way } from './ways';
 
 const KEY = 'parcours.way-to-board';

@@ -14,15 +14,15 @@ export function useDrawing(
   options?: () => OptionValues,
 ): ComputedRef<string | null> {
   const id = computed(() => robot()?.id ?? null);
-  const come = shallowRef(0);
+  /** The robot whose drawing has come. */
+  const come = shallowRef<string | null>(null);
   watch(
     id,
     async (wanted) => {
-      if (wanted === null || fetchedDrawing(wanted) !== null) return;
-      await fetchDrawing(wanted).catch(() => null); // without a connection it is asked for at the next change
-      come.value += 1;
+      if (wanted !== null && fetchedDrawing(wanted) === null) await fetchDrawing(wanted).catch(() => null); // without a connection it is asked for at the next change
+      if (id.value === wanted) come.value = wanted;
     },
     { immediate: true },
   );
-  return computed(() => (come.value >= 0 && id.value !== null ? fetchedDrawing(id.value, options?.()) : null));
+  return computed(() => (id.value === null || come.value !== id.value ? null : fetchedDrawing(id.value, options?.())));
 }

@@ -12,3 +12,12 @@ export function memoryStorage(): Storage {
     clear: () => all.clear(),
   };
 }
+
+/** The browser's storage; if the browser forbids it, one for this visit. */
+export function pageStorage(): Storage {
+  try {
+    return localStorage;
+  } catch {
+    return memoryStorage();
+  }
+}
