@@ -2,7 +2,6 @@ import type { IncomingMessage } from 'node:http';
 
 export const PAGE_POLICY: string;
 export const WORKER_POLICY: string;
-export const NAMED_BY_CONTENT: RegExp;
 export function headersFor(path: string): Readonly<Record<string, string>>;
 export function serve(options?: {
   readonly folder?: string;

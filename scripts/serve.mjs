@@ -5,6 +5,7 @@ import { networkInterfaces } from 'node:os';
 import { extname, join, normalize, resolve, sep } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
+import { isNamedByContent } from './named-by-content.mjs';
 import { Failure, main, root } from './progress.mjs';
 
 const FIRST_PORT = 8080;
@@ -49,8 +50,6 @@ export const WORKER_POLICY =
 /** These carry a policy in themselves that is stricter and knows their script. */
 const IS_SINGLE = /\.single\.html$/;
 const IS_WORKER = /(^|\/)worker[^/]*\.m?js$/;
-/** Paths below the app of files whose name changes with what is in them: eight characters of their hash, styles six. */
-export const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{6,8}\.\w+$/;
 
 /**
  * Serves a folder.
@@ -166,7 +165,7 @@ export function headersFor(path) {
   return {
     'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream',
     ...(!IS_SINGLE.test(path) && { 'Content-Security-Policy': IS_WORKER.test(path) ? WORKER_POLICY : PAGE_POLICY }),
-    'Cache-Control': NAMED_BY_CONTENT.test(path.slice(1)) ? 'public, max-age=31536000, immutable' : 'no-cache',
+    'Cache-Control': isNamedByContent(path.slice(1)) ? 'public, max-age=31536000, immutable' : 'no-cache',
     'Referrer-Policy': 'no-referrer',
     'X-Content-Type-Options': 'nosniff',
   };

@@ -3,9 +3,9 @@ import { createHash } from 'node:crypto';
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { build } from 'vite';
+import { isNamedByContent } from './named-by-content.mjs';
 import { OLDEST } from './oldest.mjs';
 import { root } from './progress.mjs';
-import { NAMED_BY_CONTENT } from './serve.mjs';
 
 const SOURCE = 'src/web/exchange/offline/sw.ts';
 /** Placeholder for the list of files in the built script. */
@@ -41,7 +41,7 @@ export async function buildServiceWorker(folder) {
 async function listed(folder, url) {
   const content = await readFile(join(folder, url));
   const hash = createHash('sha256').update(content).digest('base64');
-  const revision = NAMED_BY_CONTENT.test(url) ? null : hash;
+  const revision = isNamedByContent(url) ? null : hash;
   return { url, revision, integrity: `sha256-${hash}` };
 }
 

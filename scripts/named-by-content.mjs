@@ -1,0 +1,6 @@
+/**
+ * Tells whether a file's name changes with what is in it: eight characters of its hash, of styles six.
+ *
+ * @param {string} path below the app, such as `assets/page-Dx3k9_aQ.js`
+ */
+export const isNamedByContent = (path) => /^assets\/.*-[\w-]{6,8}\.\w+$/.test(path);
