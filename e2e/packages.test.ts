@@ -136,13 +136,15 @@ test('two elements on a page, one of them in a sandbox, each with a program of i
     const both = [ended(simulator), ended(second)];
     await Promise.all([simulator.run(), second.run()]);
     await Promise.all(both);
-    return { ...heard, address: second.frame?.src, sandbox: second.frame?.getAttribute('sandbox') };
+    const { src: address, allow } = second.frame ?? {};
+    return { ...heard, address, allow, sandbox: second.frame?.getAttribute('sandbox') };
   }, appAddress());
   expect(texts.first).toMatch(/^as usual\r?\n/);
   expect(texts.second).toMatch(/^in a sandbox\r?\n/);
   expect(texts.first + texts.second).not.toMatch(/sandbox[^]*usual|usual[^]*sandbox[^]*usual/);
   expect(texts.address).toMatch(/\/parcours\.single\.html\?show=console&/);
   expect(texts.sandbox).toBe('allow-scripts');
+  expect(texts.allow).toContain('usb; serial');
 });
 
 test('an element loads when it comes into view, with its project, and has the work again when its page is loaded anew', async ({

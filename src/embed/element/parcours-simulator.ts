@@ -46,8 +46,8 @@ const STYLE =
   ':host{min-width:200px;min-height:160px}' +
   ':host([hidden]){display:none}' +
   'iframe{position:absolute;inset:0;width:100%;height:100%;border:0}';
-/** The page may make sound and go full screen if this page may. */
-const ALLOW = 'autoplay; fullscreen; clipboard-write';
+/** The page may make sound, go full screen and put programs on a real board if this page may. */
+const ALLOW = 'usb; serial; autoplay; fullscreen; clipboard-write';
 /** Begins to load a little before it is scrolled into view. */
 const NEAR = '200px';
 
