@@ -106,11 +106,48 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
     expect((await put(board, hexOf('one'))).end).toMatchObject({ kind: 'done', extent: 'full' });
   });
 
-  it('can be stopped in the middle', async () => {
-    plugged();
+  it('can be stopped in the middle: nothing more is sent, the board stays connected, and the next transfer makes it whole', async () => {
+    const fake = plugged();
     const board = new UsbBoard();
     const end = await board.put(() => hexOf('one'), ({ part }) => part > 0.2 && board.stop()); // prettier-ignore
     expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
+    expect([fake.done.pages, board.state.value]).toEqual([0, 'connected']);
+    expect(programOn(fake, 3)).not.toBe('one');
+    expect((await put(board, hexOf('one'))).end.kind).toBe('done');
+    expect(programOn(fake, 3)).toBe('one');
+  });
+
+  it('can be stopped while just the differences are sent', async () => {
+    const fake = plugged();
+    const board = new UsbBoard();
+    await put(board, hexOf('one'));
+    const end = await board.put(
+      () => hexOf('two'),
+      ({ stage }) => stage === 'sending' && board.stop(),
+    );
+    expect([end, programOn(fake, 3)]).not.toEqual([end, 'two']);
+    expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
+    expect((await put(board, hexOf('two'))).end.kind).toBe('done');
+    expect(programOn(fake, 3)).toBe('two');
+  });
+
+  it('has changed nothing on the board when it is stopped before', async () => {
+    const fake = plugged();
+    const board = new UsbBoard();
+    const end = await board.put(
+      () => hexOf('one'),
+      ({ stage }) => stage === 'connecting' && board.stop(),
+    );
+    expect([end, fake.done.full, fake.done.pages]).toEqual([{ kind: 'nothing' }, 0, 0]);
+  });
+
+  it('lets go of the board when the page is done with it meanwhile', async () => {
+    const fake = plugged();
+    const board = new UsbBoard();
+    const end = await board.put(() => hexOf('one'), ({ part }) => part > 0.2 && board.disconnect()); // prettier-ignore
+    expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
+    await vi.waitFor(() => expect([fake.isOpen, board.state.value]).toEqual([false, 'gone']));
+    expect(fake.done.pages).toBe(0);
   });
 });
 

@@ -32,7 +32,8 @@ export class UsbBoard implements RealBoard {
   readonly count = shallowRef(0);
   private readonly text = new BoardOutput();
   private readonly connection: MicrobitUSBConnection;
-  private isFlashing = false;
+  /** The transfer that goes on; it never fails. */
+  private transfer: Promise<unknown> | null = null;
   private isPulled = false;
   private isStopped = false;
 
@@ -70,41 +71,56 @@ export class UsbBoard implements RealBoard {
    * @param hexFor makes the hex once the board's version is known; throws a `HexError`
    */
   async put(hexFor: (version: BoardVersion) => string, onProgress: (progress: UsbProgress) => void): Promise<UsbEnd> {
-    [this.isFlashing, this.isPulled, this.isStopped] = [true, false, false];
-    const progress = new Progress(onProgress);
+    const transfer = this.transferred(hexFor, new Progress(onProgress));
+    this.transfer = transfer;
+    const end = await transfer;
+    this.transfer = null;
+    return end;
+  }
+
+  private async transferred(hexFor: (version: BoardVersion) => string, progress: Progress): Promise<UsbEnd> {
+    [this.isPulled, this.isStopped] = [false, false];
     let refused: HexError | null = null;
+    // With any other error than this the library disconnects.
     const source = (version: BoardVersion): Promise<string> => {
       try {
-        return Promise.resolve(hexFor(version));
+        return this.isStopped ? Promise.reject(new FlashDataError('Stopped.')) : Promise.resolve(hexFor(version));
       } catch (error) {
         if (!(error instanceof HexError)) throw error;
         refused = error;
-        return Promise.reject(new FlashDataError(error.message)); // with any other error the library disconnects
+        return Promise.reject(new FlashDataError(error.message));
       }
     };
     try {
-      await this.connection.flash(source, { progress: (stage, part) => progress.note(stage, part) });
+      await this.connection.flash(source, { progress: (stage, part) => this.goOn(progress, stage, part) });
       this.text.end(this.nowMs());
       return { kind: 'done', extent: progress.extent(), version: this.connection.getBoardVersion() };
     } catch (error) {
       const problem = this.problemOf(refused ?? error, progress.isTouched);
       return problem === null ? { kind: 'nothing' } : { kind: 'problem', problem };
-    } finally {
-      this.isFlashing = false;
     }
   }
 
+  /**
+   * Notes a step of the transfer. One that is stopped ends here, at each of its attempts: a library that just loses its line
+   * opens it again and sends everything another way.
+   */
+  private goOn(progress: Progress, stage: string, part: number | undefined): void {
+    if (!this.isStopped) progress.note(stage, part);
+    if (!this.isStopped || isLast(stage, part)) return;
+    if (part !== undefined) progress.isTouched = true;
+    throw new FlashDataError('Stopped.');
+  }
+
   private problemOf(error: unknown, isTouched: boolean): UsbProblem | null {
-    if (this.isStopped) return { kind: 'stopped' };
+    if (this.isStopped) return isTouched ? { kind: 'stopped' } : null;
     // Without a board the library fails in many places, with as many words.
     return this.isPulled ? { kind: 'unplugged', isTouched } : usbProblem(error);
   }
 
-  /** Breaks a transfer off. */
+  /** Breaks a transfer off. The board stays connected. */
   stop(): void {
-    if (!this.isFlashing) return;
-    this.isStopped = true;
-    void this.connection.disconnect();
+    this.isStopped = this.transfer !== null;
   }
 
   send(text: string): void {
@@ -112,11 +128,20 @@ export class UsbBoard implements RealBoard {
   }
 
   disconnect(): void {
-    void this.connection.disconnect();
-    this.connection.dispose();
+    this.stop();
+    void this.letGo();
     this.onEnd();
   }
+
+  private async letGo(): Promise<void> {
+    await this.transfer; // else its end would open the line once more
+    await this.connection.disconnect();
+    this.connection.dispose();
+  }
 }
+
+/** True for the report at a transfer's end, after which the library puts the board in order. */
+const isLast = (stage: string, part: number | undefined): boolean => stage.endsWith('Flashing') && part === undefined;
 
 /** Follows what the library tells of a transfer. */
 class Progress {

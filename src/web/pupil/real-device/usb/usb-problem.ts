@@ -25,7 +25,7 @@ export type UsbProblem =
   | { readonly kind: 'too-large'; readonly missingBytes: number; readonly large: readonly string[] }
   /** A file has a name that a board cannot hold. */
   | { readonly kind: 'name'; readonly name: string }
-  /** Stopped by the pupil: no whole program is on the board. */
+  /** Stopped by the pupil in the middle: only a part of the program is on the board. */
   | { readonly kind: 'stopped' }
   /** Something else went wrong on the line. */
   | { readonly kind: 'line' };

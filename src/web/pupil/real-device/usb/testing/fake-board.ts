@@ -31,6 +31,8 @@ export class FakeBoard {
   readonly done = { asked: 0, transfers: 0, full: 0, pages: 0, resets: 0 };
   /** Text that the page has sent. */
   heard = '';
+  /** True while the page holds it. */
+  isOpen = false;
   private readonly start: Required<FakeStart>;
   private readonly ram = new Uint8Array(0x20000);
   private readonly core: number[] = new Array<number>(32).fill(0);
@@ -83,11 +85,15 @@ export class FakeBoard {
   private makeDevice(): Readonly<Record<string, unknown>> {
     const endpoints = [{ direction: 'in', endpointNumber: 1 }, { direction: 'out', endpointNumber: 2 }]; // prettier-ignore
     const alternates = [{ interfaceClass: this.start.isOld ? 3 : 0xff, endpoints }];
-    const done = (): Promise<void> => Promise.resolve();
+    const done = (_?: boolean): Promise<void> => Promise.resolve();
     return {
       ...{ vendorId: 0x0d28, productId: 0x0204, opened: true, productName: 'BBC micro:bit CMSIS-DAP' },
       configuration: { interfaces: [{ interfaceNumber: 4, alternates }] },
-      ...{ open: done, close: done, selectConfiguration: done },
+      ...{
+        open: () => done((this.isOpen = true)),
+        close: () => done((this.isOpen = false)),
+        selectConfiguration: done,
+      },
       claimInterface: () => (this.start.isTaken ? this.fail('Unable to claim interface.') : done()),
       transferOut: async (_: number, packet: Uint8Array<ArrayBuffer>) => {
         await this.transfer();
