@@ -15,6 +15,9 @@ const FOLDER = join(root, 'firmware');
 /** Its place beside the built app. */
 export const BESIDE_APP = join(root, 'dist/app/firmware');
 
+/** The notice that the licence of the Bluetooth stack asks for, and where the rest comes from; the page saves the same. */
+const NOTICE = join(root, 'src/web/pupil/real-device/firmware/notice.txt');
+
 /** The package, pinned by its hash (PyPI, February 2026). */
 const PACKAGE = {
   name: 'micropython-microbit-fs==0.1.2',
@@ -78,7 +81,7 @@ export async function writeFirmware(wheel, folder, firmwares = FIRMWARES) {
     listed.push({ board, file, sha256 });
   }
   await writeFile(join(folder, 'firmware.json'), `${JSON.stringify({ firmwares: listed }, null, 2)}\n`);
-  await writeFile(join(folder, 'NOTICE.txt'), NOTICE);
+  await cp(NOTICE, join(folder, 'NOTICE.txt'));
 }
 
 /** Puts the firmware beside the built app; if there is none, a list that says so, which the page asks for. */
@@ -105,57 +108,6 @@ export function fileInZip(zip, path) {
   }
   throw new Failure(`${path} is not in the package.`);
 }
-
-/** The notice that the licence of the Bluetooth stack asks for, and where the rest comes from. */
-const NOTICE = `The .hex files in this folder are MicroPython for boards. They are not part of Parcours.
-
-micropython-microbit-v1.1.1.hex  MicroPython for the micro:bit V1
-  github.com/bbcmicrobit/micropython, MIT licence; built with parts of Arm mbed and of Nordic's SDK for the nRF51.
-micropython-microbit-v2.1.2.hex  MicroPython for the micro:bit V2
-  github.com/microbit-foundation/micropython-microbit-v2, MIT licence; with CODAL (Lancaster University, MIT licence), and
-  with the SoftDevice S113 7.0.1, the master boot record and a bootloader made with the SDK 16 of Nordic Semiconductor.
-  These parts are under the licence below. In short, in our words: they may be passed on with this notice, may be used on
-  Nordic's chips only, and may be neither changed nor taken apart. Parcours writes files beside them and leaves them as they are.
-
-${'-'.repeat(80)}
-
-Copyright (c) 2007 - 2019, Nordic Semiconductor ASA
-
-All rights reserved.
-
-Redistribution and use in source and binary forms, with or without modification,
-are permitted provided that the following conditions are met:
-
-1. Redistributions of source code must retain the above copyright notice, this
-   list of conditions and the following disclaimer.
-
-2. Redistributions in binary form, except as embedded into a Nordic
-   Semiconductor ASA integrated circuit in a product or a software update for
-   such product, must reproduce the above copyright notice, this list of
-   conditions and the following disclaimer in the documentation and/or other
-   materials provided with the distribution.
-
-3. Neither the name of Nordic Semiconductor ASA nor the names of its
-   contributors may be used to endorse or promote products derived from this
-   software without specific prior written permission.
-
-4. This software, with or without modification, must only be used with a
-   Nordic Semiconductor ASA integrated circuit.
-
-5. Any software provided in binary form under this license must not be reverse
-   engineered, decompiled, modified and/or disassembled.
-
-THIS SOFTWARE IS PROVIDED BY NORDIC SEMICONDUCTOR ASA "AS IS" AND ANY EXPRESS
-OR IMPLIED WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES
-OF MERCHANTABILITY, NONINFRINGEMENT, AND FITNESS FOR A PARTICULAR PURPOSE ARE
-DISCLAIMED. IN NO EVENT SHALL NORDIC SEMICONDUCTOR ASA OR CONTRIBUTORS BE
-LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR
-CONSEQUENTIAL DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE
-GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION)
-HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
-LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT
-OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
-`;
 
 await main(import.meta.url, async () => {
   const wheel = await step(`Fetching ${PACKAGE.name} with pip`, fetchWheel);

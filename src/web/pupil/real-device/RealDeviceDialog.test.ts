@@ -117,6 +117,17 @@ describe('the dialog for the real board', () => {
     expect(textOf(byId('hex-steps'))).toContain('Laufwerk MINI');
   });
 
+  it('lists the MicroPython that is kept: it is saved for a server, or removed, after which it is asked for', async () => {
+    const saved = downloads();
+    await dialog({ firmwares: ['microbit-v2', 'calliope-mini-3'] });
+    await tap('real-device-trouble');
+    expect(byId('kept-firmwares').querySelectorAll('li')).toHaveLength(2);
+    await tap('firmware-save');
+    await vi.waitFor(() => expect(saved.map(({ name }) => name)).toEqual(['firmware.zip']));
+    await tap('firmware-remove-microbit-v2');
+    await vi.waitFor(() => expect(ways()[0]).toBe('firmware*'));
+  });
+
   it('says in a frame that it is not allowed there and how it can be, and offers the file', async () => {
     browserWith({ usb: emptyUsb, serial: () => Promise.resolve(null) });
     inFrame();

@@ -3,10 +3,12 @@ import { sha256 } from '@noble/hashes/sha2.js';
 import { bytesToHex } from '@noble/hashes/utils.js';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 
+import { hexBoards } from '#hex/firmware';
 import { firmwareText } from '#hex/testing/firmware';
 
 import { stubDatabase } from '../../../session/work/storage/testing/memory-database';
 import { FirmwareModel } from './firmware-model';
+import { serverFolder } from './server-folder';
 
 const V2 = firmwareText('microbit-v2');
 const sumOf = (text: string): string => bytesToHex(sha256(new TextEncoder().encode(text)));
@@ -48,6 +50,15 @@ describe('the MicroPython of a board', () => {
     expect(model.of('microbit-v2')).toBeNull();
   });
 
+  it('can be removed, so that another one can be given', async () => {
+    const model = new FirmwareModel(null);
+    await model.take(new Blob([V2]));
+    await model.remove('microbit-v2');
+    const later = new FirmwareModel(null);
+    await later.look('microbit-v2');
+    expect([model.of('microbit-v2'), later.of('microbit-v2')]).toEqual([null, null]);
+  });
+
   it('lasts until the page is closed where the browser has no database', async () => {
     vi.stubGlobal('indexedDB', undefined);
     const model = new FirmwareModel(null);
@@ -68,6 +79,22 @@ describe('the firmware folder of a web server', () => {
     expect(model.of('microbit-v2')?.board).toBe('microbit-v2');
     await new FirmwareModel(get).look('microbit-v2');
     expect(asked).toEqual(['firmware.json', 'v2.hex', 'firmware.json']); // kept: the large file came once
+  });
+
+  it('is what a browser saves of its own: each board gets from there what was given, without the files in it', async () => {
+    const given = new FirmwareModel(null);
+    for (const board of hexBoards) await given.take(new Blob([firmwareText(board)]));
+    const folder = serverFolder(Array.from(given.all.value.values(), ({ firmware }) => firmware));
+    const names = folder.map(({ name }) => name.replace('firmware/', ''));
+    expect(names).toEqual(['firmware.json', 'NOTICE.txt', ...hexBoards.map((board) => `micropython-${board}.hex`)]);
+    const { get } = server(Object.fromEntries(folder.map(({ text }, place) => [names[place], text])));
+    for (const board of hexBoards) {
+      stubDatabase();
+      const model = new FirmwareModel(get);
+      await model.look(board);
+      expect(model.of(board)).toEqual(given.of(board));
+    }
+    expect(folder[1]?.text).toContain('Copyright (c) 2007 - 2019, Nordic Semiconductor ASA');
   });
 
   it('gives a newer one when the list changes', async () => {

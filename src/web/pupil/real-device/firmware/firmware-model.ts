@@ -5,7 +5,7 @@ import type { Firmware, HexBoard, HexProblem } from '#hex/firmware';
 
 import { lateModel } from '../../../kit/state/late-models';
 import { hostFirmwares, hostHex, type Fetch, type HostFirmware } from './host-firmware';
-import { keepFirmwares, keptFirmwares, type KeptFirmware } from './kept-firmware';
+import { keepFirmwares, keptFirmwares, removeFirmware, type KeptFirmware } from './kept-firmware';
 
 /** The outcome of giving a file. */
 export type Taken =
@@ -46,6 +46,12 @@ export class FirmwareModel {
     if ('problem' in cleaned) return { kind: 'refused', problem: cleaned.problem };
     const isKept = await this.keep(cleaned.firmwares, null);
     return { kind: 'taken', boards: cleaned.firmwares.map(({ board }) => board), isKept };
+  }
+
+  /** Removes the firmware of a board, so that another one can be given. */
+  async remove(board: HexBoard): Promise<void> {
+    this.all.value = new Map([...this.all.value].filter(([name]) => name !== board));
+    await removeFirmware(board);
   }
 
   private async askHost(board: HexBoard, sum: string | null): Promise<void> {

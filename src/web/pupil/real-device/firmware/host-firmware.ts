@@ -13,7 +13,9 @@ export interface HostFirmware {
 }
 
 /** The folder, beside the app; `docs/hosting.md` tells what belongs into it. */
-const FOLDER = 'firmware/';
+export const FOLDER = 'firmware/';
+/** The list of its firmwares, in it. */
+export const LIST = 'firmware.json';
 
 /** The part of the browser that fetches, so that tests can be a server. */
 export type Fetch = (address: string, how?: RequestInit) => Promise<Pick<Response, 'ok' | 'arrayBuffer'>>;
@@ -22,7 +24,7 @@ const addressOf = (file: string): string => new URL(FOLDER + encodeURIComponent(
 
 /** The firmwares that the web server offers; none when it has no list, or one that cannot be read. */
 export async function hostFirmwares(get: Fetch): Promise<readonly HostFirmware[]> {
-  const bytes = await fetched(get, 'firmware.json', { cache: 'no-cache' });
+  const bytes = await fetched(get, LIST, { cache: 'no-cache' });
   if (bytes === null) return [];
   try {
     const list = JSON.parse(new TextDecoder().decode(bytes)) as { readonly firmwares?: unknown } | null;

@@ -40,3 +40,12 @@ export async function keepFirmwares(list: readonly KeptFirmware[]): Promise<bool
     return false;
   }
 }
+
+/** Removes the firmware of a board, if there is one. */
+export async function removeFirmware(board: HexBoard): Promise<void> {
+  try {
+    await inStore('readwrite', (store) => store.delete(board), TABLE);
+  } catch {
+    // There is no database, so there is nothing in it.
+  }
+}
