@@ -175,8 +175,10 @@ function readAtMost(path: string, maxBytes: number): Uint8Array {
   }
 }
 
-const readText = (path: string, maxBytes: number): string =>
-  textOf(readBytes(path, maxBytes)) ?? refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
+function readText(path: string, maxBytes: number): string {
+  if (formatOf(path) === 'zip') refuse(path, 'is a zip. Unpack it and give one of its files; a whole class goes to parcours check.'); // prettier-ignore
+  return textOf(readBytes(path, maxBytes)) ?? refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
+}
 
 function readBytes(path: string, maxBytes: number): Uint8Array {
   let bytes: Uint8Array;

@@ -47,6 +47,8 @@ describe('the MicroPython of a board', () => {
   it('is refused where the file is none', async () => {
     const model = new FirmwareModel(null);
     expect(await model.take(new Blob(['print(1)']))).toEqual({ kind: 'refused', problem: { code: 'no-hex' } });
+    const huge = new Blob([V2, new Uint8Array(9_000_000)]);
+    expect(await model.take(huge)).toEqual({ kind: 'refused', problem: { code: 'size' } });
     expect(model.of('microbit-v2')).toBeNull();
   });
 

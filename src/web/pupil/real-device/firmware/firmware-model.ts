@@ -2,6 +2,7 @@ import { shallowRef } from 'vue';
 
 import { cleanFirmware } from '#hex/clean';
 import type { Firmware, HexBoard, HexProblem } from '#hex/firmware';
+import { limits } from '#intake/formats';
 
 import { lateModel } from '../../../kit/state/late-models';
 import { hostFirmwares, hostHex, type Fetch, type HostFirmware } from './host-firmware';
@@ -10,10 +11,7 @@ import { keepFirmwares, keptFirmwares, removeFirmware, type KeptFirmware } from 
 /** The outcome of giving a file. */
 export type Taken =
   | { readonly kind: 'taken'; readonly boards: readonly HexBoard[]; readonly isKept: boolean }
-  | { readonly kind: 'refused'; readonly problem: HexProblem };
-
-/** Most bytes of a file that is looked at. Chosen: universal hexes have 2 MB. */
-const MOST_BYTES = 16_000_000;
+  | { readonly kind: 'refused'; readonly problem: HexProblem | { readonly code: 'size' } };
 
 /** The MicroPython of boards: kept in this browser, offered by the page's web server, or given by somebody. */
 export class FirmwareModel {
@@ -41,7 +39,7 @@ export class FirmwareModel {
 
   /** Takes the firmware out of a hex of somebody's own. */
   async take(file: Blob): Promise<Taken> {
-    if (file.size > MOST_BYTES) return { kind: 'refused', problem: { code: 'no-hex' } };
+    if (file.size > limits.hex) return { kind: 'refused', problem: { code: 'size' } };
     const cleaned = cleanFirmware(await file.text());
     if ('problem' in cleaned) return { kind: 'refused', problem: cleaned.problem };
     const isKept = await this.keep(cleaned.firmwares, null);
