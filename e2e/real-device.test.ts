@@ -6,9 +6,9 @@ import type * as Testing from '../src/web/pupil/real-device/serial/testing/simul
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
-import { openApp, pasteProgram } from './page';
+import { openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
-import { savedFiles, watchSaving } from './transfer';
+import { dropFile, giveFirmware, savedFiles, watchSaving } from './transfer';
 
 interface Cable {
   /** The bytes sent by the page since the last call. */
@@ -154,7 +154,9 @@ test('a cable that is pulled out is told, with what to do', IN_ONE_ENGINE, async
   await expect.poll(() => said(app)).toMatch(/Verbindung ist abgebrochen.*Steck das Kabel wieder ein/);
 });
 
-test('a browser without USB and serial lines says so and saves the files instead', async ({ app }) => {
+test('a browser without USB and serial lines says so, and saves the files or a hex, which opens again', async ({
+  app,
+}) => {
   await openApp(app, { language: 'fr' });
   await pasteProgram(app, PROGRAM);
   await watchSaving(app);
@@ -175,4 +177,15 @@ test('a browser without USB and serial lines says so and saves the files instead
   expect(saved.map(({ name }) => name.split('.').pop())).toEqual(['zip', 'py']);
   expect(saved[0]?.text).toMatch(/^PK[^]*mbled\.py[^]*main\.py/);
   expect(saved[1]).toEqual({ name: 'main.py', text: PROGRAM });
+
+  await giveFirmware(app);
+  await until(app, by('hex-save'));
+  await app.click(by('hex-save'));
+  await expect.poll(() => app.text(by('hex-said'))).toMatch(/\.hex/);
+  const hex = (await savedFiles(app)).at(-1);
+  expect(hex?.name).toMatch(/^[a-z-]+\.hex$/);
+  await app.click(by('real-device-close'));
+  await pasteProgram(app, 'print("something else")\n');
+  await dropFile(app, hex ?? { name: '', text: '' });
+  await expect.poll(() => programIn(app)).toBe(PROGRAM);
 });

@@ -1,3 +1,4 @@
+import { firmwareText } from '../src/hex/testing/firmware';
 import type { App } from './app';
 
 /** A file that the page has handed to the browser to be saved. */
@@ -55,3 +56,14 @@ export const pickFile = (app: App, file: SavedFile): Promise<void> =>
       this.dispatchEvent(new Event('change', { bubbles: true }));
     };
   }, file);
+
+/** Gives the dialog for real boards MicroPython for the micro:bit V2, where it asks for it. */
+export const giveFirmware = (app: App): Promise<void> =>
+  app.evaluate((text) => {
+    const field = document.querySelector<HTMLInputElement>('[data-testid="firmware-file"]');
+    if (field === null) return;
+    const files = new DataTransfer();
+    files.items.add(new File([text], 'mine.hex'));
+    field.files = files.files;
+    field.dispatchEvent(new Event('change'));
+  }, firmwareText('microbit-v2'));

@@ -1,10 +1,10 @@
-import { firmwareText } from '../src/hex/testing/firmware';
 import { FakeBoard, type FakeStart } from '../src/web/pupil/real-device/usb/testing/fake-board';
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { openApp, pasteProgram } from './page';
 import { by, until } from './parts';
+import { giveFirmware } from './transfer';
 
 type WithBoard = Window & { board?: FakeBoard };
 
@@ -24,14 +24,7 @@ async function openDialog(app: App): Promise<void> {
   await until(app, by('menu-real-device'));
   await app.click(by('menu-real-device'));
   await until(app, '.way');
-  await app.evaluate((text) => {
-    const field = document.querySelector<HTMLInputElement>('[data-testid="firmware-file"]');
-    if (field === null) return;
-    const files = new DataTransfer();
-    files.items.add(new File([text], 'mine.hex'));
-    field.files = files.files;
-    field.dispatchEvent(new Event('change'));
-  }, firmwareText('microbit-v2'));
+  await giveFirmware(app);
   await until(app, by('usb-put'));
 }
 async function put(app: App): Promise<void> {

@@ -8,6 +8,7 @@ import { downloads } from '../../app/testing/downloads';
 import { press } from '../../app/testing/editing';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
+import { realBoard } from '../../session/run/board/real-board';
 import RealDeviceDialog from './RealDeviceDialog.vue';
 import { simulatedBoard, type SimulatedBoard } from './serial/testing/simulated-board';
 
@@ -117,6 +118,24 @@ describe('a project on its way to a device', { timeout: 60_000 }, () => {
     expect(parts.length).toBeGreaterThan(1);
     expect([...parts].sort((a, b) => a - b)).toEqual(parts);
     expect(document.querySelector('progress')).toBeNull();
+  });
+
+  it('stays connected afterwards: its output goes on, it takes text, and lets go of the line for the next transfer', async () => {
+    const board = await plugIn({});
+    const closing = vi.spyOn(board.port, 'close');
+    const { page, closed } = await opened(`${HELLO}while True:\n    print(input())\n`);
+    await put();
+    await turns(() => said().startsWith('Geladen'));
+    const shown = realBoard(page).value;
+    const text = (): string => (shown?.output ?? []).map((it) => it.text).join('');
+    expect([shown?.name.value, shown?.state.value, text()]).toEqual(['micro:bit', 'connected', 'hello\n']);
+    shown?.send('ping\r');
+    await turns(() => /ping\s+ping/.test(text()));
+    expect([closing.mock.calls.length, shown?.output.at(-1)?.timeUs]).toEqual([0, expect.any(Number)]);
+    byId('serial-output')?.click();
+    expect([closed(), page.layout.tab.value]).toEqual([1, 'console']);
+    await shown?.disconnect();
+    expect([closing.mock.calls.length, realBoard(page).value]).toEqual([1, null]);
   });
 
   it('asks before it replaces what is not from here; a no leaves it', async () => {

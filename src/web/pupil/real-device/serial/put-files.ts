@@ -58,6 +58,8 @@ export interface PutSurroundings {
   readonly timer: Timer;
   readonly signal: AbortSignal;
   readonly onProgress: (progress: PutProgress) => void;
+  /** True if the port stays open after a success. */
+  readonly staysOpen?: boolean;
 }
 
 const PIECE_BYTES = 192; // chosen: at most 770 characters of Python, a hundredth of a micro:bit's memory
@@ -70,14 +72,17 @@ const AFTER = 0.06;
 
 /**
  * Puts files on a device that runs MicroPython and starts its main.py. Only what differs is written; other files on the
- * device are left alone. The port is closed at the end.
+ * device are left alone. The port is closed at the end, unless it shall stay open.
  *
  * @returns the outcome; never throws a `PutError`
  */
 export async function putFiles(port: Port, wish: PutWish, around: PutSurroundings): Promise<PutResult> {
   const transfer = new Transfer(new SerialLine(port, around.timer, around.signal), wish, around);
+  let isOver = true;
   try {
-    return await transfer.run();
+    const result = await transfer.run();
+    isOver = around.staysOpen !== true;
+    return result;
   } catch (error) {
     if (!(error instanceof PutError)) throw error;
     if (error.problem.kind !== 'interrupted') await settle(port.write(FAREWELL), around.timer);
@@ -87,7 +92,7 @@ export async function putFiles(port: Port, wish: PutWish, around: PutSurrounding
       problem: problem.kind === 'stopped' ? { ...problem, isTouched: transfer.isTouched } : problem,
     };
   } finally {
-    await settle(port.close(), around.timer);
+    if (isOver) await settle(port.close(), around.timer);
   }
 }
 

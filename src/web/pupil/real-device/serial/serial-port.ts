@@ -16,10 +16,11 @@ function serial(): Serial | null {
  * Lets the pupil choose a device and opens its line. Must be called by a click.
  *
  * @param which boards that we know, or any serial line
+ * @param free frees the line that the page itself may still hold, before one is opened
  * @returns the open line; `null` when nothing was chosen
  * @throws PutError `frame`, `line-in-use`
  */
-export async function chooseSerialPort(which: 'boards' | 'any'): Promise<Port | null> {
+export async function chooseSerialPort(which: 'boards' | 'any', free: () => Promise<void>): Promise<Port | null> {
   const line = serial();
   if (line === null) return null;
   let port: SerialPort;
@@ -29,6 +30,7 @@ export async function chooseSerialPort(which: 'boards' | 'any'): Promise<Port | 
     if (error instanceof DOMException && error.name === 'SecurityError') throw new PutError({ kind: 'frame' });
     return null;
   }
+  await free();
   try {
     await port.open({ baudRate: BAUD });
   } catch {

@@ -2,13 +2,17 @@ import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 
 import type { DeviceFiles } from '#hex/device-files';
 
+import type { WithLate } from '../../../kit/state/late-models';
+import { realBoard } from '../../../session/run/board/real-board';
 import { saveBlob } from '../../../session/work/save-file';
 import { pageStorage } from '../../../session/work/storage/memory-storage';
 import { fingerprint } from './device-python';
 import { knownPrograms } from './known-programs';
+import { LentPort } from './lent-port';
 import { pageTimer, type Port } from './port';
 import { PutError, type PutProblem } from './problem';
 import { putFiles, type PutProgress, type PutResult, type PutWish } from './put-files';
+import { SerialBoard } from './serial-board';
 import { chooseSerialPort } from './serial-port';
 
 /** State of the transfer. */
@@ -29,8 +33,12 @@ export type SerialState =
   | { readonly kind: 'done'; readonly result: Extract<PutResult, { kind: 'done' }> }
   | { readonly kind: 'failed'; readonly problem: PutProblem };
 
-/** The transfer of files onto a device that runs MicroPython, over the serial line of its cable. */
-export function useSerialTransfer(needed: () => DeviceFiles) {
+/**
+ * The transfer of files onto a device that runs MicroPython, over the serial line of its cable. The device stays connected
+ * after it, so that its output can be seen.
+ */
+export function useSerialTransfer(app: WithLate, needed: () => DeviceFiles) {
+  const shown = realBoard(app);
   const known = knownPrograms(pageStorage());
   const state = shallowRef<SerialState>({ kind: 'ready' });
   let stop = new AbortController();
@@ -43,7 +51,7 @@ export function useSerialTransfer(needed: () => DeviceFiles) {
     const { signal } = stop;
     state.value = { kind: 'choosing' };
     try {
-      const port = await chooseSerialPort(which);
+      const port = await chooseSerialPort(which, async () => shown.value?.disconnect());
       if (port === null) state.value = { kind: 'ready' };
       else if (signal.aborted) await port.close();
       else state.value = endOf(await transfer(port, signal));
@@ -63,8 +71,12 @@ export function useSerialTransfer(needed: () => DeviceFiles) {
     const onProgress = (progress: PutProgress): void => void (state.value = { kind: 'working', progress });
     const isKnown = (sum: string): boolean => known.has(sum);
     const wish = { files, modules, isKnown, mayReplace: ask };
-    const result = await putFiles(port, wish, { timer: pageTimer, signal, onProgress });
-    if (result.kind === 'done') known.add(sums);
+    const lent = new LentPort(port, () => performance.now());
+    const result = await putFiles(lent, wish, { timer: pageTimer, signal, onProgress, staysOpen: true });
+    if (result.kind === 'done') {
+      known.add(sums);
+      shown.value = new SerialBoard(result.machine, lent, () => (shown.value = null));
+    }
     return result;
   }
 

@@ -144,7 +144,7 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
   it('lets go of the board when the page is done with it meanwhile', async () => {
     const fake = plugged();
     const board = new UsbBoard();
-    const end = await board.put(() => hexOf('one'), ({ part }) => part > 0.2 && board.disconnect()); // prettier-ignore
+    const end = await board.put(() => hexOf('one'), ({ part }) => void (part > 0.2 && board.disconnect())); // prettier-ignore
     expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
     await vi.waitFor(() => expect([fake.isOpen, board.state.value]).toEqual([false, 'gone']));
     expect(fake.done.pages).toBe(0);
@@ -171,7 +171,7 @@ describe('a board that stays connected', { timeout: 30_000 }, () => {
     const ended = vi.fn();
     const board = new UsbBoard(ended);
     await put(board, hexOf('one'));
-    board.disconnect();
+    await board.disconnect();
     expect(ended).toHaveBeenCalledOnce();
     await vi.waitFor(() => expect(board.state.value).toBe('gone'));
   });

@@ -3,7 +3,7 @@ import { createUSBConnection, type MicrobitUSBConnection } from '@microbit/micro
 import { shallowRef } from 'vue';
 
 import type { RealBoard } from '../../../session/run/board/real-board';
-import { BoardOutput } from './board-output';
+import { BoardOutput } from '../output/board-output';
 import { HexError, usbProblem, type BoardVersion, type UsbProblem } from './usb-problem';
 
 /** Progress of the transfer. */
@@ -127,13 +127,9 @@ export class UsbBoard implements RealBoard {
     if (this.state.value === 'connected') this.connection.serialWrite(text).catch(() => undefined);
   }
 
-  disconnect(): void {
+  async disconnect(): Promise<void> {
     this.stop();
-    void this.letGo();
     this.onEnd();
-  }
-
-  private async letGo(): Promise<void> {
     await this.transfer; // else its end would open the line once more
     await this.connection.disconnect();
     this.connection.dispose();

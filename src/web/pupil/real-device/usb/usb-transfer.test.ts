@@ -44,7 +44,7 @@ describe('a program put onto a board by USB', { timeout: 60_000 }, () => {
     await tap('usb-output');
     expect(closed).toHaveBeenCalledOnce();
     expect(page.layout.tab.value).toBe('console');
-    board?.disconnect();
+    await board?.disconnect();
     expect(realBoard(page).value).toBeNull();
   });
 

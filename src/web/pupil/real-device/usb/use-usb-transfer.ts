@@ -28,13 +28,15 @@ export function useUsbTransfer(app: WithLate, hexFor: (version: BoardVersion) =>
   onBeforeUnmount(async () => {
     const made = await board;
     made.stop();
-    if (shown.value !== made) made.disconnect();
+    if (shown.value !== made) await made.disconnect();
   });
 
   async function put(): Promise<void> {
     if (state.value.kind === 'working') return;
     state.value = { kind: 'working', progress: { stage: 'connecting', extent: null, part: 0 } };
     const made = await board;
+    // Two connections to one board would share its output.
+    if (shown.value !== made) await shown.value?.disconnect();
     const end = await made.put(hexFor, (progress) => (state.value = { kind: 'working', progress }));
     if (end.kind === 'done') shown.value = made;
     if (end.kind === 'done') state.value = { kind: 'done', end };

@@ -25,7 +25,8 @@ export interface RealBoard {
   readonly outputGone: number;
   /** Sends text to its program. */
   send(text: string): void;
-  disconnect(): void;
+  /** Lets go of it; the line is free afterwards. */
+  disconnect(): Promise<void>;
 }
 
 /** The board at the cable; `null`: there is none. It is made by the dialog that connects it. */
