@@ -21,3 +21,17 @@ export const pageTimer: Timer = {
     return () => clearTimeout(id);
   },
 };
+
+const CLOSE_LIMIT_MS = 2000;
+
+/** Waits for something that may fail or never end. */
+export function settle(promise: Promise<unknown>, timer: Timer): Promise<void> {
+  return new Promise((resolve) => {
+    const callOff = timer.after(CLOSE_LIMIT_MS, resolve);
+    const end = (): void => {
+      callOff();
+      resolve();
+    };
+    promise.then(end, end);
+  });
+}

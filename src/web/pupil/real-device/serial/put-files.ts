@@ -1,7 +1,7 @@
 import { FILE_BYTES } from '#project/project';
 
 import { devicePython, fingerprint } from './device-python';
-import type { Port, Timer } from './port';
+import { settle, type Port, type Timer } from './port';
 import { PutError, type PutProblem } from './problem';
 import { FAREWELL, RawRepl } from './raw-repl';
 import { SerialLine } from './serial-line';
@@ -65,7 +65,6 @@ export interface PutSurroundings {
 const PIECE_BYTES = 192; // chosen: at most 770 characters of Python, a hundredth of a micro:bit's memory
 const FIRST_WORDS_MS = 1500; // chosen: a program that cannot start says so at once
 const SAID_CHARACTERS = 1000;
-const CLOSE_LIMIT_MS = 2000;
 /** Shares of the whole transfer: before the writing, and after it. */
 const BEFORE = 0.12;
 const AFTER = 0.06;
@@ -94,18 +93,6 @@ export async function putFiles(port: Port, wish: PutWish, around: PutSurrounding
   } finally {
     if (isOver) await settle(port.close(), around.timer);
   }
-}
-
-/** Waits for something that may fail or never end. */
-function settle(promise: Promise<unknown>, timer: Timer): Promise<void> {
-  return new Promise((resolve) => {
-    const callOff = timer.after(CLOSE_LIMIT_MS, resolve);
-    const end = (): void => {
-      callOff();
-      resolve();
-    };
-    promise.then(end, end);
-  });
 }
 
 interface Content extends DeviceFile {

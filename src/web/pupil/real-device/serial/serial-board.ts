@@ -3,6 +3,7 @@ import { shallowRef } from 'vue';
 import type { RealBoard } from '../../../session/run/board/real-board';
 import { BoardOutput } from '../output/board-output';
 import type { LentPort } from './lent-port';
+import { pageTimer, settle } from './port';
 
 /** A board whose serial line stays open after a transfer: what its program says comes back. */
 export class SerialBoard implements RealBoard {
@@ -43,7 +44,7 @@ export class SerialBoard implements RealBoard {
   async disconnect(): Promise<void> {
     this.lose();
     this.onEnd();
-    await this.line.close();
+    await settle(this.line.close(), pageTimer);
   }
 
   private take(bytes: Uint8Array, atMs: number): void {
