@@ -118,8 +118,8 @@ export default {
     onlyIn(
       'hexes-in-hex',
       ['nrf-intel-hex', '@microbit/microbit-fs', '@microbit/microbit-universal-hex'],
-      '^src/hex/.*\\.test\\.ts$',
-      'Others that write hexes only where ours are compared with theirs.',
+      '^src/hex/',
+      'What writes hexes only in hex.',
     ),
     onlyIn('icons-in-pictures', ['@mdi'], '^src/(web|picture)/', 'Icons (plain texts) only in web and in the picture.'),
     onlyIn(

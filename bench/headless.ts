@@ -10,7 +10,6 @@ import { TapeBox } from '#web/session/run/worker/tape-box';
 import { atBreakPoints } from '#vm/debug/stops';
 import { checkMemorySubject, checkSubject } from './check';
 import { FULL, fullCourse } from './full-course';
-import { hexSubject } from './hex';
 import type { Subject } from './subject';
 
 /** Everything is measured so often, and the best counts: other work on the machine only ever makes a run slower. */
@@ -109,7 +108,6 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   },
   checkSubject,
   checkMemorySubject,
-  hexSubject,
   {
     budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
     async measure() {

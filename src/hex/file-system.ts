@@ -10,7 +10,6 @@ export interface StoredFile {
 
 /** A chunk has its marker, its data, and the number of the next one: `filesystem.c` of the board's MicroPython. */
 const FILE_START = 0xfe;
-const OWN_PAGE = 0xfd;
 const LAST = 0xff;
 const DATA_BYTES = CHUNK_BYTES - 2;
 const HEADER_BYTES = 2;
@@ -21,39 +20,6 @@ const APPENDED_HEADER = 4;
 /** Bytes that a file takes in the flash: whole chunks; the one behind its last byte begins already. */
 export const storedBytes = (name: string, content: Uint8Array): number =>
   CHUNK_BYTES * Math.ceil((HEADER_BYTES + new TextEncoder().encode(name).length + content.length + 1) / DATA_BYTES);
-
-/** Files as they lie in the flash one behind the other, and the mark of the page that the board keeps for its own use. */
-export function writtenFiles(
-  files: readonly StoredFile[],
-  { filesStart, filesEnd, pageBytes }: Layout,
-): readonly Region[] {
-  if (files.length === 0) return [];
-  const size = files.reduce((sum, { name, bytes }) => sum + storedBytes(name, bytes), 0);
-  const flash = new Uint8Array(size).fill(0xff);
-  let first = 1;
-  for (const file of files) first = writeFile(flash, first, file);
-  return [
-    { address: filesStart, bytes: flash },
-    { address: filesEnd - pageBytes, bytes: Uint8Array.of(OWN_PAGE) },
-  ];
-}
-
-/** Writes a file from a chunk on; returns the number of the next one. */
-function writeFile(flash: Uint8Array, first: number, { name, bytes }: StoredFile): number {
-  const nameBytes = new TextEncoder().encode(name);
-  const length = HEADER_BYTES + nameBytes.length + bytes.length;
-  const data = new Uint8Array(length + 1).fill(0xff);
-  data.set([length % DATA_BYTES, nameBytes.length, ...nameBytes]);
-  data.set(bytes, HEADER_BYTES + nameBytes.length);
-  const last = first + Math.ceil(data.length / DATA_BYTES) - 1;
-  for (let number = first; number <= last; number++) {
-    const at = (number - 1) * CHUNK_BYTES;
-    flash[at] = number === first ? FILE_START : number - 1;
-    flash.set(data.subarray((number - first) * DATA_BYTES, (number - first + 1) * DATA_BYTES), at + 1);
-    flash[at + CHUNK_BYTES - 1] = number === last ? LAST : number + 1;
-  }
-  return last + 1;
-}
 
 /** The files in the flash by their place; `null`: their chunks do not fit together. */
 export function storedFiles(regions: readonly Region[], layout: Layout): readonly StoredFile[] | null {

@@ -1,5 +1,4 @@
 import { MicropythonFsHex } from '@microbit/microbit-fs';
-import { createUniversalHex } from '@microbit/microbit-universal-hex';
 import { describe, expect, it } from 'vitest';
 import { cleanFirmware } from './clean';
 import { hexBoards, type Firmware, type HexBoard } from './firmware';
@@ -142,27 +141,6 @@ describe('a hex that is made', () => {
     expect(boards('microbit-v1', 'calliope-mini-3')).toBe('boards');
     expect(boards('microbit-v2', 'microbit-v2')).toBe('boards');
     expect(boards()).toBe('boards');
-  });
-
-  it('is to the letter the one that the libraries of the micro:bit Educational Foundation write', () => {
-    const many = [...files, { name: 'main2.py', text: untilMultiple }, { name: 'long.txt', text: 'y'.repeat(9000) }];
-    const theirs = (board: HexBoard): string => {
-      const writer = new MicropythonFsHex(firmwareText(board));
-      for (const { name, text } of many) writer.write(name, text);
-      return writer.getIntelHex();
-    };
-    for (const board of hexBoards)
-      expect(made([of(board)], many).text).toBe(theirs(board).slice(board === 'calliope-mini-3' ? 16 : 0));
-    for (const [old, later] of [
-      ['microbit-v1', 'microbit-v2'],
-      ['calliope-mini-1', 'calliope-mini-3'],
-    ] as const)
-      expect(made([of(later), of(old)], many).text).toBe(
-        createUniversalHex([
-          { hex: theirs(old), boardId: 0x9900 },
-          { hex: theirs(later), boardId: 0x9903 },
-        ]),
-      );
   });
 
   it('is read by the library of the micro:bit Educational Foundation', () => {

@@ -1,19 +1,15 @@
-import { storedBytes, writtenFiles, type StoredFile } from './file-system';
+import { MicropythonFsHex } from '@microbit/microbit-fs';
+import { createUniversalHex, microbitBoardId } from '@microbit/microbit-universal-hex';
+import MemoryMap from 'nrf-intel-hex';
+import { storedBytes } from './file-system';
 import type { Firmware, HexBoard } from './firmware';
 import type { FileSize, HexFile, MadeHex } from './hex';
-import { layoutOf } from './layout';
-import { CUSTOM_DATA, DATA, dataRecords, LAST_LINE } from './records';
-import { universalHex } from './universal';
 
 /** Longest name that the board's file system holds, in bytes. */
 const NAME_BYTES = 120;
 
 /** Sets the upper half of the address to 0, which it is anyway. */
-const FIRST_LINE = ':020000040000FA\n';
-
-/** The numbers of boards in a universal hex: a Calliope mini has those of the micro:bit with its chip. */
-const OLD_ID = 0x9900;
-const NEW_ID = 0x9903;
+const FIRST_LINE = /^:020000040000FA\r?\n/i;
 
 /**
  * Writes files beside the firmware of a board: a hex for it, or a universal one for two boards of one family.
@@ -26,41 +22,46 @@ export function makeHex(firmwares: readonly Firmware[], files: readonly HexFile[
   const names = files.map(({ name }) => name);
   const wrong = names.find((name, place) => !isName(name) || names.indexOf(name) !== place);
   if (wrong !== undefined) return { kind: 'name', name: wrong };
-  const contents = files.map(({ name, text }) => ({ name, bytes: new TextEncoder().encode(text === '' ? '\n' : text) })); // prettier-ignore
+  const contents = files.map(({ name, text }) => ({ name, bytes: bytesOf(text === '' ? '\n' : text) }));
   const sizes = contents.map(({ name, bytes }) => ({ name, bytes: storedBytes(name, bytes) }));
   const usedBytes = sizes.reduce((sum, { bytes }) => sum + bytes, 0);
   const roomBytes = Math.min(...sorted.map((firmware) => firmware.roomBytes));
   if (usedBytes > roomBytes) return { ...{ kind: 'too-large', missingBytes: usedBytes - roomBytes, roomBytes }, large: largest(sizes) }; // prettier-ignore
+  const parts = sorted.map((firmware) => ({ firmware, hex: withFiles(firmware, contents) }));
   const filled = files.filter(({ text }) => text === '').map(({ name }) => name);
-  return { kind: 'hex', text: textOf(sorted, contents), boards, usedBytes, roomBytes, filled };
+  return { kind: 'hex', text: textOf(parts), boards, usedBytes, roomBytes, filled };
 }
 
-/** One board's as it is, two as one file: the old chip's first, since apps know the file by that. */
-function textOf(firmwares: readonly Firmware[], files: readonly StoredFile[]): string {
-  const [only, another] = firmwares;
-  if (only !== undefined && another === undefined) {
-    const records = recordsOf(only, files, DATA);
-    // Calliope's app for Android takes a file that begins with this line for one of a Calliope mini 1 or 2.
-    const isMistaken = only.board === 'calliope-mini-3' && records.startsWith(FIRST_LINE);
-    return (isMistaken ? records.slice(FIRST_LINE.length) : records) + LAST_LINE;
-  }
-  return universalHex(
-    firmwares.map((firmware) =>
-      isNew(firmware.board)
-        ? { boardId: NEW_ID, records: recordsOf(firmware, files, CUSTOM_DATA) }
-        : { boardId: OLD_ID, records: recordsOf(firmware, files, DATA) },
-    ),
+type Part = { readonly firmware: Firmware; readonly hex: string };
+
+/** One part as it is, two as one file: the old chip's first, under the number that every reader knows. */
+function textOf(parts: readonly Part[]): string {
+  const [only, another] = parts;
+  if (only === undefined) return '';
+  // Calliope's app for Android takes a file that begins with this line for one of a Calliope mini 1 or 2.
+  if (another === undefined) return only.firmware.board === 'calliope-mini-3' ? only.hex.replace(FIRST_LINE, '') : only.hex; // prettier-ignore
+  return createUniversalHex(
+    parts.map(({ firmware, hex }) => ({
+      hex,
+      boardId: isNew(firmware.board) ? microbitBoardId.V2 : microbitBoardId.V1,
+    })),
   );
 }
 
-function recordsOf({ regions, board }: Firmware, files: readonly StoredFile[], type: number): string {
-  const layout = layoutOf(regions);
-  if (layout === null) throw new Error(`The firmware for ${board} does not say where files go.`);
-  const runtime = regions.filter(({ address }) => address < layout.runtimeEnd);
-  const rest = [...regions.filter(({ address }) => address >= layout.runtimeEnd), ...writtenFiles(files, layout)];
-  // Apart, so that the files begin with an address of their own, as other editors write it.
-  return dataRecords(runtime, type) + dataRecords(rest.toSorted((a, b) => a.address - b.address), type); // prettier-ignore
+interface Content {
+  readonly name: string;
+  readonly bytes: Uint8Array;
 }
+
+function withFiles({ regions }: Firmware, files: readonly Content[]): string {
+  const memory = new MemoryMap(regions.map(({ address, bytes }) => [address, bytes]));
+  const hex = new MicropythonFsHex(memory.asHexString());
+  for (const { name, bytes } of files) hex.create(name, bytes);
+  return hex.getIntelHex();
+}
+
+/** The library asks whose class its bytes are of, and an encoder may have another one than the page. */
+const bytesOf = (text: string): Uint8Array => Uint8Array.from(new TextEncoder().encode(text));
 
 const isNew = (board: HexBoard): boolean => board === 'microbit-v2' || board === 'calliope-mini-3';
 const isCalliope = (board: HexBoard): boolean => board.startsWith('calliope');

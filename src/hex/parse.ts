@@ -1,17 +1,4 @@
 import type { HexProblem, Region } from './firmware';
-import {
-  BLOCK_END,
-  BLOCK_START,
-  CUSTOM_DATA,
-  DATA,
-  END,
-  OTHER_DATA,
-  PADDING,
-  SEGMENT,
-  START_LINEAR,
-  START_SEGMENT,
-  UPPER,
-} from './records';
 
 /** The bytes of one board in a hex. */
 export interface HexPart {
@@ -28,7 +15,18 @@ export interface ParsedHex {
   readonly hasOtherData: boolean;
 }
 
-/** They say nothing about the bytes in the flash. */
+/** Kinds of records: Intel's, and those of the universal hex (spec-universal-hex 0.4.0). */
+const DATA = 0x00;
+const END = 0x01;
+const SEGMENT = 0x02;
+const START_SEGMENT = 0x03;
+const UPPER = 0x04;
+const START_LINEAR = 0x05;
+const BLOCK_START = 0x0a;
+const BLOCK_END = 0x0b;
+const PADDING = 0x0c;
+const CUSTOM_DATA = 0x0d;
+const OTHER_DATA = 0x0e;
 const IGNORED = [START_SEGMENT, START_LINEAR, BLOCK_END, PADDING];
 
 /** A board has its memory here, and no flash: MakeCode's first form keeps its source at this address. */

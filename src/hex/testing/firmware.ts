@@ -1,6 +1,5 @@
 /** Small firmwares with the marks of true ones (real MicroPython is not ours to hand out), and their text. */
 import type { HexBoard, Region } from '../firmware';
-import { DATA, dataRecords, LAST_LINE, record as lineOf } from '../records';
 
 const VERSION_AT = 0x40;
 
@@ -68,16 +67,31 @@ function runtime(board: HexBoard, length: number): Uint8Array {
 }
 
 /** The lines of a hex, without the one that ends it. */
-export const linesOf = (regions: readonly Region[], type = DATA): readonly string[] =>
-  dataRecords(regions, type).trimEnd().split('\n');
+export function linesOf(regions: readonly Region[], type = 0): readonly string[] {
+  const lines: string[] = [];
+  let upper = -1;
+  for (const { address, bytes } of regions)
+    for (let at = 0; at < bytes.length; at += 16) {
+      const place = address + at;
+      if (place >>> 16 !== upper) {
+        upper = place >>> 16;
+        lines.push(record(4, 0, [upper >>> 8, upper & 0xff]));
+      }
+      lines.push(record(type, place & 0xffff, [...bytes.subarray(at, at + 16)]));
+    }
+  return lines;
+}
 
-export const END = LAST_LINE.trimEnd();
+export const END = ':00000001FF';
 
-export const hexText = (regions: readonly Region[]): string => dataRecords(regions, DATA) + LAST_LINE;
+export const hexText = (regions: readonly Region[]): string => `${[...linesOf(regions), END].join('\n')}\n`;
 
 /** A line of a hex. */
-export const record = (type: number, offset: number, data: readonly number[]): string =>
-  lineOf(type, offset, data).trimEnd();
+export function record(type: number, offset: number, data: readonly number[]): string {
+  const bytes = [data.length, offset >>> 8, offset & 0xff, type, ...data];
+  const sum = bytes.reduce((all, byte) => all + byte, 0);
+  return `:${[...bytes, -sum & 0xff].map((byte) => byte.toString(16).padStart(2, '0').toUpperCase()).join('')}`;
+}
 
 /** A script behind everything else, as the first editors put it. */
 export function appended(script: string): Region {
