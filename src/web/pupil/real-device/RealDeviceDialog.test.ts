@@ -55,6 +55,11 @@ async function dialog({ files = { 'main.py': 'print(1)\n' }, firmwares = [] }: G
   return { page, closed };
 }
 const give = (page: TestPage, board: HexBoard) => firmwareModel(page).take(new Blob([firmwareText(board)]));
+/** Saves the hex, and waits until it is written. */
+async function save(): Promise<void> {
+  await tap('hex-save');
+  await vi.waitFor(() => expect(byId('hex-save').hasAttribute('disabled')).toBe(false));
+}
 /** The ways in their order, the open one with a star. */
 const ways = (): readonly string[] =>
   [...document.querySelectorAll<HTMLElement>('.way')].map(
@@ -145,7 +150,7 @@ describe('a program saved as a hex', () => {
       files: { 'main.py': 'import mbled\n', 'helfer.py': '' },
       firmwares: ['microbit-v2', 'microbit-v1'],
     });
-    await tap('hex-save');
+    await save();
     expect(saved.map(({ name }) => name)).toEqual([expect.stringMatching(/^[a-z0-9-]+\.hex$/)]);
     const read = readHex((await saved[0]?.blob.text()) ?? '');
     expect(read.kind === 'hex' && [read.made, read.files.map(({ name }) => name).sort()]).toEqual([
@@ -159,7 +164,7 @@ describe('a program saved as a hex', () => {
   it('is not saved when it is too large, and says by how much', async () => {
     const saved = downloads();
     await dialog({ files: { 'main.py': `#${'x'.repeat(30_000)}` }, firmwares: ['microbit-v2'] });
-    await tap('hex-save');
+    await save();
     expect(saved).toEqual([]);
     expect(textOf(byId('hex-problem'))).toMatch(
       /^Das Programm ist [\d’']+ Bytes zu gross\. ?Kürz, was gross ist: main\.py\.$/,
@@ -171,7 +176,7 @@ describe('a program saved as a hex', () => {
     downloads();
     const { page } = await dialog({ firmwares: ['microbit-v2'] });
     await tap('way-hex');
-    await tap('hex-save');
+    await save();
     mountOn(page, RealDeviceDialog);
     await vi.waitFor(() => expect(ways().slice(-3)).toEqual(['hex*', 'usb', 'serial']));
   });

@@ -1,4 +1,5 @@
 import type { Measured } from '#my-robot/my-robot';
+import { askWorker } from './ask-worker';
 import { createWorker } from './worker/create-worker';
 import { compileFirmware } from './worker/firmware';
 import type { Fit, FitAnswer, FitRequest } from './worker/fit';
@@ -14,19 +15,6 @@ export type { Fit } from './worker/fit';
 export async function fitInWorker(robot: string, measured: Measured, signal: AbortSignal): Promise<Fit> {
   const firmware = await compileFirmware();
   if (signal.aborted) return new Promise(() => undefined);
-  const worker = createWorker();
-  signal.addEventListener('abort', () => worker.terminate());
-  try {
-    return await new Promise<Fit>((resolve, reject) => {
-      worker.onmessage = ({ data }: MessageEvent<FitAnswer>) => {
-        if (data.type === 'fitted') resolve(data.fit);
-        else reject(new Error(data.message));
-      };
-      worker.onerror = ({ message }) => reject(new Error(message));
-      const request: FitRequest = { type: 'fit', firmware, robot, measured };
-      worker.postMessage(request);
-    });
-  } finally {
-    worker.terminate();
-  }
+  const request: FitRequest = { type: 'fit', firmware, robot, measured };
+  return (await askWorker<FitAnswer>(createWorker, request, signal)).fit;
 }

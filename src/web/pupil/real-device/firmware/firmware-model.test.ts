@@ -4,6 +4,7 @@ import { bytesToHex } from '@noble/hashes/utils.js';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { hexBoards } from '#hex/firmware';
+import { makeHex } from '#hex/make';
 import { firmwareText } from '#hex/testing/firmware';
 
 import { stubDatabase } from '../../../session/work/storage/testing/memory-database';
@@ -86,7 +87,8 @@ describe('the firmware folder of a web server', () => {
   it('is what a browser saves of its own: each board gets from there what was given, without the files in it', async () => {
     const given = new FirmwareModel(null);
     for (const board of hexBoards) await given.take(new Blob([firmwareText(board)]));
-    const folder = serverFolder(Array.from(given.all.value.values(), ({ firmware }) => firmware));
+    const firmwares = Array.from(given.all.value.values(), ({ firmware }) => firmware);
+    const folder = await serverFolder(firmwares, (...asked) => Promise.resolve(makeHex(...asked)));
     const names = folder.map(({ name }) => name.replace('firmware/', ''));
     expect(names).toEqual(['firmware.json', 'NOTICE.txt', ...hexBoards.map((board) => `micropython-${board}.hex`)]);
     const { get } = server(Object.fromEntries(folder.map(({ text }, place) => [names[place], text])));

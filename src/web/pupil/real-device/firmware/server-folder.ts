@@ -2,15 +2,17 @@ import { sha256 } from '@noble/hashes/sha2.js';
 import { bytesToHex } from '@noble/hashes/utils.js';
 
 import type { Firmware } from '#hex/firmware';
-import { makeHex } from '#hex/make';
 
 import type { ZippedFile } from '../../../session/work/zip';
+import type { HexWriter } from '../board/hex-writer';
 import { FOLDER, LIST, type HostFirmware } from './host-firmware';
 import notice from './notice.txt?raw';
 
 /** The folder that a host puts beside the app: these firmwares, the list of them, and the notice that goes with them. */
-export function serverFolder(firmwares: readonly Firmware[]): readonly ZippedFile[] {
-  const hexes = firmwares.map((firmware) => ({ board: firmware.board, text: bareHex(firmware) }));
+export async function serverFolder(firmwares: readonly Firmware[], write: HexWriter): Promise<readonly ZippedFile[]> {
+  const hexes = await Promise.all(
+    firmwares.map(async (firmware) => ({ board: firmware.board, text: await bareHex(firmware, write) })),
+  );
   const listed = hexes.map(({ board, text }): HostFirmware => {
     return { board, file: fileOf(board), sha256: bytesToHex(sha256(new TextEncoder().encode(text))) };
   });
@@ -24,8 +26,8 @@ export function serverFolder(firmwares: readonly Firmware[]): readonly ZippedFil
 
 const fileOf = (board: string): string => `micropython-${board}.hex`;
 
-function bareHex(firmware: Firmware): string {
-  const made = makeHex([firmware], []);
+async function bareHex(firmware: Firmware, write: HexWriter): Promise<string> {
+  const made = await write([firmware], []);
   if (made.kind !== 'hex') throw new Error(`No hex can be made for ${firmware.board}.`);
   return made.text;
 }

@@ -2,9 +2,11 @@ import { describe, expect, it } from 'vitest';
 
 import { cleanFirmware } from '#hex/clean';
 import type { Firmware, HexBoard } from '#hex/firmware';
+import { makeHex } from '#hex/make';
 import { readHex } from '#hex/read';
 import { firmwareText } from '#hex/testing/firmware';
 
+import type { HexWriter } from '../board/hex-writer';
 import { HexError } from './usb-problem';
 import { firmwaresToSave, firmwareToFlash, hexOf, type Firmwares } from './board-hex';
 
@@ -17,11 +19,13 @@ function having(...boards: readonly HexBoard[]): Firmwares {
   });
   return (board) => all.find((firmware) => firmware.board === board) ?? null;
 }
+/** Writes here and now. */
+const write: HexWriter = (firmwares, files) => Promise.resolve(makeHex(firmwares, files));
 const main = (text: string) => [{ name: 'main.py', text }];
 /** The problem with which something ends. */
-function problemOf(act: () => unknown): unknown {
+async function problemOf(hex: Promise<unknown>): Promise<unknown> {
   try {
-    act();
+    await hex;
   } catch (error) {
     if (error instanceof HexError) return error.problem;
     throw error;
@@ -30,8 +34,8 @@ function problemOf(act: () => unknown): unknown {
 }
 
 describe('the hex of a program for a board', () => {
-  it('holds the program, and the libraries that it imports', () => {
-    const { text, boards } = hexOf({ own: main('import mbled\n'), robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2'))); // prettier-ignore
+  it('holds the program, and the libraries that it imports', async () => {
+    const { text, boards } = await hexOf({ own: main('import mbled\n'), robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2')), write); // prettier-ignore
     const read = readHex(text);
     expect(boards).toEqual(['microbit-v2']);
     expect(read.kind === 'hex' && read.files.map(({ name }) => name)).toEqual(['main.py', 'mbled.py']);
@@ -43,19 +47,21 @@ describe('the hex of a program for a board', () => {
     expect(saved('microbit-v2')).toEqual(['microbit-v2']);
   });
 
-  it('is not made when it is too large: it tells by how much, and what is large', () => {
+  it('is not made when it is too large: it tells by how much, and what is large', async () => {
     const own = [...main(`#${'x'.repeat(20_000)}`), { name: 'data.txt', text: 'y'.repeat(5000) }];
-    const problem = problemOf(() => hexOf({ own, robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2'))));
+    const problem = await problemOf(
+      hexOf({ own, robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2')), write),
+    );
     expect(problem).toMatchObject({ kind: 'too-large', large: ['main.py', 'data.txt'] });
     expect((problem as { missingBytes: number }).missingBytes).toBeGreaterThan(4000);
   });
 
-  it('is not made with a name that is too long for a board', () => {
+  it('is not made with a name that is too long for a board', async () => {
     const name = `${'n'.repeat(121)}.py`;
     const own = [...main(''), { name, text: 'x = 1' }];
-    expect(problemOf(() => hexOf({ own, robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2'))))).toEqual(
-      { kind: 'name', name },
-    );
+    expect(
+      await problemOf(hexOf({ own, robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2')), write)),
+    ).toEqual({ kind: 'name', name });
   });
 });
 

@@ -1,8 +1,8 @@
 import type { Firmware, HexBoard } from '#hex/firmware';
 import { fittingFiles } from '#hex/fitting-files';
-import { makeHex } from '#hex/make';
 import type { SourceFile } from '#project/project';
 
+import type { HexWriter } from '../board/hex-writer';
 import { HexError, type BoardVersion } from './usb-problem';
 
 /** A program and the robot that it drives: all that a board's files depend on. */
@@ -31,12 +31,16 @@ const NAMED = 3;
 /**
  * Makes the hex of a program for these firmwares.
  *
- * @throws HexError `too-large`, `name`
+ * @throws HexError (as a rejection) `too-large`, `name`
  */
-export function hexOf({ own, robot }: BoardProgram, firmwares: readonly Firmware[]): BoardHex {
+export async function hexOf(
+  { own, robot }: BoardProgram,
+  firmwares: readonly Firmware[],
+  write: HexWriter,
+): Promise<BoardHex> {
   const room = Math.min(...firmwares.map(({ roomBytes }) => roomBytes));
   const { files, smaller } = fittingFiles(own, robot, room);
-  const made = makeHex(firmwares, files);
+  const made = await write(firmwares, files);
   if (made.kind === 'hex') return { ...made, smaller };
   if (made.kind === 'name') throw new HexError({ kind: 'name', name: made.name });
   if (made.kind === 'boards') throw new Error(`No hex is for ${made.boards.join(' and ')} together.`);

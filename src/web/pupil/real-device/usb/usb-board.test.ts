@@ -23,8 +23,14 @@ const programOn = ({ flash }: FakeBoard, letters: number): string =>
   new TextDecoder().decode(flash.subarray(4096 * (PAGES - 1), 4096 * (PAGES - 1) + letters));
 
 /** Puts a hex on the board, and collects what is told meanwhile. */
-async function put(board: UsbBoard, hex: string | ((version: BoardVersion) => string), told: UsbProgress[] = []) {
-  const end = await board.put(typeof hex === 'string' ? () => hex : hex, (progress) => told.push(progress));
+async function put(
+  board: UsbBoard,
+  hex: string | ((version: BoardVersion) => Promise<string>),
+  told: UsbProgress[] = [],
+) {
+  const end = await board.put(typeof hex === 'string' ? () => Promise.resolve(hex) : hex, (progress) =>
+    told.push(progress),
+  );
   return { end, stages: [...new Set(told.map(({ stage }) => stage))], told };
 }
 
@@ -65,7 +71,7 @@ describe('a program on its way over USB', { timeout: 30_000 }, () => {
     const asked: BoardVersion[] = [];
     const { end } = await put(new UsbBoard(), (version) => {
       asked.push(version);
-      return hexOf('one');
+      return Promise.resolve(hexOf('one'));
     });
     expect([asked, end]).toEqual([['V1'], { kind: 'done', extent: 'full', version: 'V1' }]);
   });
@@ -74,9 +80,7 @@ describe('a program on its way over USB', { timeout: 30_000 }, () => {
     const fake = plugged();
     const board = new UsbBoard();
     const problem = { kind: 'other-board', found: 'microbit-v1' } as const;
-    const { end } = await put(board, () => {
-      throw new HexError(problem);
-    });
+    const { end } = await put(board, () => Promise.reject(new HexError(problem)));
     expect([end, board.state.value, fake.done.full]).toEqual([{ kind: 'problem', problem }, 'connected', 0]);
   });
 });
@@ -109,7 +113,7 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
   it('can be stopped in the middle: nothing more is sent, the board stays connected, and the next transfer makes it whole', async () => {
     const fake = plugged();
     const board = new UsbBoard();
-    const end = await board.put(() => hexOf('one'), ({ part }) => part > 0.2 && board.stop()); // prettier-ignore
+    const end = await board.put(() => Promise.resolve(hexOf('one')), ({ part }) => part > 0.2 && board.stop()); // prettier-ignore
     expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
     expect([fake.done.pages, board.state.value]).toEqual([0, 'connected']);
     expect(programOn(fake, 3)).not.toBe('one');
@@ -122,7 +126,7 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
     const board = new UsbBoard();
     await put(board, hexOf('one'));
     const end = await board.put(
-      () => hexOf('two'),
+      () => Promise.resolve(hexOf('two')),
       ({ stage }) => stage === 'sending' && board.stop(),
     );
     expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
@@ -134,7 +138,7 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
     const fake = plugged();
     const board = new UsbBoard();
     const end = await board.put(
-      () => hexOf('one'),
+      () => Promise.resolve(hexOf('one')),
       ({ stage }) => stage === 'connecting' && board.stop(),
     );
     expect([end, fake.done.full, fake.done.pages]).toEqual([{ kind: 'nothing' }, 0, 0]);
@@ -143,7 +147,8 @@ describe('a transfer over USB that does not succeed', { timeout: 30_000 }, () =>
   it('lets go of the board when the page is done with it meanwhile', async () => {
     const fake = plugged();
     const board = new UsbBoard();
-    const end = await board.put(() => hexOf('one'), ({ part }) => void (part > 0.2 && board.disconnect())); // prettier-ignore
+    const one = () => Promise.resolve(hexOf('one'));
+    const end = await board.put(one, ({ part }) => void (part > 0.2 && board.disconnect()));
     expect(end).toEqual({ kind: 'problem', problem: { kind: 'stopped' } });
     await vi.waitFor(() => expect([fake.isOpen, board.state.value]).toEqual([false, 'gone']));
     expect(fake.done.pages).toBe(0);

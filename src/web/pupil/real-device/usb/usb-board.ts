@@ -68,9 +68,12 @@ export class UsbBoard implements RealBoard {
    * Puts a program on the board and starts it; only what is different is sent where that is quicker. Called by a click:
    * the browser may ask which board is meant.
    *
-   * @param hexFor makes the hex once the board's version is known; throws a `HexError`
+   * @param hexFor makes the hex once the board's version is known; rejects with a `HexError`
    */
-  async put(hexFor: (version: BoardVersion) => string, onProgress: (progress: UsbProgress) => void): Promise<UsbEnd> {
+  async put(
+    hexFor: (version: BoardVersion) => Promise<string>,
+    onProgress: (progress: UsbProgress) => void,
+  ): Promise<UsbEnd> {
     const transfer = this.transferred(hexFor, new Progress(onProgress));
     this.transfer = transfer;
     const end = await transfer;
@@ -78,18 +81,18 @@ export class UsbBoard implements RealBoard {
     return end;
   }
 
-  private async transferred(hexFor: (version: BoardVersion) => string, progress: Progress): Promise<UsbEnd> {
+  private async transferred(hexFor: (version: BoardVersion) => Promise<string>, progress: Progress): Promise<UsbEnd> {
     [this.isPulled, this.isStopped] = [false, false];
     let refused: HexError | null = null;
     // With any other error than this the library disconnects.
-    const source = (version: BoardVersion): Promise<string> => {
-      try {
-        return this.isStopped ? Promise.reject(new FlashDataError('Stopped.')) : Promise.resolve(hexFor(version));
-      } catch (error) {
+    const source = async (version: BoardVersion): Promise<string> => {
+      const hex = await hexFor(version).catch((error: unknown) => {
         if (!(error instanceof HexError)) throw error;
         refused = error;
-        return Promise.reject(new FlashDataError(error.message));
-      }
+        throw new FlashDataError(error.message);
+      });
+      if (this.isStopped) throw new FlashDataError('Stopped.');
+      return hex;
     };
     try {
       await this.connection.flash(source, { progress: (stage, part) => this.goOn(progress, stage, part) });

@@ -15,9 +15,9 @@ export type UsbState =
 /**
  * The transfer of a program onto a board by USB. The board stays connected after it, so that its output can be seen.
  *
- * @param hexFor makes the hex for the board that is there; throws a `HexError`
+ * @param hexFor makes the hex for the board that is there; rejects with a `HexError`
  */
-export function useUsbTransfer(app: WithLate, hexFor: (version: BoardVersion) => string) {
+export function useUsbTransfer(app: WithLate, hexFor: (version: BoardVersion) => Promise<string>) {
   // Fetched with the way, not with the press: the browser shows its list of devices only shortly after a press.
   const late = import('./usb-board');
   const shown = realBoard(app);

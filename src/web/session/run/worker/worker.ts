@@ -1,6 +1,6 @@
 /**
  * The worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks hand-ins
- * (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). A run exchanges the messages of
+ * (`checker.ts`) or reads them (`reader.ts`), makes a film (`film.ts`) or a hex (`hex.ts`). A run exchanges the messages of
  * `protocol.ts`; its logic is in `runner.ts`.
  */
 import '../../../kit/oldest/fill';
@@ -10,6 +10,7 @@ import { Simulation } from '#simulation/simulation';
 import type { Checker, ToChecker } from './checker';
 import type { createFilmMaker, ToFilm } from './film';
 import { answerFit, type FitRequest } from './fit';
+import type { HexRequest } from './hex';
 import { Looker } from './look/looker';
 import { answerRepeat, type RepeatRequest } from './look/repeat';
 import type { ToLooker } from './look/protocol';
@@ -71,12 +72,13 @@ let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
 const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
   (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
 
-type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker | ToReader | ToFilm;
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToChecker | ToReader | ToFilm;
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
     void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
+  else if (data.type === 'make-hex') void import('./hex').then(({ answerHex }) => postMessage(answerHex(data)));
   else if (isForLooker(data)) looker.receive(data);
   else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
   else if (data.type === 'read-open' || data.type === 'read')
