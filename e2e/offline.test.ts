@@ -2,6 +2,7 @@ import { readdir, rename, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, on, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 import { build, withMouse } from './pupil';
@@ -12,6 +13,7 @@ import { savedFiles, watchSaving } from './transfer';
 const KEPT_WITHIN_MS = 60_000;
 
 test.use({ serviceWorkers: 'allow' });
+test.describe.configure({ mode: 'parallel' }); // each has a host of its own, and waits more than it works
 
 let host: Host;
 
@@ -164,7 +166,7 @@ test('of two pages one may take the new version: the other goes on with all of i
   await expect.poll(() => titleOf('b')).toBe('Parcours v2');
 });
 
-test('a half-finished update changes nothing, and the next try brings it', async ({ app }) => {
+test('a half-finished update changes nothing, and the next try brings it', IN_ONE_ENGINE, async ({ app }) => {
   test.setTimeout(180_000);
   await visit(app);
   await release(host.folder, 'v2');

@@ -105,6 +105,20 @@ describe('the service worker, when it is installed', () => {
     expect(kept()).toEqual([NEW, `${SCOPE}index.html`]);
   });
 
+  it('rests for 25 ms before each file, so that a robot that drives meanwhile keeps its frames', async () => {
+    const { happens, asked } = await browser();
+    const rests: { ms: number | undefined; fetched: number }[] = [];
+    vi.stubGlobal('setTimeout', (goOn: () => void, ms?: number) => {
+      if (ms !== 0) rests.push({ ms, fetched: asked.length }); // 0: Workbox lets others in between
+      goOn();
+    });
+    await happens('install');
+    expect(rests).toEqual([
+      { ms: 25, fetched: 0 },
+      { ms: 25, fetched: 1 },
+    ]);
+  });
+
   it('fails as a whole when one file cannot be had: the version before stays', async () => {
     const { happens, server } = await browser();
     server.delete(NEW);
