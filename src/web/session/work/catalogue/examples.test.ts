@@ -219,11 +219,25 @@ const drivesWell = (entry: ExampleOf, seconds: number): Moment => ({
   },
 });
 
-/** Every example in every language. The code is one, so what it shows beyond its first seconds is looked at in English. */
+/** A program without its comments: what a run depends on. */
+const codeOf = (program: string): string =>
+  program
+    .split('\n')
+    .map((line) => line.replace(/^((?:"[^"]*"|'[^']*'|[^#"'])*?) *#.*$/, '$1'))
+    .filter((line) => line !== '')
+    .join('\n');
+
+/**
+ * Every example in English, and in those languages in which it differs in more than comments, by its strings. What it shows
+ * beyond its first seconds is looked at in English.
+ */
 const drives = examples.flatMap((entry) => {
   const { robot, example } = entry;
   const story = storyOf(robot, example.file);
-  return LANGUAGES.map((language) => {
+  const languages = LANGUAGES.filter(
+    (language) => language === 'en' || codeOf(example.source[language]) !== codeOf(example.source.en),
+  );
+  return languages.map((language) => {
     const isLong = language === 'en' || touches(entry);
     const moments = [drivesWell(entry, isLong ? 8 : 3), ...(language === 'en' ? story : [])];
     moments.sort((a, b) => a.afterMs - b.afterMs);
