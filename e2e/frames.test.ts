@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { appAddress, consoleInFrame, hostPage, isInFrame, pasteInFrame, pressInFrame, type HostPage } from './hosts';
 
 const RUN = 'button.run';
@@ -89,23 +90,31 @@ const heard = (app: App, word: 'kind' | 'type', which: string): Promise<readonly
 const say = (app: App, script: string): Promise<void> =>
   app.evaluate((code) => void window.eval(`frames[0].postMessage(${code}, '*')`), script);
 
-test('in a frame without an origin the single file takes the place of the micro:bit simulator', async ({ app }) => {
-  await openIn(app, 'allow-scripts', 'simulator.single.html', 'width:400px;height:330px');
-  await expect.poll(() => heard(app, 'kind', 'ready')).toHaveLength(1);
-  await pressInFrame(app, '.play-button');
-  await expect.poll(() => heard(app, 'kind', 'request_flash')).toHaveLength(1);
-  await say(app, `{ kind: 'flash', filesystem: { 'main.py': new TextEncoder().encode('print(6 * 7)') } }`);
-  await expect.poll(async () => (await heard(app, 'kind', 'serial_output')).join('')).toContain('42\r\n');
-  await untilInFrame(app, '#LEDsOn');
-});
+test(
+  'in a frame without an origin the single file takes the place of the micro:bit simulator',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openIn(app, 'allow-scripts', 'simulator.single.html', 'width:400px;height:330px');
+    await expect.poll(() => heard(app, 'kind', 'ready')).toHaveLength(1);
+    await pressInFrame(app, '.play-button');
+    await expect.poll(() => heard(app, 'kind', 'request_flash')).toHaveLength(1);
+    await say(app, `{ kind: 'flash', filesystem: { 'main.py': new TextEncoder().encode('print(6 * 7)') } }`);
+    await expect.poll(async () => (await heard(app, 'kind', 'serial_output')).join('')).toContain('42\r\n');
+    await untilInFrame(app, '#LEDsOn');
+  },
+);
 
-test('in a frame without an origin the single file takes the place of WebTigerPython', async ({ app }) => {
-  await openIn(app, 'allow-scripts', 'parcours.single.html');
-  await expect.poll(() => heard(app, 'type', 'pythonReady')).toHaveLength(1);
-  await say(app, `{ type: 'files', data: [{ name: 'main.py', data: 'print(6 * 7)' }] }`);
-  await say(app, `{ type: 'run_code' }`);
-  await expect.poll(async () => (await heard(app, 'type', 'output')).join('')).toContain('42');
-});
+test(
+  'in a frame without an origin the single file takes the place of WebTigerPython',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openIn(app, 'allow-scripts', 'parcours.single.html');
+    await expect.poll(() => heard(app, 'type', 'pythonReady')).toHaveLength(1);
+    await say(app, `{ type: 'files', data: [{ name: 'main.py', data: 'print(6 * 7)' }] }`);
+    await say(app, `{ type: 'run_code' }`);
+    await expect.poll(async () => (await heard(app, 'type', 'output')).join('')).toContain('42');
+  },
+);
 
 test('the single file says that nothing can be saved there, and throws nowhere', async ({ app }) => {
   await openIn(app, 'allow-scripts', 'parcours.single.html');

@@ -16,7 +16,7 @@ const angles = (objects: readonly SceneObject[]): unknown => objects.map((one) =
 const large = (at: Point): SceneObject => ({ type: 'fixed-block', id: 'a', at, size: [200, 200], angle: 0 });
 const count = (objects: readonly SceneObject[]): unknown => objects.length;
 
-test('a side’s handle sizes a block, a corner’s two of its sides', async ({ app }) => {
+test('a side’s handle sizes a block, a corner’s two of its sides', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, large([400, 400]));
   await hand.clickAt([400, 400]);
   await until(app, by('remove'));
@@ -106,13 +106,13 @@ test('a block goes to the grid, but not while Ctrl is held, nor without the magn
   await comesTo(app, (all) => Math.abs(((places(all) as Point[])[0]?.[0] ?? 0) - 503) <= 2, true);
 });
 
-for (const [name, engines, place, gesture, wanted] of [
-  ['a straight line', {}, 2, [[200, 200], [300, 300], [500, 202]], 2], // prettier-ignore
-  ['a circle', IN_ONE_ENGINE, 5, [[200, 200], [300, 300], [400, 400]], 9], // prettier-ignore
-  ['an oval', IN_ONE_ENGINE, 6, [[200, 200], [300, 300], [600, 400]], 9], // prettier-ignore
-  ['a rounded rectangle', IN_ONE_ENGINE, 7, [[200, 200], [300, 300], [600, 400]], 9], // prettier-ignore
+for (const [name, place, gesture, wanted] of [
+  ['a straight line', 2, [[200, 200], [300, 300], [500, 202]], 2], // prettier-ignore
+  ['a circle', 5, [[200, 200], [300, 300], [400, 400]], 9], // prettier-ignore
+  ['an oval', 6, [[200, 200], [300, 300], [600, 400]], 9], // prettier-ignore
+  ['a rounded rectangle', 7, [[200, 200], [300, 300], [600, 400]], 9], // prettier-ignore
 ] as const)
-  test(`${name} is drawn by one drag`, engines, async ({ app }) => {
+  test(`${name} is drawn by one drag`, IN_ONE_ENGINE, async ({ app }) => {
     const hand = await opened(app);
     await hand.click(toolButton('pen'));
     await chooseOption(hand, 'Shape', place);

@@ -193,49 +193,51 @@ test('the address chooses the used robot', IN_ONE_ENGINE, async ({ app }) => {
   await expect.poll(number).toBe('42');
 });
 
-test('a page with devices has Parcours from its package: it runs, prints, stops and greys out what is not there', async ({
-  app,
-}) => {
-  test.setTimeout(240_000);
-  host = await serveHost(await sampleHost());
-  const isDisabled = (name: string): Promise<boolean> =>
-    app.evaluate((id) => document.querySelector<HTMLButtonElement>(`[data-testid=${id}]`)?.disabled ?? false, name);
-  const state = (): Promise<string> => app.text('[data-testid=state]');
-  const choose = (name: string): Promise<void> =>
-    app.evaluate((device) => {
-      const menu = document.querySelector<HTMLSelectElement>('[data-testid=device]');
-      if (menu === null) throw new Error('There is no device menu.');
-      menu.value = device;
-      menu.dispatchEvent(new Event('change'));
-    }, name);
-  const type = (text: string): Promise<void> =>
-    app.evaluate((source) => {
-      const editor = document.querySelector<HTMLTextAreaElement>('[data-testid=code]');
-      if (editor === null) throw new Error('There is no editor.');
-      editor.value = source;
-      editor.dispatchEvent(new Event('input'));
-    }, text);
+test(
+  'a page with devices has Parcours from its package: it runs, prints, stops and greys out what is not there',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(240_000);
+    host = await serveHost(await sampleHost());
+    const isDisabled = (name: string): Promise<boolean> =>
+      app.evaluate((id) => document.querySelector<HTMLButtonElement>(`[data-testid=${id}]`)?.disabled ?? false, name);
+    const state = (): Promise<string> => app.text('[data-testid=state]');
+    const choose = (name: string): Promise<void> =>
+      app.evaluate((device) => {
+        const menu = document.querySelector<HTMLSelectElement>('[data-testid=device]');
+        if (menu === null) throw new Error('There is no device menu.');
+        menu.value = device;
+        menu.dispatchEvent(new Event('change'));
+      }, name);
+    const type = (text: string): Promise<void> =>
+      app.evaluate((source) => {
+        const editor = document.querySelector<HTMLTextAreaElement>('[data-testid=code]');
+        if (editor === null) throw new Error('There is no editor.');
+        editor.value = source;
+        editor.dispatchEvent(new Event('input'));
+      }, text);
 
-  await app.goto(`${host.url}?parcours=${encodeURIComponent(appAddress())}`);
-  await expect.poll(() => isDisabled('run')).toBe(true);
-  await choose('Calliope mini 3');
-  await expect.poll(state).toBe('Ready');
-  expect(await Promise.all(['run', 'stop', 'send', 'export'].map(isDisabled))).toEqual([false, false, true, false]);
-  await type(PROGRAM);
-  await app.click('[data-testid=run]');
-  await expect.poll(() => app.text('[role=log]')).toContain('number 2');
-  expect(await app.text('[role=log]')).not.toContain('>>>');
-  await type('from microbit import *\nwhile True:\n    display.show("A")\n    print(nonsense)\n');
-  await app.click('[data-testid=run]');
-  await expect.poll(() => app.text('[role=log]')).toContain('NameError');
-  await type('import time\nwhile True:\n    print("on")\n    time.sleep(1)\n');
-  await app.click('[data-testid=run]');
-  await expect.poll(() => app.text('[role=log]')).toContain('on');
-  await expect.poll(state).toBe('Running');
-  await app.click('[data-testid=stop]');
-  await expect.poll(state).toBe('Ready');
-  expect(await consoleInFrame(app)).toBe(''); // the page has its own
-  await choose('-');
-  await expect.poll(() => isThere(app, 'iframe')).toBe(false);
-  expect(await isDisabled('run')).toBe(true);
-});
+    await app.goto(`${host.url}?parcours=${encodeURIComponent(appAddress())}`);
+    await expect.poll(() => isDisabled('run')).toBe(true);
+    await choose('Calliope mini 3');
+    await expect.poll(state).toBe('Ready');
+    expect(await Promise.all(['run', 'stop', 'send', 'export'].map(isDisabled))).toEqual([false, false, true, false]);
+    await type(PROGRAM);
+    await app.click('[data-testid=run]');
+    await expect.poll(() => app.text('[role=log]')).toContain('number 2');
+    expect(await app.text('[role=log]')).not.toContain('>>>');
+    await type('from microbit import *\nwhile True:\n    display.show("A")\n    print(nonsense)\n');
+    await app.click('[data-testid=run]');
+    await expect.poll(() => app.text('[role=log]')).toContain('NameError');
+    await type('import time\nwhile True:\n    print("on")\n    time.sleep(1)\n');
+    await app.click('[data-testid=run]');
+    await expect.poll(() => app.text('[role=log]')).toContain('on');
+    await expect.poll(state).toBe('Running');
+    await app.click('[data-testid=stop]');
+    await expect.poll(state).toBe('Ready');
+    expect(await consoleInFrame(app)).toBe(''); // the page has its own
+    await choose('-');
+    await expect.poll(() => isThere(app, 'iframe')).toBe(false);
+    expect(await isDisabled('run')).toBe(true);
+  },
+);

@@ -89,7 +89,7 @@ test(
   },
 );
 
-test('a run of the page is saved, is the same on the command line, and opens again', async ({ app }) => {
+test('a run of the page is saved, is the same on the command line, and opens again', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await pasteProgram(app, PROGRAM.trimEnd());
   await app.click(on('run'));

@@ -29,32 +29,36 @@ const printed = (app: App): Promise<string> => app.text('#console');
 const setProgram = (app: App, source: string): Promise<void> =>
   app.evaluate((text) => simulator.setFiles([{ name: 'main.py', text }]), source);
 
-test('a worksheet with the element from its package: own buttons, console and verdict', async ({ app }) => {
-  test.setTimeout(180_000);
-  await openHost(app);
-  await setProgram(app, `print('off we go')\n${await readFile('courses/push/main.py', 'utf8')}`);
-  await app.evaluate(() => void (simulator.speed = 'max'));
-  await app.click('#run');
-  await expect.poll(() => app.text('#verdict'), { timeout: 60_000 }).toBe('Well done: the block is in the field.');
-  expect(await printed(app)).toContain('off we go');
-  await setProgram(app, 'import time\nwhile True:\n    print("still there")\n    time.sleep(1)\n');
-  await app.evaluate(() => void (simulator.speed = 1));
-  await app.click('#run');
-  await expect.poll(() => printed(app)).toContain('still there');
-  expect(await printed(app)).not.toContain('off we go');
-  await expect.poll(() => app.text('#state')).toBe('Running');
-  await app.click('#stop');
-  await expect.poll(() => app.text('#state')).toBe('Stopped');
-  // Its height is the page's own, and it is not wider for that.
-  expect(await app.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-  expect(await app.evaluate(() => simulator.offsetWidth - (simulator.nextElementSibling?.clientWidth ?? 0))).toBe(0);
-  // The keyboard goes in by a call, and the frame has the name that the page gives it.
-  const focused = await app.evaluate(() => {
-    simulator.focus();
-    return [document.activeElement?.id, simulator.shadowRoot?.activeElement?.getAttribute('title')];
-  });
-  expect(focused).toEqual(['simulator', 'The course and your program']);
-});
+test(
+  'a worksheet with the element from its package: own buttons, console and verdict',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(180_000);
+    await openHost(app);
+    await setProgram(app, `print('off we go')\n${await readFile('courses/push/main.py', 'utf8')}`);
+    await app.evaluate(() => void (simulator.speed = 'max'));
+    await app.click('#run');
+    await expect.poll(() => app.text('#verdict'), { timeout: 60_000 }).toBe('Well done: the block is in the field.');
+    expect(await printed(app)).toContain('off we go');
+    await setProgram(app, 'import time\nwhile True:\n    print("still there")\n    time.sleep(1)\n');
+    await app.evaluate(() => void (simulator.speed = 1));
+    await app.click('#run');
+    await expect.poll(() => printed(app)).toContain('still there');
+    expect(await printed(app)).not.toContain('off we go');
+    await expect.poll(() => app.text('#state')).toBe('Running');
+    await app.click('#stop');
+    await expect.poll(() => app.text('#state')).toBe('Stopped');
+    // Its height is the page's own, and it is not wider for that.
+    expect(await app.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+    expect(await app.evaluate(() => simulator.offsetWidth - (simulator.nextElementSibling?.clientWidth ?? 0))).toBe(0);
+    // The keyboard goes in by a call, and the frame has the name that the page gives it.
+    const focused = await app.evaluate(() => {
+      simulator.focus();
+      return [document.activeElement?.id, simulator.shadowRoot?.activeElement?.getAttribute('title')];
+    });
+    expect(focused).toEqual(['simulator', 'The course and your program']);
+  },
+);
 
 test(
   'attributes reach the page that is there, work stays when the element moves, and goes with it',

@@ -28,17 +28,21 @@ async function line(app: App, text: string): Promise<void> {
   await app.press('Enter');
 }
 
-test('after the program the REPL greets as the device does, calculates, and shows an error', async ({ app }) => {
-  await start(app, 'total = 20\nprint("end")');
-  await until(app, 'button.stop.over');
-  expect(await consoleIn(app), 'until one goes to it').not.toContain('>>>');
-  await toField(app);
-  await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
-  await line(app, 'total * 2 + 2');
-  await says(app, /\+ 2\s+42\s+>>>/);
-  await line(app, 'totl');
-  await says(app, /File "<stdin>", line 1, in <module>\s+NameError: name 'totl' (is not|isn't) defined[^]*>>>/);
-});
+test(
+  'after the program the REPL greets as the device does, calculates, and shows an error',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await start(app, 'total = 20\nprint("end")');
+    await until(app, 'button.stop.over');
+    expect(await consoleIn(app), 'until one goes to it').not.toContain('>>>');
+    await toField(app);
+    await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
+    await line(app, 'total * 2 + 2');
+    await says(app, /\+ 2\s+42\s+>>>/);
+    await line(app, 'totl');
+    await says(app, /File "<stdin>", line 1, in <module>\s+NameError: name 'totl' (is not|isn't) defined[^]*>>>/);
+  },
+);
 
 test('a function of several lines is written at the REPL and called', IN_ONE_ENGINE, async ({ app }) => {
   await start(app, 'print("end")');

@@ -65,17 +65,21 @@ async function driveByRemote(app: App, press: (css: string) => Promise<void>): P
     .toBe(0);
 }
 
-test('a remote control is added, written and drives the robot; the pair is there after a reload', async ({ app }) => {
-  await addRemote(app, (css) => app.click(css));
-  await app.click(card(0, '.select'));
-  await expect.poll(() => programIn(app)).toBe(ROBOT);
-  await driveByRemote(app, (css) => app.click(css));
-  await app.reload();
-  await until(app, by('device-card'));
-  await expect.poll(() => programIn(app)).toBe(ROBOT);
-  await app.click(card(1, '.select'));
-  await expect.poll(() => programIn(app)).toBe(REMOTE);
-});
+test(
+  'a remote control is added, written and drives the robot; the pair is there after a reload',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await addRemote(app, (css) => app.click(css));
+    await app.click(card(0, '.select'));
+    await expect.poll(() => programIn(app)).toBe(ROBOT);
+    await driveByRemote(app, (css) => app.click(css));
+    await app.reload();
+    await until(app, by('device-card'));
+    await expect.poll(() => programIn(app)).toBe(ROBOT);
+    await app.click(card(1, '.select'));
+    await expect.poll(() => programIn(app)).toBe(REMOTE);
+  },
+);
 
 test(
   'by keyboard a device is chosen and taken away, and nothing bars a screen reader',

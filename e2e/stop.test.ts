@@ -1,16 +1,17 @@
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { isEnabled, on, openApp, typeProgram } from './page';
 
-/** Programs that never end by themselves. */
-const ENDLESS = {
-  'a loop that does nothing': 'while True: pass',
-  'a loop that prints': 'while True: print(1)',
-  'a loop that catches everything': 'while True:\n    try:\n        x = 1\n    except:\n        pass',
-  'one long call inside the interpreter': 'sum(range(10**9))',
-};
+/** Programs that never end by themselves, and where they run: a busy worker ends in every engine, whatever keeps it busy. */
+const ENDLESS = [
+  ['a loop that does nothing', IN_ONE_ENGINE, 'while True: pass'],
+  ['a loop that prints', {}, 'while True: print(1)'],
+  ['a loop that catches everything', IN_ONE_ENGINE, 'while True:\n    try:\n        x = 1\n    except:\n        pass'],
+  ['one long call inside the interpreter', {}, 'sum(range(10**9))'],
+] as const;
 
-for (const [name, source] of Object.entries(ENDLESS)) {
-  test(`stop ends ${name}, and the next program runs`, async ({ app }) => {
+for (const [name, engines, source] of ENDLESS) {
+  test(`stop ends ${name}, and the next program runs`, engines, async ({ app }) => {
     await openApp(app);
     await typeProgram(app, source);
     await app.click(on('run'));
