@@ -20,6 +20,7 @@ const SIZES = [
   [820, 1180],
   [390, 844],
   [844, 390],
+  [683, 312],
   [360, 640],
 ] as const;
 
@@ -136,7 +137,7 @@ async function lookInEverySize(page: Page, when: string, tabs: readonly Pane[]):
     });
 }
 
-test.describe('nothing is cut off in windows of nine sizes', () => {
+test.describe('nothing is cut off in windows of ten sizes', () => {
   for (const language of LANGUAGES)
     test(language, async ({ page }) => {
       await openAt(page, SIZES[0], { language, robot: 'maqueen-plus-v2' });
@@ -151,6 +152,24 @@ test.describe('nothing is cut off in windows of nine sizes', () => {
       await lookInEverySize(page, 'after it was stopped', ['console']);
     });
 });
+
+for (const [width, height] of [
+  [683, 312],
+  [844, 390],
+] as const)
+  test(`a very low window, ${width} by ${height}, has the course, and what comes next beside it`, async ({ page }) => {
+    await openAt(page, [width, height], { language: 'de', welcomed: false });
+    await expect(page.locator(by('next-step'))).toBeInViewport({ ratio: 1 });
+    await page.click(by('welcome-open'));
+    await page.click(by('welcome-robot'));
+    await page.click(by('task-close'));
+    await page.click(on('run'));
+    await expect(page.locator(by('step-hint'))).toBeInViewport({ ratio: 1 });
+    const floor = await page.locator('.pane-arena .floor').boundingBox();
+    expect(floor?.height).toBeGreaterThan(height / 2);
+    await page.click(by('mode-lookBack'));
+    await expect(page.locator(by('time-rail'))).toBeInViewport();
+  });
 
 test('the cinema gives the arena two thirds of the window, and back', async ({ page }) => {
   const share = async (): Promise<number> => ((await page.locator('.pane-arena').boundingBox())?.width ?? 0) / 1366;

@@ -52,8 +52,8 @@ export interface LayoutModel {
   readonly leastConsolePx: ShallowRef<number>;
   /** True where folding the console gains room: everywhere but on a phone. */
   readonly canFold: ComputedRef<boolean>;
-  /** A phone held across: its panes are wide and low. */
-  readonly isAcross: Readonly<ShallowRef<boolean>>;
+  /** A phone held across, or a window as low: its panes are wide and low, and what belongs to the arena stands beside it. */
+  readonly isAcross: ComputedRef<boolean>;
   /** True while the help takes its share of the page. The help itself sets it. */
   readonly isHelpShown: ShallowRef<boolean>;
   /** The mode of the arena, to which the panes belong. The session sets it. */
@@ -107,7 +107,7 @@ const ROOMY: readonly [Partial<Sizes>, string][] = [
   [{ code: 384, board: 268 }, '(min-width: 1440px) and (min-height: 440px)'],
 ];
 
-const ACROSS: readonly [boolean, string][] = [[true, '(min-width: 700px) and (max-height: 599px)']];
+const ACROSS: readonly [boolean, string][] = [[true, '(min-width: 600px) and (max-height: 599px)']];
 
 /** Heights in a low window, in px: four lines of output above the line for input, or the explanation of an error. */
 const LOW_SIZES: Partial<Sizes> = { console: 170, below: 172 };
@@ -155,7 +155,8 @@ export function createLayout({ current }: Pick<SettingsModel, 'current'>, host: 
     return isStacked ? shown : panesOfMode(mode.value, shown);
   });
   const console = useConsolePlace(arrangement);
-  const isAcross = useFirstMatch(ACROSS, false);
+  const isLow = useFirstMatch(ACROSS, false);
+  const isAcross = computed(() => isLow.value && arrangement.value === 'phone');
   const sizes = useSizes(current, kind, console);
   const card = shallowRef<CardForm | null>(null);
   const isBoardSmall = computed(() => card.value === 'open' && arrangement.value !== 'phone');
