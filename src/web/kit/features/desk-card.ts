@@ -1,3 +1,5 @@
+import type { ShallowRef } from 'vue';
+
 import type { LoadedView } from '../loaded-view';
 
 /** The parts of a lesson, in its order. */
@@ -6,7 +8,7 @@ export const DESK_PARTS = ['prepare', 'teach', 'check'] as const;
 /** The page for teachers, for a card that was chosen. */
 export interface DeskHost {
   /** Leaves for another page, from which an arrow leads back. */
-  openPage(name: string): void;
+  openPage(name: string, id?: string): void;
   /** Leaves for the arena, and does something there. */
   leaveFor(act: () => void): void;
   /** Opens a dialog over the page, which emits `close`. */
@@ -17,6 +19,15 @@ export interface DeskHost {
 export interface DeskLeft {
   readonly title: string;
   readonly about: string;
+}
+
+/** Something that the search of the page for teachers finds behind a card. */
+export interface DeskFound {
+  /** Unique among those of its card. */
+  readonly id: string;
+  readonly title: string;
+  readonly about: string;
+  readonly open: (desk: DeskHost) => void;
 }
 
 /** A card on the page for teachers. A feature lists its own in its `desk-cards.ts`, which is loaded with that page. */
@@ -31,8 +42,10 @@ export interface DeskCard {
   readonly about: () => string;
   /** The work that was left there; it stands above the cards. `null`: none. */
   readonly left?: () => DeskLeft | null;
+  /** Everything behind it that fits the words of the search, the best first. */
+  readonly found?: () => readonly DeskFound[];
   readonly open: (desk: DeskHost) => void;
 }
 
-/** The cards of a feature; called in the set-up of the page, so it may ask for models. */
-export type DeskCards = () => readonly DeskCard[];
+/** The cards of a feature; called in the set-up of the page, so it may ask for models. `search`: its words, trimmed. */
+export type DeskCards = (search: Readonly<ShallowRef<string>>) => readonly DeskCard[];

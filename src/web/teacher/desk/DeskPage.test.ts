@@ -1,8 +1,8 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 
-import { byId, isThere, tap } from '../../app/testing/find';
+import { byId, isThere, tap, write } from '../../app/testing/find';
 import { mountOn, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
@@ -29,5 +29,23 @@ describe('the page for teachers', () => {
     expect(textOf(byId('left-menu-make-series'))).toBe('LinienEntwurf · Aufgaben: 1');
     await tap('left-menu-task');
     expect(page.router.page.value?.name).toBe('task');
+  });
+
+  it('searches cards, works and the help, and leads to each of them', async () => {
+    const page = createPage();
+    mountOn(page, DeskPage);
+    await flushPromises();
+    await write(byId('desk-search'), 'Arbeitsblatt');
+    await vi.waitFor(() => expect(isThere('found-menu-worksheet')).toBe(true));
+    expect(isThere('menu-task')).toBe(false);
+    await write(byId('desk-search'), 'Eine Sekunde vorwärts');
+    await vi.waitFor(() => expect(textOf(byId('desk-found'))).toContain('Eine Sekunde vorwärts'), 20_000);
+    await write(byId('desk-search'), 'Rückblick');
+    await vi.waitFor(() => expect(textOf(byId('desk-found'))).toContain('Rückblick'), 20_000);
+    await write(byId('desk-search'), 'xyzzyx');
+    expect(textOf(byId('desk-found'))).toBe('Nichts gefunden. Versuch es mit einem kürzeren Wort.');
+    await write(byId('desk-search'), '');
+    await tap('desk-works');
+    expect(page.router.page.value?.name).toBe('works');
   });
 });

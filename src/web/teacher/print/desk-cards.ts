@@ -6,8 +6,8 @@ import words from './words';
 
 export const deskCards: DeskCards = () => [
   {
-    part: 'prepare',
-    order: 30,
+    part: 'teach',
+    order: 20,
     testId: 'menu-worksheet',
     icon: mdiFileDocumentOutline,
     title: () => t(words.sheet),
