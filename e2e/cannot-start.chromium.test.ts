@@ -1,6 +1,8 @@
 import type { Page, Route } from '@playwright/test';
 import { expect, test } from './app';
+import { classLink } from './class-link';
 import { on } from './page';
+import { by } from './parts';
 
 /** The visible message of a page that cannot start. */
 const said = (page: Page): Promise<string> =>
@@ -78,14 +80,37 @@ test('a page that starts holds itself to its own policy, which has no eval', asy
 });
 
 test.describe('on a page that runs', () => {
-  test('a late part that does not come is told, with the way out', async ({ page }) => {
-    await page.goto('./?lang=en');
-    await page.locator(on('editor')).waitFor();
-    await page.route(/\/assets\/ShareDialog-[^/]*\.js$/, (route) => route.abort());
-    await page.locator('header.top').getByRole('button', { name: 'Share' }).click();
-    await expect(page.locator('.notice')).toContainText('This part could not be loaded.');
-    await expect(page.locator('.notice').getByRole('button', { name: 'Reload' })).toBeVisible();
-  });
+  /** Late parts: how somebody gets to one, and what then is there. */
+  const LATE: readonly { name: string; press: string; there: string; width: number; hash?: string; before?: string }[] =
+    [
+      { name: 'the card of the task', press: by('welcome-robot'), there: by('task-card'), width: 1366 },
+      { name: 'the whole board', before: by('welcome-robot'), press: by('board-whole'), there: by('panel-sensors'), width: 1366 }, // prettier-ignore
+      { name: 'the tools', press: by('mode-build'), there: '[data-tool=pen]', width: 1366 },
+      { name: 'the menu', press: by('menu'), there: by('menu-help'), width: 390 },
+      { name: 'the page for teachers', press: by('menu-teachers'), before: by('menu'), there: by('desk-search'), width: 1366 }, // prettier-ignore
+      { name: 'the dialog to share', press: by('share'), there: by('share-dialog'), width: 1366 },
+      {
+        name: 'the dialog to hand in',
+        press: by('share'),
+        there: by('hand-in-dialog'),
+        width: 1366,
+        hash: classLink().slice(2),
+      },
+    ];
+  for (const { name, before, press, there, width, hash = '' } of LATE)
+    test(`late, ${name} is asked for again when the network is back`, async ({ page }) => {
+      await page.setViewportSize({ width, height: 844 });
+      await page.goto(`./?lang=en${hash}`);
+      if (hash === '') await page.locator(by('welcome')).waitFor();
+      if (before !== undefined) await page.click(before);
+      await page.locator(press).waitFor();
+      await page.route(/\/assets\//, (route) => route.abort());
+      await page.click(press);
+      await expect(page.locator('.notice')).toContainText('This part could not be loaded.');
+      await page.unroute(/\/assets\//);
+      await page.locator('.notice').getByRole('button', { name: 'Try again' }).click();
+      await expect(page.locator(there).first()).toBeVisible();
+    });
 
   test('a web page in the simulator’s place is told as that', async ({ page }) => {
     await page.route(/\.wasm$/, answer(200, 'text/html', '<!doctype html><title>Filter</title>'));

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
-import { linkOf, projectOfLink } from '../src/project/link/link';
-import { defaultScene } from '../src/scene/scene';
+import { projectOfLink } from '../src/project/link/link';
 import { expect, playwrightApp, test } from './app';
+import { classLink } from './class-link';
 import { on, programIn } from './page';
 import { by } from './parts';
 
@@ -10,21 +10,6 @@ const MOST = 5;
 
 /** Three commands below the import; how long the robot has to drive, the newcomer has found out. */
 const PROGRAM = ['from mbrobot import *', 'forward()', 'delay(2000)', 'stop()'];
-
-/** A link that a teacher has handed out: drive straight on into a field. */
-function classLink(): string {
-  const field = { type: 'target', id: 't', at: [560, 250], size: [200, 200], angle: 0, round: true, number: 0, blocks: 0 } as const; // prettier-ignore
-  const scene = { ...defaultScene(), size: [900, 500] as const, objects: [field] };
-  const robot = { ...scene.robot, at: [150, 250] as const };
-  const task = { version: 1, handedOut: true, checks: [{ type: 'goals', id: 'goals' }] };
-  const files = [{ name: 'main.py', text: 'from mbrobot import *\n' }];
-  const made = linkOf(
-    { files, scene: { ...scene, robot }, course: null, task },
-    { courses: () => null, program: true },
-  );
-  if (made === null) throw new Error('There is no link.');
-  return `./#${made.fragment}`;
-}
 
 /** Counts what is really pressed in the page, whoever presses it. */
 async function countPresses(page: Page): Promise<() => Promise<number>> {

@@ -1,4 +1,5 @@
-import { defineAsyncComponent, type Component } from 'vue';
+import { type Component } from 'vue';
+import { lateView } from './late-view';
 
 /** A part that is loaded when it is first needed, such as the list of a menu. */
 export interface LateList {
@@ -11,5 +12,5 @@ export function lateList(load: () => Promise<{ default: Component }>): LateList 
   const fetch = (): void => {
     load().catch(() => undefined); // without a connection the open menu asks again
   };
-  return { List: defineAsyncComponent(load), soon: { pointerenter: fetch, focus: fetch } };
+  return { List: lateView(load), soon: { pointerenter: fetch, focus: fetch } };
 }

@@ -1,7 +1,9 @@
 // @vitest-environment happy-dom
+import { mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { latePart, noticeMissingParts } from './late-part';
+import { lateView } from './late-view';
 import { createNotices } from './notices';
 
 describe('a late part that does not come', () => {
@@ -39,6 +41,22 @@ describe('a late part that does not come', () => {
     vi.advanceTimersByTime(31_000);
     miss();
     expect(notices.current.value).toBeNull();
+  });
+
+  it('is asked for again by the notice where it is a view, and when the connection is back', async () => {
+    const load = vi.fn(() => Promise.reject(new Error('no network')));
+    mount(lateView(load));
+    await vi.advanceTimersByTimeAsync(0);
+    expect([load.mock.calls.length, notices.current.value]).toEqual([1, null]);
+    await vi.advanceTimersByTimeAsync(10_000);
+    expect(load, 'nobody has pressed: it tries by itself').toHaveBeenCalledTimes(4);
+    document.body.dispatchEvent(new Event('click', { bubbles: true }));
+    window.dispatchEvent(new Event('online'));
+    await vi.advanceTimersByTimeAsync(0);
+    expect(load).toHaveBeenCalledTimes(5);
+    expect(notices.current.value?.action?.key).toBe('notice.again');
+    notices.current.value?.action?.run();
+    expect(load).toHaveBeenCalledTimes(6);
   });
 
   it('is told no more once the page is left', () => {

@@ -1,3 +1,4 @@
+import { MISSED_VIEW } from './late-view';
 import type { Notice, NoticesModel } from './notices';
 
 /**
@@ -13,25 +14,48 @@ export const latePart: Notice = {
 /** Time after a press for which its effect is awaited, in ms. Chosen: a network that hangs gives up by then. */
 const WAITED_MS = 30_000;
 
+/** Most requests for what nobody has pressed for, and the time before the next one, in ms. Chosen: a classroom's network comes back after a second or two. */
+const TRIES = 4;
+const RETRY_MS = 1500;
+
 /**
  * Shows a notice when a part of the page cannot be loaded within `WAITED_MS` of a press. Without a press nobody has
- * asked for the part: the page was fetching ahead.
+ * asked for the part: the page was fetching ahead. Views that are missing are asked for again by the notice's button, by
+ * themselves where nobody has pressed, and when the connection is back.
  *
  * @returns a function that ends it
  */
 export function noticeMissingParts(notices: Pick<NoticesModel, 'show'>): () => void {
   let pressedMs = -Infinity;
+  const missed = new Set<() => void>();
+  const ask = (): void => {
+    const waiting = [...missed];
+    missed.clear();
+    for (const retry of waiting) retry();
+  };
   const press = (): void => {
     pressedMs = performance.now();
   };
+  const isAwaited = (): boolean => performance.now() - pressedMs <= WAITED_MS;
+  let tries = 0;
   const missing = (): void => {
-    if (performance.now() - pressedMs <= WAITED_MS) notices.show(latePart);
+    if (!isAwaited()) return;
+    notices.show(missed.size > 0 ? { ...latePart, action: { key: 'notice.again', run: ask } } : latePart);
   };
-  const presses = ['pointerdown', 'keydown', 'click'];
-  for (const name of presses) addEventListener(name, press, true);
-  addEventListener('vite:preloadError', missing); // of the loader that the build puts around every import()
+  const keep = (event: Event): void => {
+    event.preventDefault();
+    missed.add((event as CustomEvent<() => void>).detail);
+    if (!isAwaited() && ++tries < TRIES) setTimeout(ask, RETRY_MS);
+    missing();
+  };
+  const listeners: readonly (readonly [string, (event: Event) => void])[] = [
+    ...['pointerdown', 'keydown', 'click'].map((name) => [name, press] as const),
+    ['vite:preloadError', missing], // of the loader that the build puts around every import()
+    [MISSED_VIEW, keep],
+    ['online', ask],
+  ];
+  for (const [name, listener] of listeners) addEventListener(name, listener, true);
   return () => {
-    for (const name of presses) removeEventListener(name, press, true);
-    removeEventListener('vite:preloadError', missing);
+    for (const [name, listener] of listeners) removeEventListener(name, listener, true);
   };
 }

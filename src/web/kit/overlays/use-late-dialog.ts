@@ -1,5 +1,6 @@
-import { defineAsyncComponent, nextTick, shallowRef, type Component, type ShallowRef } from 'vue';
+import { nextTick, shallowRef, type Component, type ShallowRef } from 'vue';
 
+import { lateView } from '../late-view';
 import type { LoadedView } from '../loaded-view';
 
 /** A place for one dialog at a time, which is loaded when it opens. Where it was opened gets the keyboard back. */
@@ -15,7 +16,7 @@ export function useLateDialog(): {
     dialog,
     open(load) {
       opener = document.activeElement;
-      dialog.value = defineAsyncComponent(load);
+      dialog.value = lateView(load);
     },
     async close() {
       dialog.value = null;

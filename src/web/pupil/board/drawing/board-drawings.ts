@@ -1,4 +1,6 @@
-import { defineAsyncComponent, type Component } from 'vue';
+import type { Component } from 'vue';
+
+import { lateView } from '../../../kit/late-view';
 
 /** How a board is drawn. */
 export interface BoardDrawing {
@@ -8,18 +10,14 @@ export interface BoardDrawing {
   readonly face: Component;
 }
 
-/** Most requests for a drawing when the network fails, and the time before the next one, in ms. */
-const TRIES = 4;
-const RETRY_MS = 1500; // chosen: a wireless network in a classroom comes back after a second or two
-
 const microbit: BoardDrawing = {
   aspect: 260 / 214,
-  face: lazy(() => import('./MicrobitView.vue')),
+  face: lateView<Component>(() => import('./MicrobitView.vue')),
 };
 
 const calliope: BoardDrawing = {
   aspect: 252 / 226,
-  face: lazy(() => import('./CalliopeView.vue')),
+  face: lateView<Component>(() => import('./CalliopeView.vue')),
 };
 
 const drawings: Readonly<Record<string, BoardDrawing>> = {
@@ -30,14 +28,4 @@ const drawings: Readonly<Record<string, BoardDrawing>> = {
 /** The drawing of the board type with this id; that of the micro:bit for one that has no drawing. */
 export function drawingOf(board: string): BoardDrawing {
   return drawings[board] ?? microbit;
-}
-
-function lazy(loader: () => Promise<{ readonly default: Component }>): Component {
-  return defineAsyncComponent({
-    loader,
-    onError(_error, retry, fail, attempts) {
-      if (attempts < TRIES) setTimeout(retry, RETRY_MS);
-      else fail();
-    },
-  });
 }
