@@ -97,11 +97,12 @@ test.describe('on a page that runs', () => {
         hash: classLink().slice(2),
       },
     ];
+  test.use({ locale: 'en-GB' });
   for (const { name, before, press, there, width, hash = '' } of LATE)
     test(`late, ${name} is asked for again when the network is back`, async ({ page }) => {
       await page.setViewportSize({ width, height: 844 });
-      await page.goto(`./?lang=en${hash}`);
-      if (hash === '') await page.locator(by('welcome')).waitFor();
+      await page.goto(`./${hash}`);
+      await page.locator(by(hash === '' ? 'welcome' : 'task-card')).waitFor();
       if (before !== undefined) await page.click(before);
       await page.locator(press).waitFor();
       await page.route(/\/assets\//, (route) => route.abort());

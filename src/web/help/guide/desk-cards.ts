@@ -1,12 +1,12 @@
 import { mdiHelpCircleOutline } from '@mdi/js';
 import { watch } from 'vue';
 
-import type { DeskCards } from '../kit/features/desk-card';
-import { t } from '../kit/i18n';
-import { useWork } from '../session/work/model/parts';
-import { useGuide } from './guide/use-guide';
-import { useFirstSteps } from './parts';
-import words from './words';
+import type { DeskCards } from '../../kit/features/desk-card';
+import { t } from '../../kit/i18n';
+import { useWork } from '../../session/work/model/parts';
+import { useFirstSteps } from '../parts';
+import words from '../words';
+import { useGuide } from './use-guide';
 
 /** The way to the help, and each of its entries that the search finds. */
 export const deskCards: DeskCards = (search) => {
