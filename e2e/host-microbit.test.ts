@@ -123,7 +123,7 @@ test('prints exactly what the command line prints, whatever the program', IN_ONE
   test.setTimeout(300_000);
   await open(app);
   for (const program of serialPrograms) {
-    const expected = await printedInNode(program);
+    const expected = printedInNode(program);
     await flash(app, program.source);
     const { typed } = program;
     if (typed) {
@@ -136,7 +136,7 @@ test('prints exactly what the command line prints, whatever the program', IN_ONE
       const end = program.usesRepl === true ? -1 : text.search(BANNER);
       return (end < 0 ? text : text.slice(0, end)).trimEnd();
     };
-    await expect.poll(own, program.name).toBe(expected.trimEnd());
+    await expect.poll(own, program.name).toBe((await expected).trimEnd());
   }
 });
 
