@@ -1,5 +1,5 @@
 import type { Measured } from '#my-robot/my-robot';
-import { askWorker } from './ask-worker';
+import { askWorker } from './worker/ask-worker';
 import { createWorker } from './worker/create-worker';
 import { compileFirmware } from './worker/firmware';
 import type { Fit, FitAnswer, FitRequest } from './worker/fit';

@@ -1,7 +1,7 @@
 import type { Firmware } from '#hex/firmware';
 import type { HexFile, MadeHex } from '#hex/hex';
 
-import { askWorker } from '../../../session/run/ask-worker';
+import { askWorker } from '../../../session/run/worker/ask-worker';
 import type { RunParts } from '../../../session/run/parts';
 import type { HexAnswer, HexRequest } from '../../../session/run/worker/hex';
 

@@ -1,5 +1,3 @@
-import type { WorkerPort } from './run-client';
-
 /** The answer of a worker that has failed. */
 interface Failed {
   readonly type: 'failed';
@@ -14,7 +12,7 @@ interface Failed {
  * @throws Error (as a rejection) when the worker cannot be loaded, or answers that it failed
  */
 export async function askWorker<Answer extends { readonly type: string }>(
-  createWorker: () => Pick<WorkerPort, 'onerror' | 'terminate'>,
+  createWorker: () => Pick<Worker, 'terminate'>,
   request: object,
   signal?: AbortSignal,
 ): Promise<Exclude<Answer, Failed>> {
