@@ -102,6 +102,8 @@ test.describe('the course comes first', () => {
         await page.click(on('run'));
         await expect(page.locator(by('verdict'))).toBeVisible();
         expect(await courseWidth(page)).toBeGreaterThanOrEqual(leastPx);
+        const distance = await page.locator('.read .figure').first().boundingBox();
+        expect(distance?.width, 'a reading with its figure').toBeGreaterThan(20);
       });
 });
 
