@@ -1,6 +1,9 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 
+import { cleanFirmware } from '#hex/clean';
+import { makeHex } from '#hex/make';
+import { firmwareText } from '#hex/testing/firmware';
 import { limits } from '#intake/formats';
 import { addresses, samples } from '#intake/testing/samples';
 import type { Content } from '#intake/contents';
@@ -172,4 +175,13 @@ it('a zip of a class is read once, also where it is looked through for a series'
   for (const place of [0, 1]) await reader.answer({ type: 'read', batch: 1, place });
   expect(read).toHaveBeenCalledTimes(1);
   expect(await treeFile({ path: zip.name, file }).read(limits.zip)).toHaveProperty('bytes');
+});
+
+it('a hex that was opened is named with the course in which it is, not twice', async () => {
+  const cleaned = cleanFirmware(firmwareText('microbit-v2'));
+  const made = makeHex('firmwares' in cleaned ? cleaned.firmwares : [], [{ name: 'main.py', text: 'x = 1\n' }]);
+  const text = made.kind === 'hex' ? made.text : '';
+  commandsOf(page).take([new File([text], 'anna.hex')]);
+  await soon(() => expect(said()).toContain('anna – '));
+  expect(said()).not.toContain('anna.hex');
 });

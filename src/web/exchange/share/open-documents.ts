@@ -98,7 +98,7 @@ function openHexDocument(app: TakesDocuments, { files, boards, ours, unfit }: He
   const isCalliope = boards.some((board) => board.startsWith('calliope'));
   const settings = isCalliope && { settings: { ...defaultProjectSettings, ...newWork, device: CALLIOPE } };
   const isOurs = openFile === undefined && hasNothingOwn(before);
-  useOpenings(app).open({ files, scene, course, ...settings }, file, isOurs, plainStem(file));
+  useOpenings(app).open({ files, scene, course, ...settings }, courseName(scene, course), isOurs, plainStem(file));
   const told = [
     ...(ours.length === 0 ? [] : [t(words.hexOurs, { file, names: ours.join(', ') })]),
     ...(unfit.length === 0 ? [] : [t(words.hexUnfit, { file, names: unfit.join(', ') })]),
