@@ -2,21 +2,23 @@ import type { Page } from '@playwright/test';
 import type { Subject } from '../subject';
 import { closedLine, fourRobots, lidarRobot } from './kept-work';
 import { untilKept, untilMoving, withPage, type Stage } from './stage';
-import { smoothness } from './stretch';
+import { FRAME_MS, smoothness } from './stretch';
 
 const STRETCH_MS = 3_000;
 /** The beginning of a run, in ms, when code is still being compiled: not measured. */
 export const WARM_UP_MS = 1_500;
 
 const DRIVING = 'driving, no GPU, throttled 4x';
+/** A plain drive leaves half of a frame to a slow device. */
+const DRIVING_MS = 8;
 
 /** How smoothly the robot drives: while the files for later visits still come, and when all have come. */
 export const framesSubject: Subject<Stage> = {
   budgets: [
     { what: `${DRIVING}: frames`, budget: '60 a second' },
-    { what: `${DRIVING}: the page's thread per frame`, budget: '<= 10 ms' },
+    { what: `${DRIVING}: the page's thread per frame`, budget: `<= ${DRIVING_MS} ms` },
     { what: `${DRIVING}, all files kept: frames`, budget: '60 a second' },
-    { what: `${DRIVING}, all files kept: the page's thread per frame`, budget: '<= 10 ms' },
+    { what: `${DRIVING}, all files kept: the page's thread per frame`, budget: `<= ${DRIVING_MS} ms` },
   ],
   measure: (stage) =>
     withPage(stage, { throttle: 4, pressRun: true, work: closedLine() }, async (opened) => {
@@ -24,9 +26,9 @@ export const framesSubject: Subject<Stage> = {
       await untilMoving(page);
       await tools.send('Performance.enable');
       await page.waitForTimeout(WARM_UP_MS);
-      const first = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS));
+      const first = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS), DRIVING_MS);
       await untilKept(page);
-      const later = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS));
+      const later = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS), DRIVING_MS);
       return [first, later].flatMap(({ frames, thread }) => {
         const { text, longest, pictures, met } = frames;
         return [{ text: `${text} (${pictures.toFixed(0)} new pictures, ${longest})`, met }, thread];
@@ -40,7 +42,7 @@ const FAN = 'driving with the fan of a lidar shown, no GPU, throttled 4x';
 export const fanSubject: Subject<Stage> = {
   budgets: [
     { what: `${FAN}: frames`, budget: '60 a second' },
-    { what: `${FAN}: the page's thread per frame`, budget: '<= 10 ms' },
+    { what: `${FAN}: the page's thread per frame`, budget: `<= ${FRAME_MS} ms` },
   ],
   measure: (stage) =>
     withPage(stage, { throttle: 4, pressRun: true, work: lidarRobot() }, async (opened) => {

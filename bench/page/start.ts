@@ -2,13 +2,13 @@ import { median, repeat, type Subject } from '../subject';
 import { untilMoving, withPage, type Stage } from './stage';
 
 const ROUNDS = 3;
-const BUDGET_MS = { usable: 2_000, moving: 2_700 };
+const BUDGET_MS = { usable: 1_300, moving: 1_800 };
 
 /** How soon a first visit gets somewhere. */
 export const startSubject: Subject<Stage> = {
   budgets: [
-    { what: 'page, cold cache, throttled 4x: editor usable', budget: '<= 2 s' },
-    { what: 'page, cold cache, throttled 4x: first run moving', budget: '<= 2.7 s' },
+    { what: 'page, cold cache, throttled 4x: editor usable', budget: '<= 1.3 s' },
+    { what: 'page, cold cache, throttled 4x: first run moving', budget: '<= 1.8 s' },
   ],
   async measure(stage) {
     await visit(stage, 1); // the server compresses each file once, as a host does long before

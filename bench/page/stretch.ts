@@ -4,7 +4,9 @@ import type { Opened } from './stage';
 
 const ROUNDS = 3;
 /** Half a frame a second is measuring error. */
-const BUDGET = { framesPerSecond: 59.5, msPerFrame: 10 };
+const FRAMES_PER_SECOND = 59.5;
+/** Most of a frame that may be the page's own work, in ms. */
+export const FRAME_MS = 10;
 
 /** Counts over a stretch of time. */
 export interface Stretch {
@@ -20,18 +22,18 @@ export interface Stretch {
 }
 
 /** Measures three times while something goes on; the middle ones count. Returns figures for frames a second and ms a frame. */
-export async function smoothness(opened: Opened, act: (page: Page) => Promise<void>) {
+export async function smoothness(opened: Opened, act: (page: Page) => Promise<void>, mostMs = FRAME_MS) {
   const stretches = await repeat(ROUNDS, () => stretch(opened, act));
   const of = (key: keyof Stretch): number => median(stretches.map((measured) => measured[key]));
   const rate = of('framesPerSecond');
   const taskMs = of('taskMs');
   const longest = `longest gap ${of('gapMs').toFixed(0)} ms`;
   return {
-    frames: { text: rate.toFixed(1), longest, pictures: of('pictures'), met: rate >= BUDGET.framesPerSecond },
+    frames: { text: rate.toFixed(1), longest, pictures: of('pictures'), met: rate >= FRAMES_PER_SECOND },
     thread: {
       text: `${taskMs.toFixed(1)} ms in tasks (TaskDuration; ThreadTime ${of('threadMs').toFixed(1)} ms)`,
       taskMs,
-      met: taskMs <= BUDGET.msPerFrame,
+      met: taskMs <= mostMs,
     },
   };
 }

@@ -8,7 +8,7 @@ import { PLACES } from './watch';
 const RAIL = '[data-testid=time-rail]';
 const HEAD = '[data-testid=look-back]';
 const SCRUBBED_US = 60_000_000;
-const SCRUB_MS = 16;
+const SCRUB_MS = 12;
 const SCRUBS_MS = 2_000;
 const FROM_US = 600_000_000;
 const GO_ON_S = 6;
