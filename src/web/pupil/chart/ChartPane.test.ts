@@ -55,7 +55,7 @@ describe('the chart', () => {
     const output: BoardText[] = [];
     realBoard(page).value = {
       ...{ name: shallowRef('micro:bit V2'), state: shallowRef('connected'), start: shallowRef(1), count, output },
-      ...{ outputGone: 0, send: () => undefined, disconnect: () => undefined },
+      ...{ outputGone: 0, send: () => undefined, disconnect: () => Promise.resolve() },
     };
     await startRun(page);
     await show(page, { timeUs: 100_000 });

@@ -65,6 +65,15 @@ describe('the hex of a program for a board', () => {
   });
 });
 
+describe('a hex that cannot be written', () => {
+  it('is told, where the part of the page for it does not load', async () => {
+    const own = main('print(1)\n');
+    const absent: HexWriter = () => Promise.reject(new Error('The worker could not be loaded.'));
+    const problem = await problemOf(() => hexOf({ own, robot: null }, firmwaresToSave('microbit-v2', having('microbit-v2')), absent)); // prettier-ignore
+    expect(problem).toEqual({ kind: 'not-written' });
+  });
+});
+
 describe('the firmware for the board at the cable', () => {
   const both = having('microbit-v1', 'microbit-v2', 'calliope-mini-3');
 

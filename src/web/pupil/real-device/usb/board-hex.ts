@@ -31,7 +31,7 @@ const NAMED = 3;
 /**
  * Makes the hex of a program for these firmwares.
  *
- * @throws HexError (as a rejection) `too-large`, `name`
+ * @throws HexError (as a rejection) `too-large`, `name`, `not-written`
  */
 export async function hexOf(
   { own, robot }: BoardProgram,
@@ -40,7 +40,9 @@ export async function hexOf(
 ): Promise<BoardHex> {
   const room = Math.min(...firmwares.map(({ roomBytes }) => roomBytes));
   const { files, smaller } = fittingFiles(own, robot, room);
-  const made = await write(firmwares, files);
+  const made = await write(firmwares, files).catch(() => {
+    throw new HexError({ kind: 'not-written' });
+  });
   if (made.kind === 'hex') return { ...made, smaller };
   if (made.kind === 'name') throw new HexError({ kind: 'name', name: made.name });
   if (made.kind === 'boards') throw new Error(`No hex is for ${made.boards.join(' and ')} together.`);

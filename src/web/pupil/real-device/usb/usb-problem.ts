@@ -25,6 +25,8 @@ export type UsbProblem =
   | { readonly kind: 'too-large'; readonly missingBytes: number; readonly large: readonly string[] }
   /** A file has a name that a board cannot hold. */
   | { readonly kind: 'name'; readonly name: string }
+  /** The part that writes it did not load: no connection, most likely. */
+  | { readonly kind: 'not-written' }
   /** Stopped by the pupil in the middle: only a part of the program is on the board. */
   | { readonly kind: 'stopped' }
   /** Something else went wrong on the line. */

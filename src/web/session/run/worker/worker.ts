@@ -10,7 +10,7 @@ import { Simulation } from '#simulation/simulation';
 import type { Checker, ToChecker } from './checker';
 import type { createFilmMaker, ToFilm } from './film';
 import { answerFit, type FitRequest } from './fit';
-import type { HexRequest } from './hex';
+import type { HexAnswer, HexRequest } from './hex';
 import { Looker } from './look/looker';
 import { answerRepeat, type RepeatRequest } from './look/repeat';
 import type { ToLooker } from './look/protocol';
@@ -78,7 +78,11 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
     void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
-  else if (data.type === 'make-hex') void import('./hex').then(({ answerHex }) => postMessage(answerHex(data)));
+  else if (data.type === 'make-hex')
+    void import('./hex')
+      .then(({ answerHex }) => answerHex(data))
+      .catch((error: unknown): HexAnswer => ({ type: 'failed', message: String(error) }))
+      .then((answer) => postMessage(answer));
   else if (isForLooker(data)) looker.receive(data);
   else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
   else if (data.type === 'read-open' || data.type === 'read')
