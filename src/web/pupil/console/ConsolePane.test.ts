@@ -100,6 +100,7 @@ describe('the pane of the console', () => {
     await startRun(page);
     await show(page, { timeUs: 61_500_000 });
     expect(tags(pane)).toEqual(['läuft']);
+    await vi.dynamicImportSettled();
     expect(pane.get('.clock').text()).toContain('simuliert');
     await show(page, { timeUs: 61_500_000, awaitsInput: true });
     expect(tags(pane)).toEqual(['wartet auf dich']);
@@ -154,6 +155,7 @@ describe('the pane of the console', () => {
     page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
     await show(page, { timeUs: 2_000_000, repl: true });
     expect(tags(pane)).toEqual(['Programm zu Ende']);
+    await vi.dynamicImportSettled();
     expect(pane.get('.clock').text()).not.toContain('simuliert');
   });
 
@@ -163,6 +165,7 @@ describe('the pane of the console', () => {
     const pane = mountOn(page, ConsolePane);
     await startRun(page);
     await show(page, { timeUs: 2_000_000 });
+    await vi.dynamicImportSettled();
     expect(pane.get('.clock').text()).not.toContain('simuliert');
     expect(pane.get('.clock').attributes('title')).toContain('simuliert');
   });
