@@ -159,6 +159,20 @@ describe('the pane of the console', () => {
     expect(pane.get('.clock').text()).not.toContain('simuliert');
   });
 
+  it('says that the program is over also while its world is paused, as building does it', async () => {
+    const page = createPage();
+    const pane = mountOn(page, ConsolePane);
+    await startRun(page);
+    page.run.pause();
+    await nextTick();
+    expect(tags(pane)).toEqual(['Pause']);
+    page.run.resume();
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
+    page.run.pause();
+    await nextTick();
+    expect(tags(pane)).toEqual(['Programm zu Ende']);
+  });
+
   it('writes the bare time on a phone', async () => {
     setWindow(390, 800);
     const page = createPage();

@@ -26,8 +26,8 @@ export function useRunText({ run }: Pick<RunParts, 'run'>, device: () => number 
         if (ended === null && run.deviceNow(device())?.awaitsInput === true)
           return { key: 'state.waiting', tone: 'warn' };
         return { key: ended === null ? 'state.running' : 'state.finished', tone: 'run' };
-      case 'paused':
-        return { key: 'state.paused', tone: 'warn' };
+      case 'paused': // whoever builds after the program's end pauses a world in which nothing more happens
+        return ended === null ? { key: 'state.paused', tone: 'warn' } : { key: 'state.finished', tone: 'run' };
       case 'stopping':
       case 'stopped':
         return { key: 'state.stopped', tone: '' };
