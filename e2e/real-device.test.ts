@@ -154,9 +154,7 @@ test('a cable that is pulled out is told, with what to do', IN_ONE_ENGINE, async
   await expect.poll(() => said(app)).toMatch(/Verbindung ist abgebrochen.*Steck das Kabel wieder ein/);
 });
 
-test('a browser without USB and serial lines says so, and saves the files or a hex, which opens again', async ({
-  app,
-}) => {
+test('a browser without USB and serial lines says so, and saves the files', async ({ app }) => {
   await openApp(app, { language: 'fr' });
   await pasteProgram(app, PROGRAM);
   await watchSaving(app);
@@ -177,8 +175,19 @@ test('a browser without USB and serial lines says so, and saves the files or a h
   expect(saved.map(({ name }) => name.split('.').pop())).toEqual(['zip', 'py']);
   expect(saved[0]?.text).toMatch(/^PK[^]*mbled\.py[^]*main\.py/);
   expect(saved[1]).toEqual({ name: 'main.py', text: PROGRAM });
+});
 
+test('a program saved as a hex opens again from it', { tag: '@chromium' }, async ({ app }) => {
+  await openApp(app);
+  await pasteProgram(app, PROGRAM);
+  await watchSaving(app);
+  await app.click(by('menu'));
+  await until(app, by('menu-real-device'));
+  await app.click(by('menu-real-device'));
+  await until(app, by('way-serial'));
   await giveFirmware(app);
+  await until(app, by('way-hex'));
+  await app.click(by('way-hex'));
   await until(app, by('hex-save'));
   await app.click(by('hex-save'));
   await expect.poll(() => app.text(by('hex-said'))).toMatch(/\.hex/);
