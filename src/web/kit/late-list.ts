@@ -1,4 +1,4 @@
-import { type Component } from 'vue';
+import type { Component } from 'vue';
 import { lateView } from './late-view';
 
 /** A part that is loaded when it is first needed, such as the list of a menu. */

@@ -1,4 +1,4 @@
-import { type Component } from 'vue';
+import type { Component } from 'vue';
 
 import { lateView } from '../late-view';
 import type { LoadedView } from '../loaded-view';
