@@ -18,6 +18,7 @@ export const layers = {
   advice: ['core', 'robots'],
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
+  'school-class': ['core', 'scene', 'check'],
   intake: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'check', 'hex'],
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
@@ -27,7 +28,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'intake', 'hex', 'catalogue', 'advice',
+    'check', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',
@@ -52,6 +53,7 @@ export const layers = {
     'device-check',
     'device-log',
     'check',
+    'school-class',
     'intake',
     'hex',
     'catalogue',

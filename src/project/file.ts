@@ -5,6 +5,7 @@ import { parseSceneValue } from '#scene/parse';
 import { shown } from '#scene/problem';
 import { Reader, type Fields } from '#scene/reader';
 import { serializeScene } from '#scene/serialize';
+import { versionProblem } from '#scene/version-problem';
 
 import type { ProjectProblem } from './problem';
 import { defaultProjectSettings, projectLimits, type Project, type ProjectSettings } from './project';
@@ -90,25 +91,9 @@ function currentVersion(value: unknown): { readonly fields: Fields } | { readonl
   let fields = value;
   const version = fields['version'];
   if (typeof version !== 'number' || !Number.isInteger(version) || version < 1 || version > PROJECT_VERSION)
-    return { problem: versionProblem(version) };
+    return { problem: versionProblem('Project', version, PROJECT_VERSION) };
   for (let step = version; step < PROJECT_VERSION; step += 1) fields = migrations[step]?.(fields) ?? fields;
   return { fields };
-}
-
-function versionProblem(version: unknown): ProjectProblem {
-  const known = PROJECT_VERSION;
-  const isNewer = typeof version === 'number' && Number.isInteger(version) && version > known;
-  const params = { version: typeof version === 'number' ? version : shown(version).slice(0, 20), known };
-  const message = isNewer
-    ? `Project version ${String(version)} is newer than this app (${String(known)}). Reload the page to update.`
-    : `Project version ${String(params.version)} is unknown; this app reads version ${String(known)}.`;
-  return {
-    code: isNewer ? 'newer-version' : 'unknown-version',
-    path: 'version',
-    value: shown(version),
-    params,
-    message,
-  };
 }
 
 function readProject(value: Fields): ParsedProject {

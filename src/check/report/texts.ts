@@ -1,5 +1,6 @@
+import { csvText } from '#core/csv';
 import type { Language } from '#core/languages';
-import { plainText } from '#core/unseen';
+
 import type { CheckResult } from '../result';
 import type { ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
@@ -79,7 +80,7 @@ export function csvOf({ handIns }: ClassResult, language: Language): string {
     result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
     ...(hasNotes ? [note] : []),
   ]);
-  return [headings, ...rows].map((cells) => `${cells.map(cell).join(',')}\r\n`).join('');
+  return csvText([headings, ...rows]);
 }
 
 const yes = (is: boolean): string => (is ? '1' : '0');
@@ -87,19 +88,6 @@ const yes = (is: boolean): string => (is ? '1' : '0');
 const idsOf = (lists: readonly (readonly { readonly id: string }[])[]): readonly string[] => [
   ...new Set(lists.flat().map(({ id }) => id)),
 ];
-
-/**
- * Defuses a text that a spreadsheet would take for a formula: also behind a sign that parts cells on computers of
- * other languages, or a line break.
- */
-function cell(text: string): string {
-  const isNumber = /^-?\d+(\.\d+)?$/.test(text);
-  const safe = isNumber ? text : plainText(text).replace(FORMULA, "$1'$2");
-  return /[";,\t\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
-}
-
-/** Beginning of a cell that makes it a formula; some spreadsheets leave out spaces and quotes before it. */
-const FORMULA = /(^|[;\t\r\n])((?:[^\S\t\r\n]|")*[=+\-@\uff1d\uff0b\uff0d\uff20])/g;
 
 /** The result of a class as JUnit's XML: a test case for each hand-in, its simulated time as time. */
 export function junitOf(found: ClassResult, language: Language): string {

@@ -1,0 +1,23 @@
+import { describe, expect, it } from 'vitest';
+
+import { csvText, spreadsheetText } from './csv';
+
+const rows = [
+  ['Name', 'Note', 'Zeit'],
+  ['Ada; "die" Erste', 5.5, null],
+  ['=1+1', -2.5, '12.5'],
+] as const;
+
+describe('a table as CSV', () => {
+  it('has commas and points for programs, and no cell is a formula', () =>
+    expect(csvText(rows)).toBe('Name,Note,Zeit\r\n"Ada; ""die"" Erste",5.5,\r\n\'=1+1,-2.5,12.5\r\n'));
+
+  it.each(['de', 'fr', 'it'] as const)('has semicolons and decimal commas for a spreadsheet in %s', (language) =>
+    expect(spreadsheetText(rows, language)).toBe(
+      '\ufeffName;Note;Zeit\r\n"Ada; ""die"" Erste";5,5;\r\n\'=1+1;-2,5;12.5\r\n',
+    ),
+  );
+
+  it('has commas and points for a spreadsheet in English', () =>
+    expect(spreadsheetText([['a', 0.25]], 'en')).toBe('\ufeffa,0.25\r\n'));
+});
