@@ -2,6 +2,7 @@ import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
 import { checkTexts, parseCheck, type CheckOptions } from './check/check-arguments';
+import { classTexts, parseClassCommand, type ClassOptions } from './class/class-arguments';
 import { convertTexts, parseConvert, type ConvertOptions } from './convert/convert-arguments';
 import { parseDevice, type DeviceOption } from './device-option';
 import { parseDuration } from '#core/duration';
@@ -74,6 +75,7 @@ export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
   | { readonly type: 'replay'; readonly options: ReplayOptions }
   | { readonly type: 'check'; readonly options: CheckOptions }
+  | { readonly type: 'class'; readonly options: ClassOptions }
   | { readonly type: 'convert'; readonly options: ConvertOptions }
   | { readonly type: 'probe'; readonly options: ProbeOptions }
   | { readonly type: 'help' }
@@ -104,6 +106,7 @@ const texts = [
   'hit',
   ...checkTexts,
   ...convertTexts,
+  ...Object.values(classTexts).flat(),
 ] as const;
 const flags = ['until-verdict', 'strict', 'json', 'quiet', 'help', 'version'] as const;
 
@@ -160,6 +163,10 @@ function commandOf(
     const options = parseCheck(words, given, set, process.env);
     return 'problem' in options ? bad(options.problem) : { type: 'check', options };
   }
+  if (command === 'class') {
+    const options = parseClassCommand(positionals.slice(1), given, set, today());
+    return 'problem' in options ? bad(options.problem) : { type: 'class', options };
+  }
   if (command === 'convert') {
     const options = parseConvert(positionals.slice(1), given, set);
     return 'problem' in options ? bad(options.problem) : { type: 'convert', options };
@@ -177,6 +184,13 @@ function commandOf(
   if (program === undefined) return bad('Which program? For example: parcours run main.py');
   if (more.length > 0) return bad(`One program at a time: what is "${more[0] ?? ''}"? Further files come with --file.`);
   return runCommand(program, given, set);
+}
+
+/** The day by this computer's calendar. */
+function today(): string {
+  const now = new Date();
+  const two = (number: number): string => String(number).padStart(2, '0');
+  return `${String(now.getFullYear())}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
 }
 
 function probeCommand(action: string | undefined, [board, other, ...more]: readonly string[]): Command {

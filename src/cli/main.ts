@@ -2,6 +2,7 @@
 import { version } from '../../package.json';
 import { parseCommand } from './arguments';
 import { checkHandIns } from './check/check-command';
+import { changeClass } from './class/class-command';
 import { convert } from './convert/convert-command';
 import { help } from './help';
 import { compareProbes } from './probe/compare-command';
@@ -42,6 +43,12 @@ switch (command.type) {
     break;
   case 'check':
     process.exitCode = await checkHandIns(
+      command.options,
+      createTerminal(process.stdout, process.stderr, command.options.quiet),
+    );
+    break;
+  case 'class':
+    process.exitCode = await changeClass(
       command.options,
       createTerminal(process.stdout, process.stderr, command.options.quiet),
     );

@@ -2,10 +2,9 @@ import { isRecord } from '#core/record';
 import { readMyRobot } from '#my-robot/my-robot';
 import { readJsonFile, summaryOf } from '#scene/json-file';
 import { parseSceneValue } from '#scene/parse';
-import { shown } from '#scene/problem';
+import { shown, versionProblem } from '#scene/problem';
 import { Reader, type Fields } from '#scene/reader';
 import { serializeScene } from '#scene/serialize';
-import { versionProblem } from '#scene/version-problem';
 
 import type { ProjectProblem } from './problem';
 import { defaultProjectSettings, projectLimits, type Project, type ProjectSettings } from './project';

@@ -1,9 +1,8 @@
 import { dayNumber, type Day } from '#core/day';
 import { isRecord } from '#core/record';
 import { readJsonFile, summaryOf } from '#scene/json-file';
-import { shown, type SceneProblem } from '#scene/problem';
+import { shown, type SceneProblem, versionProblem } from '#scene/problem';
 import { Reader, type Fields, type Range } from '#scene/reader';
-import { versionProblem } from '#scene/version-problem';
 import { gradeSteps, passPercents, systemIds, usualScale, type Scale } from './grades';
 import { classLimits, outcomes, type Pupil, type Result, type SchoolClass, type SetTask } from './school-class';
 

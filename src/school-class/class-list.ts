@@ -83,10 +83,9 @@ export function withList(given: SchoolClass, names: readonly string[]): SchoolCl
   const others = given.pupils.filter(({ id }) => !pupils.some((pupil) => pupil.id === id));
   const found = others.map((one) => ({ one, pupil: findPupil(pupils, one.name) }));
   const left = found.flatMap(({ one, pupil }) => (pupil === null ? [{ ...one, isListed: false }] : []));
-  return found.reduce((now, { one, pupil }) => (pupil === null ? now : withOneFor(now, one, pupil.id)), {
-    ...given,
-    pupils: [...pupils, ...left],
-  });
+  let joined: SchoolClass = { ...given, pupils: [...pupils, ...left] };
+  for (const { one, pupil } of found) if (pupil !== null) joined = withOneFor(joined, one, pupil.id);
+  return joined;
 }
 
 /** A class in which a pupil is known by the names of somebody else, too, and has their results: the two are one. */

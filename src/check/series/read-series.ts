@@ -5,7 +5,7 @@
 import { isRecord } from '#core/record';
 import { fnvOfText } from '#core/fnv';
 import { readJsonFile, summaryOf } from '#scene/json-file';
-import { shown } from '#scene/problem';
+import { shown, versionProblem } from '#scene/problem';
 import { Reader, type Fields } from '#scene/reader';
 import { formatOf, parseProjectValue } from '#project/file';
 import { projectOfLink, type ReadyCourses, type Room } from '#project/link/link';
@@ -49,7 +49,7 @@ export function parseSeriesValue(value: unknown, courses: ReadyCourses): ReadSer
     return refused([problemOf('not-a-series', 'format', formatOf(value), message)]);
   }
   const { version } = value;
-  if (version !== SERIES_VERSION) return refused([versionProblem(version)]);
+  if (version !== SERIES_VERSION) return refused([versionProblem('Series', version, SERIES_VERSION)]);
   const reader = new Reader();
   const fields = reader.fields(value, '', ['format', 'version', 'id', 'title', 'text', 'tasks']);
   const title = reader.text(fields['title'], 'title', seriesLimits.titleCharacters, '');
@@ -71,15 +71,6 @@ const problemOf = (code: SeriesProblemCode, path: string, value: unknown, messag
   ...{ code, path, message, params: {} },
   value: value === undefined ? '' : shown(value),
 });
-
-function versionProblem(version: unknown): SeriesProblem {
-  const isNewer = typeof version === 'number' && Number.isInteger(version) && version > SERIES_VERSION;
-  const message = isNewer
-    ? `Series version ${String(version)} is newer than this app (${String(SERIES_VERSION)}). Reload the page to update.`
-    : `Series version ${shown(version)} is unknown; this app reads version ${String(SERIES_VERSION)}.`;
-  const problem = problemOf(isNewer ? 'newer-version' : 'unknown-version', 'version', version, message);
-  return { ...problem, params: { version: shown(version).slice(0, 20), known: SERIES_VERSION } };
-}
 
 /** Id of a series without one, as in files written by hand: the same for the same contents. */
 const idOf = (title: string, tasks: readonly unknown[]): string =>

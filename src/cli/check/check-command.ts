@@ -12,12 +12,11 @@ import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
-import { readyTitle } from '../ready-courses';
 import { reasonOf } from '../reason-of';
 import { printable, type Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
-import { readTask, type NamedTask } from './read-task';
+import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from './shard';
 import { findHandIns } from './sources';
@@ -114,7 +113,7 @@ async function runAll(
 }
 
 /** Shows the progress: on a terminal in one line that is replaced, elsewhere now and then. */
-class Progress {
+export class Progress {
   private done = 0;
   private passed = 0;
   private toldMs = performance.now();
@@ -148,7 +147,7 @@ interface Running {
 }
 
 /** Checks all hand-ins. The results do not depend on the lane that has checked each. */
-async function checkAll(
+export async function checkAll(
   task: ClassTask,
   sources: readonly Source[],
   start: StartThread,
@@ -194,10 +193,6 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   folder?.keep(source.name, key, result);
   return result;
 }
-
-/** The task's name for reports: its id, else the title in its series or of its ready course, else its course's name. */
-const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
-  id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
 
 /** @returns what is wrong with one of the files */
 function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): string | null {

@@ -1,11 +1,12 @@
 import { basename } from 'node:path';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
-import { seriesLinkOf } from '#intake/address';
+import type { Language } from '#core/languages';
+import { documentOfSeriesLink, seriesLinkOf } from '#intake/address';
 import { limits, stemOf } from '#intake/formats';
 import { documentOfText, taskIn } from '#intake/text';
 import { isNoFile, readLimited } from '../read-files';
-import { readyCourse, readyProject } from '../ready-courses';
+import { readyCourse, readyProject, readyTitle } from '../ready-courses';
 import { addressProblem, documentAt, isAddress, shortened } from '../read-work';
 import { partsOf, taskInFile, taskOfLink, withoutReload, type OpenedTask } from './series-task';
 
@@ -33,6 +34,31 @@ export async function readTask(word: string): Promise<(NamedTask & { readonly fi
   if ('problem' in read) return { problem: `${shortened(word)}: ${read.problem}` };
   const files = isAddress(word) ? [] : [partsOf(word).where, ...beside];
   return { name: read.task.id || name, ...titled, task: read.task, files };
+}
+
+/** The tasks behind a word: all of a series, in their order, else the one. */
+export async function readTasks(
+  word: string,
+): Promise<readonly (NamedTask & { readonly files: readonly string[] })[] | Problem> {
+  const { where, which } = partsOf(word);
+  const count = which === '' ? seriesLength(where) : null;
+  const words = count === null ? [word] : Array.from({ length: count }, (_, place) => `${where}#${String(place + 1)}`);
+  const tasks = [];
+  for (const one of words) {
+    const read = await readTask(one);
+    if ('problem' in read) return read;
+    tasks.push(read);
+  }
+  return tasks;
+}
+
+/** Number of tasks of a series; `null`: it is none, or one without tasks. */
+function seriesLength(where: string): number | null {
+  const link = seriesLinkOf(where);
+  if (link === null && (isAddress(where) || isNoFile(where))) return null;
+  const file = link === null ? readLimited(where, limits.json) : null;
+  const document = link !== null ? documentOfSeriesLink(link, readyCourse) : file && 'text' in file ? documentOfText(file.text, readyCourse) : null; // prettier-ignore
+  return document?.kind === 'series' ? document.series.tasks.length || null : null;
 }
 
 async function openedTask(word: string): Promise<OpenedTask | Problem> {
@@ -74,3 +100,7 @@ const isSingle = (where: string, which: string): Problem => ({
 });
 
 const isId = (word: string): boolean => /^[\w-]+$/.test(word);
+
+/** The task's name for reports: its id, else the title in its series or of its ready course, else its course's name. */
+export const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
+  id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
