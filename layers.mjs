@@ -110,6 +110,7 @@ export const wings = {
     print: ['session', 'course/editor', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
     desk: ['session', 'pupil/galleries'],
     class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk'],
+    classes: ['session', 'pupil/galleries', 'teacher/class', 'teacher/desk'],
     'task-maker': [
       'session', 'course/editor', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
       'teacher/print', 'teacher/desk',

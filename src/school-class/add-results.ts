@@ -76,7 +76,7 @@ function resultOf(
   return { pupil, task, day, outcome, points, stars, work: twin, note: note.slice(0, classLimits.noteCharacters) };
 }
 
-/** What makes two results the same one. */
+/** A text that two results share if they are the same one. */
 const identityOf = ({ day: _, note: __, ...result }: Result): string =>
   [result.pupil, result.task, result.outcome, result.points, result.stars ?? '', result.work].join('\n');
 

@@ -106,3 +106,17 @@ export function withPupilsJoined(given: SchoolClass, id: string, otherId: string
   const other = given.pupils.find((pupil) => pupil.id === otherId);
   return other === undefined || id === otherId ? given : withOneFor(given, other, id);
 }
+
+/** A class without a pupil and what they handed in. */
+export const withoutPupil = (given: SchoolClass, id: string): SchoolClass => ({
+  ...given,
+  pupils: given.pupils.filter((pupil) => pupil.id !== id),
+  results: given.results.filter(({ pupil }) => pupil !== id),
+});
+
+/** A class without a task and its results. */
+export const withoutTask = (given: SchoolClass, id: string): SchoolClass => ({
+  ...given,
+  tasks: given.tasks.filter((task) => task.id !== id),
+  results: given.results.filter(({ task }) => task !== id),
+});

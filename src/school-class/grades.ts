@@ -57,5 +57,5 @@ export function gradeOf({ system, passPercent, step }: Scale, points: number, of
   return Math.round((worst + Math.sign(range) * steps * step) * 100) / 100;
 }
 
-/** What is a half up to the last bits of a division is a half. */
+/** A half that a division has missed by its last bits is a half. */
 const ROUNDING = 1e-9;

@@ -14,7 +14,7 @@ const add = (to: SchoolClass, task: string, day: string, results: Readonly<Recor
   addResults(to, { task: aTask(task), found: found(`Task ${task}`, results), day }).schoolClass;
 const table = (of: SchoolClass, day = '2026-11-30'): readonly string[] =>
   rowsOf(of, day).map(
-    ({ pupil, cells, points, of: most, grade }) =>
+    ({ pupil, cells, points, most, grade }) =>
     [pupil.name, ...cells.map(({ state, points: own, tries }) => `${state} ${String(own)} (${String(tries)})`), `${String(points)}/${String(most)}`, grade].join(' · '), // prettier-ignore
   );
 

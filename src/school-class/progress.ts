@@ -2,7 +2,7 @@ import type { Day } from '#core/day';
 import { gradeOf } from './grades';
 import type { Pupil, Result, SchoolClass, SetTask } from './school-class';
 
-/** What a pupil has of a task. The best result counts, of equal ones the newest. */
+/** The standing of a pupil in a task. The best result counts, of equal ones the newest. */
 export interface Cell {
   /**
    * `partly`: not passed, with points. `unread`: handed in, and nothing of it could be read. `missing`: nothing was handed in,
@@ -26,7 +26,7 @@ export interface Row {
   /** Points of all that counts: what is open or could not be read does not. */
   readonly points: number;
   /** Points that could be had in it. */
-  readonly of: number;
+  readonly most: number;
   /** `null`: the class has no scale, or nothing counts yet. */
   readonly grade: number | null;
 }
@@ -39,8 +39,8 @@ export function rowsOf(schoolClass: SchoolClass, day: Day): readonly Row[] {
     const cells = tasks.map((task) => cellOf(task, results.get(keyOf(pupil.id, task.id)) ?? [], day));
     const counted = cells.map(({ state }) => state !== 'open' && state !== 'unread');
     const points = cells.reduce((sum, cell, place) => (counted[place] === true ? sum + cell.points : sum), 0);
-    const of = tasks.reduce((sum, task, place) => (counted[place] === true ? sum + task.points : sum), 0);
-    return { pupil, cells, points, of, grade: scale && gradeOf(scale, points, of) };
+    const most = tasks.reduce((sum, task, place) => (counted[place] === true ? sum + task.points : sum), 0);
+    return { pupil, cells, points, most, grade: scale && gradeOf(scale, points, most) };
   });
 }
 

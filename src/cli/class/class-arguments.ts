@@ -3,7 +3,7 @@ import { dayNumber, type Day } from '#core/day';
 import { LANGUAGES, type Language } from '#core/languages';
 import { passPercents, systemIds, type SystemId } from '#school-class/grades';
 
-/** What `parcours class` can do with the file of a class. */
+/** The acts of `parcours class` on the file of a class. */
 export const classActs = ['add', 'set', 'merge', 'report'] as const;
 type Act = (typeof classActs)[number];
 

@@ -1,10 +1,10 @@
 import { writeFileSync } from 'node:fs';
 import { withList, namesIn, namesTwice } from '#school-class/class-list';
-import { usualScale } from '#school-class/grades';
+import { usualScale, type Scale } from '#school-class/grades';
 import { mergeClasses } from '#school-class/merge';
 import { rowsOf, type Row } from '#school-class/progress';
 import { classReport } from '#school-class/report/html';
-import { figureText, hasPoints, SIGNS, stateText, summaryText, twiceText } from '#school-class/report/say';
+import { gradeText, hasPoints, SIGNS, stateText, summaryText, twiceText } from '#school-class/report/say';
 import { classTable } from '#school-class/report/table';
 import { classLimits, type SchoolClass } from '#school-class/school-class';
 import { outputProblem } from '../outputs';
@@ -92,14 +92,17 @@ function reported(schoolClass: SchoolClass, options: ClassOptions): Done {
       return { problem: `${path}: ${reasonOf(error)}` };
     }
   }
-  return { schoolClass, said: [summaryText(schoolClass, options.lang), ...rows.map((row) => lineOf(row, options))] };
+  return {
+    schoolClass,
+    said: [summaryText(schoolClass, options.lang), ...rows.map((row) => lineOf(row, schoolClass.scale, options))],
+  };
 }
 
-/** A row as a line of text: `Ada Meier  ✓ 4  ◐ 3  – fehlt  7/12  4,5`. */
-function lineOf({ pupil, cells, points, of, grade }: Row, { lang }: ClassOptions): string {
+/** A row as a line of text: `Ada Meier  ✓ 4  ◐ 3  – fehlt  7/12  4.5`. */
+function lineOf({ pupil, cells, points, most, grade }: Row, scale: Scale | null, { lang }: ClassOptions): string {
   const figures = cells.map((cell) => `${SIGNS[cell.state]} ${hasPoints(cell) ? String(cell.points) : stateText(cell, lang)}`); // prettier-ignore
-  const last = grade === null ? [] : [figureText(grade, lang)];
-  return [pupil.name, ...figures, `${String(points)}/${String(of)}`, ...last].join('  ');
+  const last = scale === null ? [] : [gradeText(grade, scale, lang)];
+  return [pupil.name, ...figures, `${String(points)}/${String(most)}`, ...last].join('  ');
 }
 
 /** The class as one line for other programs. */
@@ -108,8 +111,8 @@ function jsonOf(schoolClass: SchoolClass, { day }: ClassOptions): string {
   return JSON.stringify({
     name,
     tasks: tasks.map(({ id, title, points, since, due }) => ({ id, title, points, since, due })),
-    pupils: rowsOf(schoolClass, day).map(({ pupil, cells, points, of, grade }) => ({
-      ...{ name: pupil.name, listed: pupil.isListed, points, of, grade },
+    pupils: rowsOf(schoolClass, day).map(({ pupil, cells, points, most, grade }) => ({
+      ...{ name: pupil.name, listed: pupil.isListed, points, most, grade },
       tasks: cells.map((cell, place) => ({
         ...{ id: tasks[place]?.id, state: cell.state },
         points: cell.result === null || cell.state === 'unread' ? null : cell.points,

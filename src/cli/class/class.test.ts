@@ -47,10 +47,10 @@ describe('parcours class', () => {
     const [report, csv] = [join(folder, '8b.html'), join(folder, '8b.csv')];
     const told = classAct('report', own, '--report', report, '--csv', csv, '--lang', 'de', '--date', '2026-11-30');
     expect(told.out.split('\n').slice(1)).toEqual([
-      'Ada Meier  ✓ 1  – fehlt  1/2  3,5',
-      'Ben Huber  ✗ 0  ✗ 0  0/2  1',
-      'Cleo Roth  ? nicht lesbar  – fehlt  0/1  1',
-      'Zoe  ✓ 1  – fehlt  1/2  3,5',
+      'Ada Meier  ✓ 1  – fehlt  1/2  3.5',
+      'Ben Huber  ✗ 0  ✗ 0  0/2  1.0',
+      'Cleo Roth  ? nicht lesbar  – fehlt  0/1  1.0',
+      'Zoe  ✓ 1  – fehlt  1/2  3.5',
       '',
     ]);
     expect(readFileSync(csv, 'utf8').split('\r\n')[1]).toMatch(/^Ada Meier;1;.*;fehlt;.*;1;2;3,5$/);

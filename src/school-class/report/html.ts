@@ -2,11 +2,12 @@ import { escaped } from '#check/report/escaped';
 import type { Day } from '#core/day';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
+import type { Scale } from '../grades';
 import { rowsOf, type Cell, type Row } from '../progress';
 import type { SchoolClass, SetTask } from '../school-class';
 import words from '../words';
 import styles from './class-report.css?raw';
-import { dayText, figureText, hasPoints, scaleText, SIGNS, stateText, weeksOf } from './say';
+import { dayText, gradeText, hasPoints, scaleText, SIGNS, stateText, weeksOf } from './say';
 
 /** The report of a class on a day as one HTML file that needs nothing else: pupils × tasks by weeks, on A4 across. */
 export function classReport(schoolClass: SchoolClass, day: Day, language: Language): string {
@@ -42,7 +43,7 @@ function tableOf({ tasks, scale }: SchoolClass, rows: readonly Row[], language: 
 <tr><th>${escaped(words.name[language])}</th>${tasks.map((task) => taskHead(task, language)).join('')}<th class="number">${escaped(words.points[language])}</th>${grade}</tr>
 </thead>
 <tbody>
-${rows.map((row) => rowOf(row, { tasks, hasGrades: scale !== null, language })).join('\n')}
+${rows.map((row) => rowOf(row, { tasks, scale, language })).join('\n')}
 </tbody>
 </table>`;
 }
@@ -54,14 +55,14 @@ function taskHead({ title, due }: SetTask, language: Language): string {
 
 interface Form {
   readonly tasks: readonly SetTask[];
-  readonly hasGrades: boolean;
+  readonly scale: Scale | null;
   readonly language: Language;
 }
 
-function rowOf({ pupil, cells, points, of, grade }: Row, { tasks, hasGrades, language }: Form): string {
+function rowOf({ pupil, cells, points, most, grade }: Row, { tasks, scale, language }: Form): string {
   const inside = cells.map((cell, place) => `<td class="${cell.state}">${cellText(cell, tasks[place], language)}</td>`);
-  const last = hasGrades ? `<td class="number grade">${grade === null ? '–' : figureText(grade, language)}</td>` : '';
-  return `<tr><th>${escaped(pupil.name)}</th>${inside.join('')}<td class="number">${String(points)} / ${String(of)}</td>${last}</tr>`;
+  const last = scale === null ? '' : `<td class="number grade">${gradeText(grade, scale, language)}</td>`;
+  return `<tr><th>${escaped(pupil.name)}</th>${inside.join('')}<td class="number">${String(points)} / ${String(most)}</td>${last}</tr>`;
 }
 
 function cellText(cell: Cell, task: SetTask | undefined, language: Language): string {

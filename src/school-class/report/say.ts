@@ -2,7 +2,7 @@ import { weekOf, type Day } from '#core/day';
 import { passedOf } from '#check/report/class-result';
 import type { Language, Texts } from '#core/languages';
 import { filledIn } from '#core/words';
-import type { Scale } from '../grades';
+import type { Scale, SystemId } from '../grades';
 import { taskKey, type Added, type CheckedTask } from '../add-results';
 import { missingIn, rowsOf, type Cell } from '../progress';
 import type { SchoolClass, SetTask } from '../school-class';
@@ -15,14 +15,20 @@ export function dayText(day: Day, language: Language): string {
   return day.split('-').toReversed().join(sign);
 }
 
-/** A grade or other figure with the decimal sign of the language. */
-export const figureText = (figure: number, language: Language): string =>
-  language === 'en' ? String(figure) : String(figure).replace('.', ',');
+/** A grade with as many decimals as its steps need, as the page writes numbers: `5.5`, in French `5,5`; `–` for none. */
+export function gradeText(grade: number | null, { step }: Pick<Scale, 'step'>, language: Language): string {
+  if (grade === null) return '–';
+  const text = grade.toFixed(step === 1 ? 0 : step === 0.25 ? 2 : 1);
+  return language === 'fr' ? text.replace('.', ',') : text;
+}
+
+/** The name of a system of grades. */
+export const systemText = (system: SystemId, language: Language): string => words.systems[system][language];
 
 /** The scale in a few words. */
 export function scaleText({ system, passPercent }: Scale, language: Language): string {
   const text = passPercent === null ? words.even : words.from;
-  return filledIn(text[language], { system: words.systems[system][language], percent: passPercent ?? '' });
+  return filledIn(text[language], { system: systemText(system, language), percent: passPercent ?? '' });
 }
 
 /** Tasks that were first checked in the same week, beside each other. */

@@ -23,10 +23,10 @@ export function classTable({ tasks, scale }: SchoolClass, rows: readonly Row[], 
     words.most[language],
     ...(scale === null ? [] : [say('grade')]),
   ];
-  const body = rows.map(({ pupil, cells, points, of, grade }): TableCell[] => [
+  const body = rows.map(({ pupil, cells, points, most, grade }): TableCell[] => [
     pupil.name,
     ...tasks.flatMap(({ hasStars }, place) => cellsOf(cells[place], hasStars, language)),
-    ...[points, of],
+    ...[points, most],
     ...(scale === null ? [] : [grade]),
   ]);
   return spreadsheetText([headings, ...body], language);

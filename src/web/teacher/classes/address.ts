@@ -1,0 +1,2 @@
+/** The address of the page with the classes. */
+export const CLASSES = 'classes';
