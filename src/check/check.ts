@@ -125,7 +125,7 @@ function remarksOn(
   worlds: readonly WorldResult[],
   unchanged: boolean,
 ): readonly Remark[] {
-  const { project, hasCourse, said, locks, isEdited } = handIn;
+  const { project, hasCourse, said, locks, isEdited, coding } = handIn;
   const remarks: Remark[] = [];
   const tell = (code: Remark['code'], params: Remark['params'] = {}): void => {
     remarks.push({ code, params });
@@ -146,6 +146,7 @@ function remarksOn(
     else if (said.verdict !== 'open') tell('no-hash');
   }
   if (isEdited) tell('edited');
+  if (coding !== undefined) tell('coding', { coding });
   if (unchanged) tell('unchanged');
   return remarks;
 }

@@ -97,7 +97,7 @@ export const remarkCodes = [
   // reported by the pupil's page
   ...(['hand', 'outside'] as const),
   // found by comparing
-  ...(['course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'unchanged', 'twins'] as const),
+  ...(['course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'coding', 'unchanged', 'twins'] as const),
 ] as const;
 export type RemarkCode = (typeof remarkCodes)[number];
 

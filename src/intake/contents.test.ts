@@ -8,7 +8,7 @@ const none = () => null;
 
 describe('a file that is handed in', () => {
   it('is told to be no program where it is a picture, not to be no text', async () => {
-    const picture = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0);
+    const picture = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0x4a, 0x46);
     expect(await handInOfBytes('Foto.jpg', picture, none)).toMatchObject({ problem: { code: 'kind' } });
     expect(await handInOfBytes('anna.py', picture, none)).toMatchObject({ problem: { code: 'not-text' } });
   });

@@ -6,15 +6,26 @@ import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type Source
 import { parseTape } from '#tape/file';
 import { documentOfAddress } from './address';
 import type { AddressDocument, Document, ProgramDocument, TextDocument } from './document';
-import { documentOf, textOf } from './file';
-import { isTextWithLinks, lastOf, mostBytes } from './formats';
+import { decoded, type Decoded } from './decode';
+import { documentOf } from './file';
+import { formatOf, isTextWithLinks, lastOf, mostBytes } from './formats';
 import type { NamedLink } from './links';
 import { projectOfRun } from './project-of-run';
 import { SERIES } from './text';
-import { Budget, chosenIn, readBeside, type TreeFile } from './tree';
+import { Budget, chosenIn, readBeside, type Chosen, type TreeFile } from './tree';
 
-/** The content of a source: a hand-in, or the reason why there is none. */
-export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
+/** The content of a source: a hand-in, or the reason why there is none; then perhaps several, of which somebody chooses. */
+export type Content = { readonly handIn: HandIn } | { readonly problem: Unread; readonly choices?: readonly Choice[] };
+
+/** A file that may be the program of a hand-in. */
+export interface Choice {
+  /** Its path in the folder or zip. */
+  readonly file: string;
+  readonly handIn: HandIn;
+}
+
+/** Maximum number of files from which somebody chooses. Chosen: a row of buttons that is still read. */
+const MOST_CHOICES = 12;
 
 /** Maximum depth of zips in zips. Chosen: a platform's around a pupil's around a packed program. */
 const MOST_LEVELS = 3;
@@ -63,25 +74,60 @@ export async function handInOfDocument(
 export async function handInOfTree(
   files: readonly TreeFile[],
   courses: ReadyCourses,
-  { budget, level } = alone(),
+  packing = alone(),
 ): Promise<Content> {
   const chosen = chosenIn(files);
   if ('problem' in chosen) return chosen;
-  const { program, beside } = chosen;
-  const name = lastOf(program.path);
+  return 'candidates' in chosen
+    ? handInOfSeveral(chosen.candidates, courses, packing)
+    : handInOfChosen(chosen, courses, packing);
+}
+
+/** The only one of several that is a hand-in; else all that are, for somebody to choose. */
+async function handInOfSeveral(
+  candidates: readonly Chosen[],
+  courses: ReadyCourses,
+  packing: Packing,
+): Promise<Content> {
+  const choices: Choice[] = [];
+  let first: Content = unread('no-main');
+  for (const chosen of candidates.slice(0, MOST_CHOICES)) {
+    const { path } = chosen.program;
+    const content = await handInOfChosen(chosen, courses, packing);
+    if ('handIn' in content) choices.push({ file: path, handIn: content.handIn });
+    else if (content.choices === undefined) first = chosen === candidates[0] ? content : first;
+    else choices.push(...content.choices.map(({ file, handIn }) => ({ file: `${path}/${file}`, handIn })));
+  }
+  const [only, another] = choices;
+  if (another === undefined) return only === undefined ? first : { handIn: only.handIn };
+  const names = choices.map(({ file }) => file).join(', ');
+  return { ...unread('several', { files: names + (candidates.length > MOST_CHOICES ? ', …' : '') }), choices };
+}
+
+/** The hand-in whose files are known. */
+async function handInOfChosen(
+  { program, beside }: Chosen,
+  courses: ReadyCourses,
+  { budget, level }: Packing,
+): Promise<Content> {
+  const name = beside === undefined ? lastOf(program.path) : MAIN;
   const main = await budget.read(program, mostBytes(name));
   if ('problem' in main) return main;
   if (beside === undefined) return handInOfBytes(name, main.bytes, courses, { budget, level: level + 1 });
   const others = await readBeside(beside, budget);
   if ('problem' in others) return others;
   const read: SourceFile[] = [];
+  let coding: Decoded['coding'];
   for (const { name: own, bytes } of [{ name, bytes: main.bytes }, ...others]) {
-    const text = textOf(bytes);
+    const text = decoded(bytes);
+    const isData = formatOf(own) !== 'program' && text?.coding !== undefined;
     // What the board could not hold does not belong to the program.
-    if (text !== null && nameProblem(own, read) === null) read.push({ name: own, text });
-    else if (own === MAIN) return unread('not-text');
+    if (text !== null && !isData && nameProblem(own, read) === null) {
+      read.push({ name: own, text: text.text });
+      coding ??= text.coding;
+    } else if (own === MAIN) return unread('not-text');
   }
-  return handInOfPrograms(read);
+  return handInOfPrograms(read, coding);
 }
 
 /** The hand-in of a link. */
@@ -102,7 +148,7 @@ function handInOfLinks(links: readonly NamedLink[], courses: ReadyCourses): Cont
 function handInOfWork(document: ProgramDocument | TextDocument | AddressDocument): Content {
   switch (document.kind) {
     case 'program':
-      return handInOfPrograms(document.files);
+      return handInOfPrograms(document.files, document.coding);
     case 'project':
       return handInOfProject(document.project);
     case 'recording':
@@ -136,11 +182,11 @@ function handInOfRun(text: string): Content {
 }
 
 /** The hand-in of program files; one alone is main.py, whatever its file is called. */
-function handInOfPrograms(files: readonly SourceFile[]): Content {
+function handInOfPrograms(files: readonly SourceFile[], coding?: Decoded['coding']): Content {
   if (files.length > projectLimits.files)
     return unread('many-files', { count: files.length, most: projectLimits.files });
   const named = files.length === 1 ? files.map(({ text }) => ({ name: MAIN, text })) : files;
   const large = named.find(({ text }) => text.length > FILE_BYTES);
   if (large !== undefined) return unread('large', { file: large.name, most: FILE_BYTES });
-  return { handIn: handInOfFiles(named) };
+  return { handIn: { ...handInOfFiles(named), ...(coding !== undefined && { coding }) } };
 }

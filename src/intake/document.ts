@@ -10,6 +10,7 @@ import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { Scene } from '#scene/scene';
 import type { SceneProblem } from '#scene/problem';
 import type { HexBoard } from '#hex/firmware';
+import type { Decoded } from './decode';
 import type { NamedLink } from './links';
 import type { TreeFile } from './tree';
 
@@ -54,6 +55,8 @@ export interface ProgramDocument {
   readonly kind: 'program';
   /** main.py first in an address; in a file the one program, under the file's name. */
   readonly files: readonly SourceFile[];
+  /** The coding of the file's text; left out: UTF-8. */
+  readonly coding?: Decoded['coding'];
   /** Id of the microcomputer it is for; `null`: not said. */
   readonly device: string | null;
   /** Id of the ready course that the address also names; `null`: none. */

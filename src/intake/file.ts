@@ -1,7 +1,8 @@
 import { unread } from '#check/hand-in/unread';
 import type { ReadyCourses } from '#project/link/link';
+import { decoded, type Decoded } from './decode';
 import { unreadable, type Document } from './document';
-import { formatOf, isTextWithLinks, isWork, lastOf, limits, mayBeLog, mostBytes } from './formats';
+import { formatOf, isTextWithLinks, isWork, lastOf, limits, mayBeLog, mostBytes, plainName, stemOf } from './formats';
 import { hexDocument } from './hex-document';
 import { linksInFile } from './links';
 import { documentOfText, isOurs } from './text';
@@ -18,29 +19,37 @@ function plainDocument(name: string, bytes: Uint8Array, courses: ReadyCourses): 
   const format = formatOf(name);
   if (format === 'picture') return { kind: 'picture' };
   if (format === 'zip') return zipDocument(readZip(bytes));
-  if (isTextWithLinks(name)) {
-    const links = linksInFile(name, new TextDecoder().decode(bytes));
-    if (links.length > 0) return { kind: 'links', links };
-    const attached = format === 'mail' ? filesInMail(new TextDecoder().decode(bytes)) : null;
-    if (attached !== null) return attached;
-    return mayBeLog(name) ? { kind: 'log', bytes } : unreadable(unread('no-link').problem);
-  }
+  if (isTextWithLinks(name)) return documentWithLinks(name, bytes);
   if (mayBeLog(name)) return { kind: 'log', bytes };
-  const text = textOf(bytes);
-  if (format === 'json' || (text !== null && format === 'other' && isOurs(text)))
-    return text === null ? unreadable(unread('not-text').problem) : documentOfText(text, courses);
-  if (format === 'other') return unreadable(unread('kind').problem);
-  if (text === null) return unreadable(unread('not-text').problem);
-  return {
-    kind: 'program',
-    files: [{ name, text }],
-    device: null,
-    course: null,
-    scene: null,
-    notes: [],
-    rewritten: [],
-  };
+  const read = decoded(bytes);
+  const isJson = format === 'json' || (format === 'other' && read !== null && isOurs(read.text));
+  if (format === 'other' && !isJson) return unreadable(unread('kind').problem);
+  if (read === null) return unreadable(unread('not-text').problem);
+  return isJson ? documentOfText(read.text, courses) : programDocument(plainName(name), read);
 }
+
+/** Reads a text in which links may stand, which may be an e-mail with files, a program or a device's readings. */
+function documentWithLinks(name: string, bytes: Uint8Array): Document {
+  const [format, read] = [formatOf(name), decoded(bytes)];
+  const text = read?.text ?? new TextDecoder().decode(bytes);
+  const links = linksInFile(name, text);
+  if (links.length > 0) return { kind: 'links', links };
+  const attached = format === 'mail' ? filesInMail(text) : null;
+  if (attached !== null) return attached;
+  if (format === 'text' && read !== null && isProgram(text)) return programDocument(`${stemOf(name)}.py`, read);
+  return mayBeLog(name) ? { kind: 'log', bytes } : unreadable(unread('no-link').problem);
+}
+
+/** True for a text with a line that only a program has: an import, or the head of a loop, a branch or a function. */
+const isProgram = (text: string): boolean =>
+  /^[ \t]*(from[ \t]+[\w.]+[ \t]+import[ \t]|import[ \t]+[\w.]+[ \t]*(,|;|#|\r?$)|(while|for|if|def)\b[^\n]*:[ \t]*(#.*)?\r?$)/m.test(
+    text,
+  );
+
+const programDocument = (name: string, { text, coding }: Decoded): Document => ({
+  ...{ kind: 'program', files: [{ name, text }], device: null, course: null, scene: null, notes: [], rewritten: [] },
+  ...(coding !== undefined && { coding }),
+});
 
 /** The files of an e-mail; `null`: none of them is somebody's work. */
 function filesInMail(source: string): Document | null {

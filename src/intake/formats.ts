@@ -36,9 +36,13 @@ const formats: ReadonlyMap<string, Format> = new Map(
 
 /** How a file of this name is read. */
 export function formatOf(name: string): Format {
-  const dot = name.lastIndexOf('.');
-  return (dot < 0 ? undefined : formats.get(name.slice(dot + 1).toLowerCase())) ?? 'other';
+  const plain = plainName(name);
+  const dot = plain.lastIndexOf('.');
+  return (dot < 0 ? undefined : formats.get(plain.slice(dot + 1).toLowerCase())) ?? 'other';
 }
+
+/** `main.py` for main.py.txt: Windows hides the ending that its Notepad adds. */
+export const plainName = (name: string): string => name.replace(/(\.(?:py|hex|json))\.txt$/i, '$1');
 
 /** True if links are looked for in a file of this name. */
 export const isTextWithLinks = (name: string): boolean => LINKED.includes(formatOf(name));
@@ -54,7 +58,7 @@ export const lastOf = (path: string): string => path.slice(path.lastIndexOf('/')
 
 /** `anna` for anna.py, anna.json, x/anna.parcours.json and anna.run.json. */
 export const stemOf = (path: string): string => {
-  const name = lastOf(path);
+  const name = plainName(lastOf(path));
   return name.replace(/(\.parcours|\.run)?\.[^.]*$/, '') || name;
 };
 

@@ -4,7 +4,8 @@ import { seriesLimits, type Series, type SeriesTask } from '#check/series/series
 import { SERIES_FILE } from '#check/series/write-series';
 import type { ReadyCourses } from '#project/link/link';
 import { unreadable, type SeriesDocument, type Unreadable } from './document';
-import { bytesOf, textOf, type Opened } from './file';
+import { decoded } from './decode';
+import { bytesOf, type Opened } from './file';
 import { formatOf, lastOf, limits, stemOf } from './formats';
 import { readTasks, type LoadFile } from './read-files';
 import { documentOfText, taskIn } from './text';
@@ -119,5 +120,5 @@ async function jsonIn(file: TreeFile): Promise<string | Unreadable> {
   // A zip's directory may tell less than there is.
   const read = await bytesOf(file, limits.json, Math.min(limits.json, file.size));
   if ('problem' in read) return unreadable(read.problem);
-  return textOf(read.bytes) ?? unreadable(unread('not-text').problem);
+  return decoded(read.bytes)?.text ?? unreadable(unread('not-text').problem);
 }

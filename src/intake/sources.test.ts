@@ -73,11 +73,82 @@ describe('hand-ins as pupils and platforms pack them', () => {
       ['Ben', { code: 'several', params: { files: 'b.py, x/a.py' } }],
       ['Cem', { code: 'no-main', params: {} }],
     ]);
-    const many = Object.fromEntries(Array.from({ length: 9 }, (_, index) => [`Ada/${index}.py`, 'x']));
+    const many = Object.fromEntries(Array.from({ length: 14 }, (_, index) => [`Ada/x${index}.py`, 'x']));
     expect(await found(folder('class', { ...many, 'Ben/main.py': '' }))).toMatchObject([
-      ['Ada', { params: { files: '0.py, 1.py, 2.py, 3.py, 4.py, …' } }],
+      [
+        'Ada',
+        {
+          params: {
+            files: 'x0.py, x1.py, x10.py, x11.py, x12.py, x13.py, x2.py, x3.py, x4.py, x5.py, x6.py, x7.py, …',
+          },
+        },
+      ],
       ['Ben', ['main.py']],
     ]);
+  });
+
+  it('bring each candidate with what lies beside it, also from a zip in their zip, and none that is no program', async () => {
+    const inner = zipOf({ 'src/one.py': 'import own', 'src/own.py': 'x = 1' });
+    const given = zip('class.zip', { 'Ada/all.zip': inner, 'Ada/b.py': 'b', 'Ada/list.json': '[]', 'Ben/main.py': '' });
+    const content = await contentOf((await given).sources[0]!);
+    const choices = 'choices' in content ? (content.choices ?? []) : [];
+    expect(choices.map(({ file, handIn }) => [file, handIn.project.files.map(({ name, text }) => `${name} ${text}`)])).toEqual([
+      ['all.zip/src/one.py', ['main.py import own', 'own.py x = 1']],
+      ['all.zip/src/own.py', ['main.py x = 1', 'one.py import own']],
+      ['b.py', ['main.py b', 'list.json []']],
+    ]); // prettier-ignore
+    expect(await found(folder('class', { 'Ada/robot.py': '', 'Ada/list.json': '[]', 'Ben/main.py': '' }))).toEqual([
+      ['Ada', ['main.py', 'list.json']],
+      ['Ben', ['main.py']],
+    ]);
+  });
+
+  it('are one pupil’s where Moodle has given two files, or their folder, the pupil’s name', async () => {
+    const [weiss, huber] = ['Weiss Tim_10231_assignsubmission_file_', 'Huber Eva_10232_assignsubmission_file_'];
+    const flat = { [`${weiss}main.py`]: 'a', [`${weiss}own.py`]: 'b', [`${huber}robot.py`]: 'c' };
+    expect(await found(zip('class.zip', flat))).toEqual([[`${huber}robot`, ['main.py']], [weiss, ['main.py', 'own.py']]]); // prettier-ignore
+    const one = { [`${weiss}/a.py`]: 'a', [`${weiss}/b.py`]: 'b' };
+    for (const given of [zip('class.zip', one), folder('class', one)])
+      expect(await found(given)).toEqual([[weiss, { code: 'several', params: { files: 'a.py, b.py' } }]]);
+  });
+
+  it('are one pupil’s where all programs of a folder are called like programs, and several pupils’ else', async () => {
+    for (const [packed, ending] of [
+      [zip, '.zip'],
+      [folder, ''],
+    ] as const) {
+      const tries = { 'Weiss Tim/versuch1.py': 'a', 'Weiss Tim/Versuch 2 (neu).py': 'b' };
+      expect((await found(packed(`eins${ending}`, tries))).map(([name]) => name)).toEqual(['Weiss Tim']);
+      const pupils = { '8b/anna.py': 'a', '8b/ben_robot.py': 'b' };
+      expect((await found(packed(`class${ending}`, pupils))).map(([name]) => name)).toEqual(['anna', 'ben_robot']);
+    }
+  });
+
+  it('are not what Windows and macOS leave in folders', async () => {
+    const litter = {
+      'Thumbs.db': 'x',
+      'desktop.ini': 'x',
+      '.DS_Store': 'x',
+      '__MACOSX/._anna.py': 'x',
+      '~$anna.docx': 'x',
+    };
+    const files = { ...litter, 'anna.py': 'a', 'Ben/main.py': 'b', 'Ben/Thumbs.db': 'x' };
+    for (const given of [zip('class.zip', files), folder('class', files)])
+      expect(await found(given)).toEqual([['Ben', ['main.py']], ['anna', ['main.py']]]); // prettier-ignore
+    expect(await found(opened(file('Thumbs.db', 'x'), false), opened(file('anna.py', 'a'), false))).toEqual([['anna', ['main.py']]]); // prettier-ignore
+  });
+
+  it('may have the ending that Windows hides, or be a program in a text', async () => {
+    const files = {
+      'Ada/main.py.txt': 'a',
+      'Ada/own.py': 'b',
+      'Ben.py.txt': 'c',
+      'Cem/x.txt': 'from mbrobot import *\n',
+    };
+    expect(await found(zip('class.zip', files))).toEqual([['Ada', ['main.py', 'own.py']], ['Ben', ['main.py']], ['Cem', ['main.py']]]); // prettier-ignore
+    const alone = ['robot.txt', 'anna.py.txt'].map((name) => opened(file(name, 'while True:\r\n  forward()'), false));
+    expect(await found(...alone)).toEqual([['robot', ['main.py']], ['anna', ['main.py']]]); // prettier-ignore
+    expect(await found(opened(file('letter.txt', 'Liebe Frau Keller\nimport is hard: see you\n')))).toMatchObject([['letter', { code: 'no-link' }]]); // prettier-ignore
   });
 });
 

@@ -5,9 +5,10 @@ import { handInOfDocument, handInOfLink, handInOfTree, type Content } from './co
 import { openFile, type Opened } from './file';
 import { formatOf, isTextWithLinks, lastOf, limits, mostBytes, stemOf } from './formats';
 import { linksIn, linksInFile, type NamedLink } from './links';
+import { platformName } from '#check/hand-in/platform-name';
 import { unread, type Unread } from '#check/hand-in/unread';
 import { chosenIn, sortedBy, withoutLitter, type TreeFile } from './tree';
-import { belowFolders, type Zip } from './zip';
+import { belowFolders, isLitter, type Zip } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
 export interface Source {
@@ -45,6 +46,7 @@ export interface Given {
 /** The hand-ins of a file: those in a zip, those behind the links in a text, else the one that it is. Never rejects. */
 export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
   const name = lastOf(file.path);
+  if (isLitter(name)) return plainly([]);
   if (zip !== null) return givenZip(name, zip, courses, isAlone);
   if (!isTextWithLinks(name)) return plainly([fileSource(file, courses)]);
   const document = await openFile(file, courses);
@@ -80,9 +82,25 @@ export const givenFolder = (
   sources: treeSources(name, files, { courses, isAlone, isWhole: (below) => !isClass(below) }),
 });
 
-/** True for several folders with a program in each: they are not one pupil's. */
+/** True for several folders with a program in each, or several programs that are called like their pupils. */
 const isClass = (files: readonly TreeFile[]): boolean =>
-  !isHandIn(files) && foldersIn(files).filter((inside) => 'program' in chosenIn(inside)).length > 1;
+  !isHandIn(files) &&
+  (foldersIn(files).filter((inside) => !('problem' in chosenIn(inside))).length > 1 ||
+    (programsIn(files).length > 1 && !areTries(files)));
+
+const programsIn = (files: readonly TreeFile[]): readonly TreeFile[] =>
+  files.filter(({ path }) => !path.includes('/') && formatOf(path) === 'program');
+
+/** True for programs that are called like programs, not like pupils: they are one pupil's tries. */
+const areTries = (files: readonly TreeFile[]): boolean =>
+  programsIn(files).length > 1 && programsIn(files).every(({ path }) => path.length < LONG && TRY.test(stemOf(path)));
+
+/** Chosen: longer names are not looked at. */
+const LONG = 80;
+
+/** Names that pupils give to their programs, in the four languages, with whatever number. */
+const TRY =
+  /^(main|haupt|prog(ram(m|me|ma)?)?|projekt|project|projet|progetto|robot(er)?|rob[oô]t|versuch|try|essai|prova|test|aufgabe|task|t[aâ]che|compito|l[oö]sung|solution|soluzione|code|neu|new|nouveau|nuovo|alt|old|final|fertig|kopie|copy|copie|copia|version|v)?[\s_\-().\d]*(main|kopie|copy|copie|copia|final|neu|new|alt|old)?[\s_\-().\d]*$/i;
 
 /** The way in which a folder or a zip is searched for hand-ins. */
 interface Looking {
@@ -90,6 +108,18 @@ interface Looking {
   readonly isAlone: boolean;
   /** True if the folder that contains everything is one hand-in; `below`: what lies in it. */
   readonly isWhole: (below: readonly TreeFile[]) => boolean;
+}
+
+/** A file that a platform has given the name of its pupil lies in a folder with that name, if others of the same pupil do. */
+function inPupilsFolders(files: readonly TreeFile[]): readonly TreeFile[] {
+  const parts = files.map(({ path }) => (path.includes('/') ? null : platformName(path)));
+  const counts = new Map<string, number>();
+  for (const part of parts) if (part !== null) counts.set(part.before, (counts.get(part.before) ?? 0) + 1);
+  return files.map((file, place) => {
+    const part = parts[place] ?? null;
+    const isOne = part === null || part.file === '' || (counts.get(part.before) ?? 0) < 2;
+    return isOne ? file : { ...file, path: `${part.before}/${part.file}` };
+  });
 }
 
 /**
@@ -101,7 +131,9 @@ function treeSources(
   all: readonly TreeFile[],
   { courses, isAlone, isWhole }: Looking,
 ): readonly Source[] {
-  const files = belowFolders(withoutLitter(all), isWhole);
+  const files = inPupilsFolders(
+    belowFolders(withoutLitter(all), (below, top) => platformName(top) !== null || areTries(below) || isWhole(below)),
+  );
   if (isHandIn(files) && !(isAlone && hasOthers(files))) return [{ name, read: () => handInOfTree(files, courses) }];
   return sortedBy([...byTop(files)], ([key]) => key).flatMap(([key, inside]) =>
     key.endsWith('/')
@@ -191,7 +223,7 @@ export async function contentOf(source: Source): Promise<Content> {
 export function withOwnNames(sources: readonly Source[], taken: Iterable<string> = []): readonly Source[] {
   const names = new Set(taken);
   return sources.map((source) => {
-    const own = unseenShown(source.name);
+    const own = unseenShown(source.name.normalize('NFC'));
     let name = own;
     for (let number = 2; names.has(name); number += 1) name = `${own} (${number})`;
     names.add(name);

@@ -1,5 +1,5 @@
 import { FILE_BYTES, MAIN, nameProblem, projectLimits } from '#project/project';
-import { formatOf, isTextWithLinks, lastOf, limits, type Format } from './formats';
+import { formatOf, isTextWithLinks, lastOf, limits, plainName, type Format } from './formats';
 import { unread, type Unread } from '#check/hand-in/unread';
 import { isLitter } from './zip';
 
@@ -17,18 +17,20 @@ export interface TreeFile {
 }
 
 /** The files of one hand-in, chosen by their names alone. */
-interface Chosen {
+export interface Chosen {
   /** The file that is opened first. */
   readonly program: TreeFile;
   /** The files on the board besides main.py; left out: the program is something else, such as a project. */
   readonly beside?: readonly TreeFile[];
 }
 
+/** Several files of one hand-in that may be its program. */
+interface Several {
+  readonly candidates: readonly Chosen[];
+}
+
 /** The formats of a hand-in without a main.py. */
 const PROGRAMS: readonly Format[] = ['program', 'json', 'zip'];
-
-/** Maximum number of file names in a message. */
-const MOST_NAMES = 5;
 
 /** The bytes that may still be unpacked of a hand-in. */
 export class Budget {
@@ -47,22 +49,31 @@ export class Budget {
 /** The folder of a file, with the `/` at its end; empty: at the top. */
 const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
 
-/** The files at any depth without those that operating systems leave (`isLitter`). */
-export const withoutLitter = <T extends { readonly path: string }>(all: readonly T[]): readonly T[] =>
-  all.filter(({ path }) => !path.split('/').some(isLitter));
+/** The files at any depth without those that operating systems leave (`isLitter`), by the names that they were meant to have. */
+export const withoutLitter = <T extends { readonly path: string }>(all: readonly T[]): readonly T[] => {
+  const kept = all.filter(({ path }) => !path.split('/').some(isLitter));
+  const paths = new Set(kept.map(({ path }) => path));
+  return kept.map((file) => {
+    const path = plainName(file.path);
+    return path === file.path || paths.has(path) ? file : { ...file, path };
+  });
+};
 
 /**
  * The program of one hand-in: the main.py that lies above all others, with what lies beside it; without one the only
  * program, project, run or zip; without such the only hex, or the only text that may have a link.
  */
-export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem: Unread } {
+export function chosenIn(all: readonly TreeFile[]): Chosen | Several | { readonly problem: Unread } {
   const files = withoutLitter(all).filter(({ path }) => !path.endsWith('/'));
+  const beside = (program: TreeFile): Chosen => {
+    const folder = folderOf(program.path);
+    return { program, beside: files.filter((file) => file !== program && folderOf(file.path) === folder) };
+  };
   const mains = files.filter(({ path }) => lastOf(path) === MAIN);
   if (mains.length > 0) {
     const program = mains.reduce((top, one) => (folderOf(one.path).length < folderOf(top.path).length ? one : top));
     const folder = folderOf(program.path);
-    if (!mains.every(({ path }) => path.startsWith(folder))) return several(mains);
-    return { program, beside: files.filter((file) => file !== program && folderOf(file.path) === folder) };
+    return mains.every(({ path }) => path.startsWith(folder)) ? beside(program) : severalOf(mains, beside);
   }
   const programs = files.filter(({ path }) => PROGRAMS.includes(formatOf(path)));
   const hexes = files.filter(({ path }) => formatOf(path) === 'hex');
@@ -71,14 +82,15 @@ export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem:
   const likely = [programs, hexes].find((some) => some.length > 0) ?? texts;
   const [program, another] = likely;
   if (program === undefined) return unread('no-main');
-  return another === undefined ? { program } : several(likely);
+  // Another program beside it may be a module of it.
+  return another === undefined
+    ? { program }
+    : severalOf(likely, (one) => (formatOf(one.path) === 'program' ? beside(one) : { program: one }));
 }
 
-function several(files: readonly TreeFile[]): { readonly problem: Unread } {
-  const names = sortedBy(files, ({ path }) => path).slice(0, MOST_NAMES);
-  const said = names.map(({ path }) => path).join(', ');
-  return unread('several', { files: said + (files.length > MOST_NAMES ? ', …' : '') });
-}
+const severalOf = (files: readonly TreeFile[], chosen: (program: TreeFile) => Chosen): Several => ({
+  candidates: sortedBy(files, ({ path }) => path).map(chosen),
+});
 
 /**
  * Reads what the board has beside a main.py. What it could not hold, such as a film or a picture, is left out. Too many

@@ -1,5 +1,6 @@
 import { unpacked } from '#core/deflate';
 import { unread, type Unread } from '#check/hand-in/unread';
+import { nameInZip } from './decode';
 
 /** A file in a zip. */
 export interface ZipEntry {
@@ -81,33 +82,38 @@ function endOf(view: DataView): number | null {
 
 /** True for files that operating systems leave in folders; they are never hand-ins. */
 export const isLitter = (name: string): boolean =>
-  name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
+  name.startsWith('.') || name.startsWith('~$') || LITTER.includes(name.toLowerCase());
+
+/** Files and folders of Windows, macOS and Python. */
+const LITTER: readonly string[] = ['thumbs.db', 'ehthumbs.db', 'desktop.ini', 'icon\r', '$recycle.bin', '__macosx', '__pycache__']; // prettier-ignore
 
 /**
  * The content of a zip or a folder below common leading folders: packing a folder means its content.
  *
- * @param isWhole true if a folder counts as a whole and stays; `below`: what lies in it
+ * @param isWhole true if the folder `top` counts as a whole and stays; `below`: what lies in it
  */
 export function belowFolders<T extends { readonly path: string }>(
   all: readonly T[],
-  isWhole: (below: readonly T[]) => boolean = () => false,
+  isWhole: (below: readonly T[], top: string) => boolean = () => false,
 ): readonly T[] {
   let entries = all;
   for (let level = 0; level < MOST_FOLDERS; level++) {
     const below = belowTop(entries);
-    if (below === null || isWhole(below)) break;
-    entries = below;
+    if (below === null || isWhole(below.entries, below.top)) break;
+    ({ entries } = below);
   }
   return entries;
 }
 
-/** The files below the folder that contains all of them; `null`: there is no such folder. */
-function belowTop<T extends { readonly path: string }>(all: readonly T[]): readonly T[] | null {
+/** The folder that contains all files, and they below it; `null`: there is no such folder. */
+function belowTop<T extends { readonly path: string }>(
+  all: readonly T[],
+): { readonly top: string; readonly entries: readonly T[] } | null {
   const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
   const [top, another] = new Set(entries.map(({ path }) => path.split('/', 1)[0] ?? ''));
   if (top === undefined || another !== undefined || !entries.every(({ path }) => path.includes('/'))) return null;
   const below = entries.map((entry) => ({ ...entry, path: entry.path.slice(top.length + 1) }));
-  return below.filter(({ path }) => path !== '');
+  return { top, entries: below.filter(({ path }) => path !== '') };
 }
 
 /** `./anna.py`, `/home/anna.py` and `../anna.py` lie in the zip like all others. */
@@ -116,11 +122,10 @@ function withoutDots(path: string): string {
   return names.join('/') + (path.endsWith('/') && names.length > 0 ? '/' : '');
 }
 
-/** Names are UTF-8 or, in old zips, one byte each: code page 437, of which only ASCII is taken. */
+/** A name as people write it, whatever system has packed it: a Mac parts ü into u and its dots. */
 function textOf(bytes: Uint8Array, flags: number): string {
-  const text = new TextDecoder().decode(bytes);
-  const name = (flags & UTF_8) !== 0 || !text.includes('\ufffd') ? text : Array.from(bytes, (byte) => (byte < 128 ? String.fromCharCode(byte) : '_')).join(''); // prettier-ignore
-  return name.replaceAll('\\', '/');
+  const name = (flags & UTF_8) === 0 ? nameInZip(bytes) : new TextDecoder().decode(bytes);
+  return name.replaceAll('\\', '/').normalize('NFC');
 }
 
 function readEntry(

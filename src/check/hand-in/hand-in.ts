@@ -16,6 +16,8 @@ export interface HandIn {
   readonly mark?: string;
   /** True for a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
   readonly isEdited?: true;
+  /** The coding of a program's file; left out: UTF-8, as boards want it. */
+  readonly coding?: string;
 }
 
 /** The data that the pupil's page writes into a hand-in. It is reported, and verified where possible. */

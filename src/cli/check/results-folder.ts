@@ -116,8 +116,8 @@ export class ResultsFolder {
 }
 
 /** The fields of a hand-in that its project's file lacks. */
-const otherOf = ({ hasCourse, locks, mark, isEdited }: HandIn): string =>
-  JSON.stringify([hasCourse, locks, mark, isEdited]);
+const otherOf = ({ hasCourse, locks, mark, isEdited, coding }: HandIn): string =>
+  JSON.stringify([hasCourse, locks, mark, isEdited, coding]);
 
 /** The file of a result. */
 interface Kept {

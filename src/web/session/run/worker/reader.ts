@@ -5,6 +5,7 @@ import { openGiven, type Opened } from '#intake/file';
 import { seriesAmong, type SeriesAmong } from '#intake/series-among';
 import { contentOf, givenFile, givenFolder, together, type Given, type Source } from '#intake/sources';
 import type { TreeFile } from '#intake/tree';
+import { isLitter } from '#intake/zip';
 import type { ReadyCourses } from '#project/link/link';
 import type { Scene } from '#scene/scene';
 
@@ -59,7 +60,8 @@ const openedAtTop = async (file: TreeFile): Promise<Opened> =>
 async function sourcesOf(all: readonly Opened[], courses: ReadyCourses): Promise<readonly Source[]> {
   const folders = new Map<string, TreeFile[]>();
   const found: Given[] = [];
-  const isAlone = new Set(all.map(({ file }) => file.path.split('/', 1)[0])).size === 1;
+  const tops = all.map(({ file }) => file.path.split('/', 1)[0] ?? '').filter((name) => !isLitter(name));
+  const isAlone = new Set(tops).size === 1;
   for (const opened of all) {
     const [top = '', ...below] = opened.file.path.split('/');
     const file = { ...opened.file, path: below.join('/') };
