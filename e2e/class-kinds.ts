@@ -106,4 +106,4 @@ function taskIn(project: Project): ClassTask {
 }
 
 /** The line of `--json` of what a page has found. */
-export const lineOf = (rows: readonly NamedResult[]): string => jsonOf(classResult('wall', rows), taskIn(whole), 'de');
+export const lineOf = (rows: readonly NamedResult[]): string => jsonOf(classResult('wall', rows, 'de'), taskIn(whole), 'de');

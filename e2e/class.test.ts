@@ -44,7 +44,7 @@ const writtenByCommandLine = (name: string, task: string, text: string): Promise
   onceARun(`class-${name}`, async (folder) => {
     const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((file) => join(folder, file)) as [string, string, string]; // prettier-ignore
     writeFileSync(mail, text);
-    const given = ['bin/parcours.mjs', 'check', task, mail, '--csv', csv, '--report', html, '--lang', 'de'];
+    const given = ['bin/parcours.mjs', 'check', task, mail, '--table', csv, '--report', html, '--lang', 'de'];
     await promisify(execFile)('node', given).catch(() => undefined); // exit code 3: not all have passed
     return { table: readFileSync(csv, 'utf8'), report: readFileSync(html, 'utf8') };
   });

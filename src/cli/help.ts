@@ -95,7 +95,9 @@ chance are the task's; only the programs are the pupils'. A run may take as long
 course says, else 300 simulated seconds.
   --jobs N            so many threads (default: as many as this computer has)
   --report, --csv, --junit
-                      a page with drawings to print, a table for a spreadsheet, test results
+                      a page with drawings to print, a table for programs, test results
+  --table FILE.csv    a table for a spreadsheet in the language of --lang
+  --take NAME=FILE    which of several files is the program of a hand-in; may be given several times
   --json              one line at the end for other programs, the same for the same work
   --lang NAME         the language of reports and reasons
   --shard 2/7         the second of seven parts; auto: the part of this job of Slurm, Kubernetes

@@ -10,8 +10,8 @@ export interface Terminal {
   message(text: string): void;
   /** Shows the progress of the run, in one line that is replaced; only on a terminal. */
   progress(simulatedMs: number, realTimeFactor: number): void;
-  /** Shows how many of several things are done, in such a line with a bar. */
-  count(done: number, of: number, passed: number): void;
+  /** Shows which share of several things is done, in such a line with a bar and a text. */
+  count(share: number, text: string): void;
   /** True if progress is shown: on a terminal, unless quiet. */
   readonly showsProgress: boolean;
   /** Removes the progress line. */
@@ -71,9 +71,9 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
     },
     progress: (simulatedMs, realTimeFactor) =>
       replace(`${(simulatedMs / 1000).toFixed(1)} s simulated, ${Math.round(realTimeFactor)} × real time`),
-    count(done, of, passed) {
-      const full = Math.round((BAR_SIGNS * done) / of);
-      replace(`${'█'.repeat(full)}${'░'.repeat(BAR_SIGNS - full)} ${done} of ${of}, ${passed} passed`);
+    count(share, text) {
+      const full = Math.round(BAR_SIGNS * share);
+      replace(`${'█'.repeat(full)}${'░'.repeat(BAR_SIGNS - full)} ${text}`);
     },
   };
 }

@@ -47,7 +47,7 @@ describe('a hand-in for another task', () => {
       ['Ada', 'Ben'].map(async (name) => ({ name, result: await checkedProject(open, handedOut()) })),
     );
     const own = { name: 'Cem', result: await checkedProject(open, open.project) };
-    const found = classResult('t', [...results, own]);
+    const found = classResult('t', [...results, own], 'de');
     expect(otherTasks(found)).toEqual([{ task: 'Into the garage', count: 2 }]);
     const [sentence = ''] = otherTaskTexts(found, 'de');
     expect(sentence).toContain('2 von 3 Abgaben gehören zu «Into the garage»');

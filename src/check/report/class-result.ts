@@ -1,9 +1,13 @@
+import type { Language } from '#core/languages';
 import type { CheckResult, Remark } from '../result';
+import { nameOrder, shownNames } from './names';
 
 /** Result of one person's hand-in. */
 export interface NamedResult {
-  /** Unlike the others. */
+  /** Unlike the others; as the file, folder or link has it. */
   readonly name: string;
+  /** The name as people read it, without what a platform adds; left out: as it is. */
+  readonly shown?: string;
   readonly result: CheckResult;
   /** The teacher's note on it; left out: none. */
   readonly note?: string;
@@ -13,23 +17,38 @@ export interface NamedResult {
 export interface ClassResult {
   /** Name of the task. */
   readonly task: string;
-  /** In the order in which they were handed in. */
+  /** In the order of their shown names. */
   readonly handIns: readonly NamedResult[];
 }
 
-/** Puts the results of a class together: those with the same program are marked. */
-export function classResult(task: string, handIns: readonly NamedResult[]): ClassResult {
+/** The name of a hand-in as people read it. */
+export const shownName = ({ name, shown }: Pick<NamedResult, 'name' | 'shown'>): string => shown ?? name;
+
+/**
+ * Puts the results of a class together, in the order of their names in a language: those with the same program are marked.
+ *
+ * @param given in the order in which they were handed in
+ */
+export function classResult(task: string, given: readonly NamedResult[], language: Language): ClassResult {
+  const order = nameOrder(language);
+  const handIns = withShown(given).toSorted((one, other) => order(shownName(one), shownName(other)));
   const byTwin = new Map<string, string[]>();
-  for (const { name, result } of handIns)
-    if (result.twin !== '') byTwin.set(result.twin, [...(byTwin.get(result.twin) ?? []), name]);
+  for (const one of handIns)
+    if (one.result.twin !== '') byTwin.set(one.result.twin, [...(byTwin.get(one.result.twin) ?? []), shownName(one)]);
   return {
     task,
     handIns: handIns.map((one) => {
-      const { name, result } = one;
-      const names = (byTwin.get(result.twin) ?? []).filter((other) => other !== name);
+      const { result } = one;
+      const names = (byTwin.get(result.twin) ?? []).filter((other) => other !== shownName(one));
       return names.length === 0 ? one : { ...one, result: withRemark(result, twins(names)) };
     }),
   };
+}
+
+/** Hand-ins with their shown names. */
+function withShown(given: readonly NamedResult[]): readonly NamedResult[] {
+  const shown = shownNames(given.map(({ name }) => name));
+  return given.map((one, place) => (shown[place] === one.name ? one : { shown: shown[place] ?? one.name, ...one }));
 }
 
 /** Number of hand-ins that have passed. */

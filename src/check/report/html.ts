@@ -82,7 +82,7 @@ function verdictOf(result: CheckResult, language: Language): string {
 const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
 
 function rowOf(
-  { name, result, note = '' }: NamedResult,
+  { name, shown = name, result, note = '' }: NamedResult,
   place: number,
   { drawings, hasStars, language }: Sheet & { readonly hasStars: boolean },
 ): string {
@@ -98,7 +98,7 @@ function rowOf(
     `<td class="number ${column}" data-of="${escaped(reportWords.report[column][language])}">${text}</td>`;
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
-    `<th scope="row"><a href="#hand-in-${place}">${escaped(name)}</a></th>`,
+    `<th scope="row"><a href="#hand-in-${place}">${escaped(shown)}</a></th>`,
     `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : result.points)}`,
     hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',
     figure('time', first === undefined ? '' : secondsOf(first)),
@@ -116,7 +116,7 @@ function askedOf({ checks }: ClassTask, id: string, language: Language): string 
 }
 
 function sheetOf(
-  { name, result, note = '' }: NamedResult,
+  { name, shown = name, result, note = '' }: NamedResult,
   place: number,
   { drawings, title, task, language }: Sheet & { readonly title: string; readonly task: ClassTask },
 ): string {
@@ -129,10 +129,10 @@ function sheetOf(
   const figures = result.worlds.map((world) => {
     const label = filledIn(words.world[language], { id: worldName(world) });
     const seconds = secondsOf(world);
-    return `<figure>${drawings.way(world, `${name}, ${label}`)}<figcaption>${markOf(world.passed)} ${escaped(label)}${seconds === '' ? '' : ` · ${seconds}`}</figcaption></figure>`;
+    return `<figure>${drawings.way(world, `${shown}, ${label}`)}<figcaption>${markOf(world.passed)} ${escaped(label)}${seconds === '' ? '' : ` · ${seconds}`}</figcaption></figure>`;
   });
   return `<section id="hand-in-${place}">
-<h2>${escaped(name)}</h2>
+<h2>${escaped(shown)}</h2>
 <p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${result.points}`}</p>
 <ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}
 <div class="ways">${figures.join('')}</div>

@@ -51,7 +51,7 @@ export function reasonsAgainst({ checks, worlds }: CheckResult, language: Langua
   return [...new Set(reasons.flatMap((reason) => (reason === null ? [] : [reasonText(reason, language)])))];
 }
 
-/** The result of a class as a table for a spreadsheet, a row for each hand-in, notes where there are some; RFC 4180. */
+/** The result of a class as a table for programs, a row for each hand-in, notes where there are some; RFC 4180. */
 export function csvOf({ handIns }: ClassResult, language: Language): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];

@@ -10,6 +10,8 @@ export interface CheckOptions {
     readonly task: string;
     /** Files, folders, zips, lists of links, links. */
     readonly handIns: readonly string[];
+    /** Which file is the program, as `NAME=FILE`. */
+    readonly take: readonly string[];
     /** Number of threads. */
     readonly jobs: number;
     readonly shard: Shard;
@@ -20,6 +22,7 @@ export interface CheckOptions {
   readonly report: string | null;
   readonly junit: string | null;
   readonly csv: string | null;
+  readonly table: string | null;
   readonly json: boolean;
   readonly quiet: boolean;
   /** The language of reports and reasons. */
@@ -27,7 +30,18 @@ export interface CheckOptions {
 }
 
 /** The options of `check` that take a value, without `--`. */
-export const checkTexts = ['jobs', 'report', 'junit', 'csv', 'shard', 'resume', 'merge', 'lang'] as const;
+export const checkTexts = [
+  'jobs',
+  'report',
+  'junit',
+  'csv',
+  'table',
+  'take',
+  'shard',
+  'resume',
+  'merge',
+  'lang',
+] as const;
 const checkFlags: readonly string[] = ['json', 'quiet'];
 
 /** Chosen: more threads than that no machine of a school has. */
@@ -50,7 +64,10 @@ export function parseCheck(
   const lang = LANGUAGES.find((one) => one === (last('lang') ?? 'en'));
   if (lang === undefined)
     return { problem: `--lang: "${last('lang') ?? ''}" is not available. Known: ${LANGUAGES.join(', ')}.` };
-  const work = last('merge') === null ? workOf(positionals, last, environment) : nothingToRun(positionals, given);
+  const work =
+    last('merge') === null
+      ? workOf(positionals, last, environment, given.get('take') ?? [])
+      : nothingToRun(positionals, given);
   if (work !== null && 'problem' in work) return work;
   return {
     work,
@@ -58,6 +75,7 @@ export function parseCheck(
     report: last('report'),
     junit: last('junit'),
     csv: last('csv'),
+    table: last('table'),
     json: set.has('json'),
     quiet: set.has('quiet'),
     lang,
@@ -70,6 +88,7 @@ function workOf(
   [task, ...handIns]: readonly string[],
   last: (name: 'jobs' | 'shard') => string | null,
   environment: Readonly<Record<string, string | undefined>>,
+  take: readonly string[],
 ): NonNullable<CheckOptions['work']> | Problem {
   if (task === undefined) return { problem: `Which task? ${EXAMPLE}` };
   if (handIns.length === 0) return { problem: `Which hand-ins? ${EXAMPLE}` };
@@ -77,7 +96,7 @@ function workOf(
   if (!(Number.isInteger(jobs) && jobs >= 1 && jobs <= MOST_JOBS))
     return { problem: `--jobs: "${last('jobs') ?? ''}" is not a whole number from 1 to ${MOST_JOBS}.` };
   const shard = shardOf(last('shard'), environment);
-  return 'problem' in shard ? shard : { task, handIns, jobs, shard };
+  return 'problem' in shard ? shard : { task, handIns, take, jobs, shard };
 }
 
 function nothingToRun(
@@ -86,6 +105,6 @@ function nothingToRun(
 ): null | { readonly problem: string } {
   if (first !== undefined)
     return { problem: `--merge runs nothing: what is "${first}"? Its folder has the task, too.` };
-  const other = ['jobs', 'shard', 'resume'].find((name) => given.has(name));
+  const other = ['jobs', 'shard', 'resume', 'take'].find((name) => given.has(name));
   return other === undefined ? null : { problem: `--${other} and --merge: choose one of them.` };
 }

@@ -5,8 +5,10 @@ import { contentOf, type Source } from '#intake/sources';
 import { inLanes, Lane, type StartThread } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import type { Language } from '#core/languages';
+import { filledIn } from '#core/words';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
+import { tableOf } from '#check/report/table';
 import { equalTexts, otherTaskTexts, remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
@@ -20,6 +22,8 @@ import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from './shard';
 import { findHandIns } from './sources';
+import { howToTake, withTaken } from './take';
+import words from './words';
 
 /** Results in the order of the hand-ins, with their task. */
 interface Checked extends NamedTask {
@@ -37,16 +41,18 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const { work } = options;
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
-  const found = classResult(checked.name, checked.results);
+  const found = classResult(checked.name, checked.results, options.lang);
   const problem = writeReports(found, checked, options);
   if (problem !== null) return refuse(problem, terminal);
   const [passed, of] = [passedOf(found), found.handIns.length];
   if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
   else if (!options.quiet) {
     for (const one of found.handIns) terminal.line(lineOf(one, options));
-    terminal.line(`${checked.name}: ${passed} of ${of} passed`);
+    terminal.line(filledIn(words.sum[options.lang], { name: checked.name, passed, of }));
   }
-  if (!options.quiet) for (const text of otherTaskTexts(found, options.lang)) terminal.message(`parcours: ${text}`);
+  const how = howToTake(found.handIns, options.lang);
+  const notes = [...otherTaskTexts(found, options.lang), ...(how === null ? [] : [how])];
+  if (!options.quiet) for (const text of notes) terminal.message(`parcours: ${text}`);
   return passed === of ? 0 : 3;
 }
 
@@ -56,10 +62,11 @@ function refuse(problem: string, terminal: Terminal): 2 {
 }
 
 /** The output files that the options name. */
-const outputsOf = ({ report, junit, csv }: CheckOptions): readonly Output[] => [
+const outputsOf = ({ report, junit, csv, table }: CheckOptions): readonly Output[] => [
   { option: '--report', path: report },
   { option: '--junit', path: junit },
   { option: '--csv', path: csv },
+  { option: '--table', path: table },
 ];
 
 /** The results of a folder, without running anything. */
@@ -100,11 +107,13 @@ async function runAll(
   const list = { option: '--resume', path: path && ResultsFolder.listIn(path) };
   const unwritable = outputProblem([...outputsOf(options), list], [...read.files, ...found.files], 'check');
   if (unwritable !== null) return { problem: unwritable };
-  const names = found.sources.map((source) => source.name);
+  const sources = withTaken(found.sources, work.take);
+  if ('problem' in sources) return sources;
+  const names = sources.map((source) => source.name);
   const folder = path === null ? null : ResultsFolder.open(path, { ...read, names });
   if (folder !== null && 'problem' in folder) return folder;
-  const mine = found.sources.filter((_, place) => isInShard(work.shard, place));
-  const progress = new Progress(terminal, mine.length, quiet || json);
+  const mine = sources.filter((_, place) => isInShard(work.shard, place));
+  const progress = new Progress(terminal, mine.length, quiet || json, options.lang);
   const start = startThread(task, await WebAssembly.compile(readFirmware()));
   const results = await checkAll(task, mine, start, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
   terminal.clearProgress();
@@ -122,16 +131,19 @@ export class Progress {
     private readonly terminal: Terminal,
     private readonly of: number,
     private readonly isQuiet: boolean,
+    private readonly language: Language,
   ) {}
 
   add({ passed }: CheckResult): void {
     this.done += 1;
     if (passed) this.passed += 1;
-    if (!this.isQuiet) this.terminal.count(this.done, this.of, this.passed);
+    const { done, of } = this;
+    const text = filledIn(words.progress[this.language], { done, of, passed: this.passed });
+    if (!this.isQuiet) this.terminal.count(done / of, text);
     const nowMs = performance.now();
     if (this.isQuiet || this.terminal.showsProgress || nowMs - this.toldMs < TELL_MS) return;
     this.toldMs = nowMs;
-    this.terminal.message(`${this.done} of ${this.of}, ${this.passed} passed`);
+    this.terminal.message(text);
   }
 }
 
@@ -197,12 +209,13 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
 /** @returns what is wrong with one of the files */
 function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): string | null {
   const { task } = named;
-  const { report, junit, csv, lang } = options;
+  const { report, junit, csv, table, lang } = options;
   const files = [
     [report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
     [junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     [csv, () => `\ufeff${csvOf(found, lang)}`],
+    [table, () => tableOf(found, task, lang)],
   ] as const;
   for (const [path, textOf] of files) {
     if (path === null) continue;
@@ -217,7 +230,7 @@ function writeReports(found: ClassResult, named: NamedTask, options: CheckOption
 
 function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
   const { passed, points, worlds, remarks } = result;
-  const word = isUnread(result) ? 'unread' : passed ? 'passed' : 'failed';
+  const word = words[isUnread(result) ? 'unread' : passed ? 'passed' : 'failed'][lang];
   const time = worlds[0]?.atMs ?? null;
   const told = [
     ...(time === null ? [] : [secondsText(time)]),

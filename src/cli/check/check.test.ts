@@ -72,7 +72,7 @@ describe('parcours check', () => {
     expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
     expect([handIns[6]?.remarks[0], handIns[7]?.remarks[0]]).toEqual([
       'cannot be read: this is neither a program (.py) nor a project (.json).',
-      'cannot be read: which file is the program? There are several: more.py, other.py. Call one of them main.py.',
+      'cannot be read: which file is the program? There are several: more.py, other.py.',
     ]);
   });
 
@@ -80,11 +80,23 @@ describe('parcours check', () => {
     const { code, out } = parcours('check', 'closed-line', classOf('two', { 'anna.py': RIGHT, 'ben.py': RESTING }), '--lang', 'de'); // prettier-ignore
     expect(code).toBe(3);
     expect(out.split('\n')).toEqual([
-      'passed  anna  1  19.5 s',
-      'failed  ben  0  Der Roboter hat sich nie bewegt. Das Programm lief nach 300 s noch, und länger dauert diese Prüfung nicht.',
-      'closed-line: 1 of 2 passed',
+      'bestanden  anna  1  19.5 s',
+      'nicht bestanden  ben  0  Der Roboter hat sich nie bewegt. Das Programm lief nach 300 s noch, und länger dauert diese Prüfung nicht.',
+      'closed-line: 1 von 2 bestanden',
       '',
     ]);
+  });
+
+  it('says how to choose where several files may be the program, and checks the one that is taken', () => {
+    const here = classOf('several', { 'Tim_7_assignsubmission_file_/main.txt.py': RIGHT, 'Tim_7_assignsubmission_file_/b.py': 'x', 'Ben.py': 'x' }); // prettier-ignore
+    const [name, table] = ['Tim_7_assignsubmission_file_', join(folder, 'several.csv')];
+    const asked = parcours('check', 'closed-line', here, '--lang', 'de');
+    expect(asked.out).toContain('Welche Datei ist das Programm? Es könnten mehrere sein: b.py, main.txt.py.');
+    expect(asked.err).toContain(`so: --take "${name}=b.py"`);
+    const take = ['--take', `${name}=main.txt.py`, '--table', table, '--lang', 'de'];
+    expect(parcours('check', 'closed-line', here, ...take)).toMatchObject({ code: 3, out: expect.stringContaining('1 von 2') as string, err: '' }); // prettier-ignore
+    expect(readFileSync(table, 'utf8')).toMatch(/^\ufeffName;.*\r\nBen;nicht bestanden;0;1;.*\r\nTim;bestanden;1;1;bestanden;bestanden;19,48;0;\r\n$/s); // prettier-ignore
+    expect(parcours('check', 'closed-line', here, '--take', 'Eva=b.py')).toMatchObject({ code: 2 });
   });
 
   it('keeps what a program says to one line, and from steering the terminal', () => {

@@ -41,7 +41,9 @@ export async function findHandIns(
   }
   const isAny = all.some(({ sources }) => sources.length > 0);
   const nobody = (name: string): Source => brokenSource(name, unread('no-main').problem);
-  const found = all.map((one) => (one.sources.length > 0 || !one.isTree ? one : { ...one, sources: [nobody(one.name)] }));
+  const found = all.map((one) =>
+    one.sources.length > 0 || !one.isTree ? one : { ...one, sources: [nobody(one.name)] },
+  );
   return { sources: isAny ? withOwnNames(together(found)) : [], files };
 }
 

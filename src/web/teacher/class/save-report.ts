@@ -1,5 +1,6 @@
 import type { ClassResult } from '#check/report/class-result';
-import { csvOf } from '#check/report/texts';
+import { tableOf } from '#check/report/table';
+import type { ClassTask } from '#check/task/task';
 
 import { shownLanguage } from '../../kit/i18n';
 import type { PageParts } from '../../kit/parts';
@@ -8,9 +9,8 @@ import { fileName, saveText } from '../../session/work/save-file';
 type Told = Pick<PageParts, 'notices'>;
 
 /** Saves the results as a table for a spreadsheet. */
-export function saveTable(app: Told, found: ClassResult): void {
-  // Spreadsheets take a file for UTF-8 only if it begins with this sign.
-  saveText(app, fileName(found.task, 'csv'), `\ufeff${csvOf(found, shownLanguage())}`, 'text/csv');
+export function saveTable(app: Told, found: ClassResult, task: ClassTask): void {
+  saveText(app, fileName(found.task, 'csv'), tableOf(found, task, shownLanguage()), 'text/csv');
 }
 
 /** Saves a report as a file that needs nothing else. */

@@ -3,7 +3,7 @@ import { isSame } from '#core/same';
 import { taskOf } from '#check/task/read-task';
 import type { Project } from '#project/project';
 
-import { t } from '../../kit/i18n';
+import { shownLanguage, t } from '../../kit/i18n';
 import { lateModel } from '../../kit/state/late-models';
 import { compileFirmware } from '../../session/run/worker/firmware';
 import { every, laneCount, startThread } from '../../session/run/check-thread';
@@ -22,6 +22,7 @@ export const classOf = lateModel(
       starter: async (task) => startThread(task, await compileFirmware(), startsOf(task.project)),
       every,
       lanes: laneCount(),
+      language: shownLanguage,
     }),
 );
 

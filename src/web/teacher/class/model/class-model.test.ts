@@ -1,5 +1,6 @@
 import { describe, expect, it, vi } from 'vitest';
 
+import { handInOfFiles } from '#check/hand-in/read-hand-in';
 import { brokenSource } from '#intake/sources';
 import { htmlOf } from '#check/report/html';
 import { csvOf } from '#check/report/texts';
@@ -36,7 +37,37 @@ describe('a class', () => {
     await model.add([program('Ada', ahead(3000)), brokenSource('Tim', { code: 'zip', params: {} })]);
     await model.add([program('Ada', ahead(3000))]);
     const told = model.found.value.handIns.map(({ name, result }) => [name, result.remarks.map(({ code }) => code)]);
-    expect(told).toEqual([['Ada', ['twins']], ['Tim', ['unreadable']], ['Ada (2)', ['twins']]]); // prettier-ignore
+    expect(told).toEqual([['Ada', ['twins']], ['Ada (2)', ['twins']], ['Tim', ['unreadable']]]); // prettier-ignore
+  });
+
+  it('asks which of several files is the program, and has no result for it until somebody has chosen', async () => {
+    const { model, passed, asked } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    const files = { 'main.py': 'x = 1', 'versuch2.py': ahead(3000) };
+    const choices = Object.entries(files).map(([file, text]) => ({
+      file,
+      handIn: handInOfFiles([{ name: 'main.py', text }]),
+    }));
+    const content = { problem: { code: 'several', params: { files: 'main.py, versuch2.py' } }, choices } as const;
+    await model.add([{ name: 'Tim', read: () => content }, program('Ada', ahead(3000))]);
+    const [tim] = model.rows.value;
+    expect([tim?.choices?.map(({ file }) => file), tim?.handIn, asked.length]).toEqual([['main.py', 'versuch2.py'], null, 1]); // prettier-ignore
+    const kept = await model.keptRow(tim!);
+    await model.take('Tim', choices[1]!);
+    expect(passed()).toEqual([['Tim', true], ['Ada', true]]); // prettier-ignore
+    expect(await model.keptRow(model.rows.value[0]!)).toMatchObject({ content: { handIn: choices[1]!.handIn } });
+    // A class that is brought back asks the same.
+    model.restore(null, [kept]);
+    expect(model.rows.value[0]?.choices).toHaveLength(2);
+  });
+
+  it('shows names without what a platform has added, each once', async () => {
+    const { model } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    const [file, text] = ['Weiss Tim_7_assignsubmission_file_main', 'Weiss Tim_7_assignsubmission_onlinetext_'];
+    await model.add([program(file, 'x = 1'), program(text, 'y = 1')]);
+    expect(model.rows.value.map(({ shown }) => shown)).toEqual(['Weiss Tim', 'Weiss Tim (2)']);
+    expect(model.found.value.handIns.map(({ name, shown }) => [name, shown])).toEqual([[file, 'Weiss Tim'], [text, 'Weiss Tim (2)']]); // prettier-ignore
   });
 
   it('has notes, which stay when it is checked for another task, and are in table and report', async () => {

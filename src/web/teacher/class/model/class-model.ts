@@ -1,9 +1,11 @@
-import type { Content } from '#intake/contents';
+import type { Language } from '#core/languages';
+import type { Choice, Content } from '#intake/contents';
 import type { HandIn } from '#check/hand-in/hand-in';
 import { brokenSource, contentOf, withOwnNames, type Source } from '#intake/sources';
 import { unread } from '#check/hand-in/unread';
 import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
 import { classResult, type ClassResult } from '#check/report/class-result';
+import { shownNames } from '#check/report/names';
 import { unreadable, type CheckResult } from '#check/result';
 import type { Series } from '#check/series/series';
 import type { ClassTask } from '#check/task/task';
@@ -29,17 +31,22 @@ export interface Brought {
 
 /** A hand-in on the page. */
 export interface Row {
+  /** Unlike the others. */
   readonly name: string;
+  /** The name as people read it, without what a platform adds; unlike the others, too. */
+  readonly shown: string;
   /** `null`: not read yet, or nothing that could be. */
   readonly handIn: HandIn | null;
   /** `null`: it waits, or is being checked. */
   readonly result: CheckResult | null;
   /** The teacher's note; empty: none. */
   readonly note: string;
+  /** The files of which one is the program; left out: it is known which. */
+  readonly choices?: readonly Choice[];
 }
 
 /** A hand-in as it can be stored: plain data. */
-export interface KeptRow extends Omit<Row, 'handIn'> {
+export interface KeptRow extends Omit<Row, 'handIn' | 'shown' | 'choices'> {
   readonly content: Content;
 }
 
@@ -49,6 +56,8 @@ export interface ClassPorts {
   starter(task: ClassTask): Promise<StartThread>;
   readonly every: Every;
   readonly lanes: number;
+  /** The language of the page, in whose order names stand. */
+  language(): Language;
 }
 
 /** A class: the task, the hand-ins, and their results. It stays while the page is open. */
@@ -76,7 +85,10 @@ export class ClassModel {
     this.found = computed(() =>
       classResult(
         this.task.value?.name ?? '',
-        this.rows.value.flatMap(({ name, result, note }) => (result === null ? [] : [{ name, result, note }])),
+        this.rows.value.flatMap(({ name, shown, result, note }) =>
+          result === null ? [] : [{ ...{ name, result, note }, ...(shown !== name && { shown }) }],
+        ),
+        ports.language(),
       ),
     );
   }
@@ -102,10 +114,17 @@ export class ClassModel {
       this.rows.value.map(({ name }) => name),
     );
     this.sources = [...this.sources, ...named];
-    this.rows.value = [
+    this.rows.value = withShown([
       ...this.rows.value,
       ...named.map(({ name }) => ({ name, handIn: null, result: null, note: '' })),
-    ];
+    ]);
+    await this.check();
+  }
+
+  /** Takes one of several files as the program of a hand-in. */
+  async take(name: string, { handIn }: Choice): Promise<void> {
+    this.sources = this.sources.map((source) => (source.name === name ? { name, read: () => ({ handIn }) } : source));
+    this.rows.value = this.rows.value.map((row) => (row.name === name ? { ...row, handIn, result: null } : row));
     await this.check();
   }
 
@@ -125,7 +144,7 @@ export class ClassModel {
     this.stop();
     this.task.value = task;
     this.sources = rows.map(({ name, content }) => ({ name, read: () => content }));
-    this.rows.value = rows.map(({ content, ...row }) => ({ ...row, handIn: handInOf(content) }));
+    this.rows.value = withShown(rows.map(({ content, ...row }) => ({ ...row, ...readOf(content) })));
   }
 
   /**
@@ -188,8 +207,17 @@ export class ClassModel {
     if (turn !== this.turn) return;
     // What is written meanwhile stays.
     const now = this.rows.value[place] ?? row;
-    this.rows.value = this.rows.value.with(place, { ...now, handIn: handInOf(content), result });
+    this.rows.value = this.rows.value.with(place, { ...now, ...readOf(content), result });
   }
 }
 
-const handInOf = (content: Content): HandIn | null => ('handIn' in content ? content.handIn : null);
+/** The hand-in that was read, or the files of which one may be it. */
+const readOf = (content: Content): Pick<Row, 'handIn' | 'choices'> =>
+  'handIn' in content
+    ? { handIn: content.handIn }
+    : { handIn: null, ...(content.choices !== undefined && { choices: content.choices }) };
+
+function withShown(rows: readonly Omit<Row, 'shown'>[]): readonly Row[] {
+  const shown = shownNames(rows.map(({ name }) => name));
+  return rows.map((row, place) => ({ ...row, shown: shown[place] ?? row.name }));
+}

@@ -10,7 +10,7 @@ const world = (atMs: number | null, touches: number): CheckResult['worlds'][numb
   ...{ held: [], missed: {}, hash: '', trail: [], trailMs: [] },
 });
 const row = (name: string, points: number, atMs: number | null, touches = 0): Row => ({
-  name,
+  ...{ name, shown: name },
   handIn: null,
   note: '',
   result: {
@@ -18,8 +18,14 @@ const row = (name: string, points: number, atMs: number | null, touches = 0): Ro
     worlds: [world(atMs, touches)],
   },
 });
-const waiting: Row = { name: 'Zoe', handIn: null, result: null, note: '' };
-const broken: Row = { name: 'Tim', handIn: null, note: '', result: unreadable([], { code: 'zip', params: {} }) };
+const waiting: Row = { name: 'Zoe', shown: 'Zoe', handIn: null, result: null, note: '' };
+const broken: Row = {
+  name: 'Tim',
+  shown: 'Tim',
+  handIn: null,
+  note: '',
+  result: unreadable([], { code: 'zip', params: {} }),
+};
 const rows = [row('Änne', 3, 9000), row('Ada', 1, null, 2), row('Anna 10', 2, 4000), row('Anna 9', 2, 4000), broken, waiting]; // prettier-ignore
 const names = (filter: Filter, order: Order): readonly string[] =>
   inOrder(rows, filter, order, 'de').map(({ name }) => name);
@@ -40,7 +46,8 @@ describe('the hand-ins of a class', () => {
   it('are shown by what became of them', () => {
     const byName: Order = { by: 'name', isDown: false };
     expect(names('passed', byName)).toEqual(['Anna 9', 'Anna 10', 'Änne']);
-    expect(names('failed', byName)).toEqual(['Ada', 'Tim']);
+    expect(names('failed', byName)).toEqual(['Ada']);
+    expect(names('unread', byName)).toEqual(['Tim']);
     expect(names('look', byName)).toEqual(['Tim']);
   });
 

@@ -1,3 +1,4 @@
+import { nameOrder } from '#check/report/names';
 import type { RemarkCode } from '#check/result';
 
 import type { Row } from './class-model';
@@ -19,7 +20,7 @@ export const isToLookAt = ({ result }: Row): boolean =>
   result?.remarks.some(({ code }) => TELLING.includes(code)) === true;
 
 /** The hand-ins that the table can show; `look`: those with remarks to look at. */
-export const filters = ['all', 'passed', 'failed', 'look'] as const;
+export const filters = ['all', 'passed', 'failed', 'unread', 'look'] as const;
 export type Filter = (typeof filters)[number];
 
 /** Columns by which they can be put in order. */
@@ -55,8 +56,8 @@ const keys: Readonly<Record<Exclude<Column, 'name'>, (row: Row) => number>> = {
 
 /** The hand-ins that pass a filter, in an order; those that are equal are in the order of their names. */
 export function inOrder(rows: readonly Row[], filter: Filter, { by, isDown }: Order, language: string): readonly Row[] {
-  const { compare } = new Intl.Collator(language, { numeric: true });
-  const byName = (a: Row, b: Row): number => compare(a.name, b.name);
+  const compare = nameOrder(language);
+  const byName = (a: Row, b: Row): number => compare(a.shown, b.shown);
   const key = by === 'name' ? null : keys[by];
   const sign = isDown ? -1 : 1;
   return rows
@@ -70,5 +71,5 @@ export function inOrder(rows: readonly Row[], filter: Filter, { by, isDown }: Or
 function passes(row: Row, filter: Filter): boolean {
   if (filter === 'all') return true;
   if (filter === 'look') return isToLookAt(row);
-  return row.result !== null && row.result.passed === (filter === 'passed');
+  return stateOf(row) === filter;
 }

@@ -1,3 +1,4 @@
+import { nameOrder } from '#check/report/names';
 import type { WorldResult } from '#check/result';
 
 import type { Row } from '../model/class-model';
@@ -59,7 +60,7 @@ interface Wishes {
  */
 export function wallCards(rows: readonly Row[], lots: Lots, { naming, order, language }: Wishes): readonly WallCard[] {
   const numbers = lots.of(rows.map(({ name }) => name));
-  const { compare } = new Intl.Collator(language, { numeric: true });
+  const compare = nameOrder(language);
   return rows
     .map((row) => cardOf(row, numbers.get(row.name) ?? 0, naming))
     .toSorted((one, other) => {
@@ -79,7 +80,7 @@ function cardOf(row: Row, number: number, naming: Naming): WallCard {
   const isNamed = naming === 'all' || (naming === 'passed' && state === 'passed');
   const { result } = row;
   return {
-    ...{ name: isNamed ? row.name : null, number, state },
+    ...{ name: isNamed ? row.shown : null, number, state },
     world: result?.worlds[0] ?? null,
     passedMs: state === 'passed' ? timeOf(row) : null,
     points: result?.points ?? 0,

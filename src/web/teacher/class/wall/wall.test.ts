@@ -12,14 +12,14 @@ const row = (name: string, atMs: number | null): Row => {
     ...{ held: [], missed: {}, hash: '', trail: [], trailMs: [] },
   };
   const result = { passed: atMs !== null, points: 1, stars: null, checks: [], worlds: [world], remarks: [], twin: '' };
-  return { name, handIn: null, note: '', result };
+  return { name, shown: name, handIn: null, note: '', result };
 };
 const rows: readonly Row[] = [
   row('Cem', 9000),
   row('Ben', null),
   row('Ada', 20_000),
-  { name: 'Eva', handIn: null, note: '', result: unreadable([], { code: 'zip', params: {} }) },
-  { name: 'Dan', handIn: null, note: '', result: null },
+  { name: 'Eva', shown: 'Eva', handIn: null, note: '', result: unreadable([], { code: 'zip', params: {} }) },
+  { name: 'Dan', shown: 'Dan', handIn: null, note: '', result: null },
 ];
 /** The last one that is waiting is drawn first: Dan 1, Eva 2, Ada 3, Ben 4, Cem 5. */
 const shown = (naming: Naming, order: WallOrder, some = rows): readonly (string | number)[] =>

@@ -30,7 +30,7 @@ export function classWith(more: Partial<ClassPorts> = {}) {
     pulse: () => ({ beat: 0, world: 0 }),
     stop: () => undefined,
   });
-  const model = new ClassModel({ starter: () => Promise.resolve(start), every: () => () => undefined, lanes: 2, ...more }); // prettier-ignore
+  const model = new ClassModel({ starter: () => Promise.resolve(start), every: () => () => undefined, lanes: 2, language: () => 'de', ...more }); // prettier-ignore
   const passed = () => model.rows.value.map(({ name, result }) => [name, result?.passed ?? null]);
   return { model, asked, passed };
 }

@@ -1,0 +1,52 @@
+import { spreadsheetText, type Cell } from '#core/csv';
+import type { Language } from '#core/languages';
+import { filledIn } from '#core/words';
+import type { CheckOutcome } from '../result';
+import { checkText } from '../task/check-text';
+import { worldName, type ClassTask } from '../task/task';
+import { shownName, type ClassResult, type NamedResult } from './class-result';
+import { reasonText, remarkText } from './say';
+import { isUnread } from './texts';
+import reportWords from './words';
+
+/**
+ * The result of a class as a table for a spreadsheet in the reader's language: what is checked stands in words, each figure
+ * alone in its cell. What could not be read has none. For programs there is `csvOf`.
+ */
+export function tableOf({ handIns }: ClassResult, task: ClassTask, language: Language): string {
+  const words = reportWords.report;
+  const say = (name: keyof typeof words): string => words[name][language];
+  const most = task.checks.reduce((sum, { points }) => sum + points, 0);
+  const hasNotes = handIns.some(({ note = '' }) => note !== '');
+  const worlds = task.worlds.map((world) => filledIn(say('world'), { id: worldName(world) }));
+  const headings = [
+    ...[say('name'), say('result'), say('points'), say('most')],
+    ...(task.stars === null ? [] : [say('stars')]),
+    ...task.checks.map((check) => checkText(check, language)),
+    ...worlds.flatMap((world) => [world, `${world}: ${say('seconds')}`, `${world}: ${say('touches')}`]),
+    ...[say('remarks'), ...(hasNotes ? [say('note')] : [])],
+  ];
+  const outcome = ({ passed, reason }: Pick<CheckOutcome, 'passed' | 'reason'>): string =>
+    passed ? say('passed') : reason === null ? say('missed') : reasonText(reason, language);
+  const figures = ({ result }: NamedResult): readonly Cell[] => [
+    ...[outcome({ passed: result.passed, reason: null }), result.points, most],
+    ...(task.stars === null ? [] : [result.stars]),
+    ...task.checks.map(({ id }) => {
+      const check = result.checks.find((one) => one.id === id);
+      return check === undefined ? null : outcome(check);
+    }),
+    ...task.worlds.flatMap(({ id }): readonly Cell[] => {
+      const world = result.worlds.find((one) => one.id === id);
+      if (world === undefined) return [null, null, null];
+      return [outcome(world), world.atMs === null ? null : Math.round(world.atMs / 10) / 100, world.touches];
+    }),
+  ];
+  const nothing = (): readonly Cell[] => [say('unread'), ...headings.slice(hasNotes ? 4 : 3).map(() => null)];
+  const rows = handIns.map((one) => [
+    shownName(one),
+    ...(isUnread(one.result) ? nothing() : figures(one)),
+    one.result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
+    ...(hasNotes ? [one.note ?? ''] : []),
+  ]);
+  return spreadsheetText([headings, ...rows], language);
+}
