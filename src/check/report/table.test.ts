@@ -38,7 +38,7 @@ describe('the table of a class for a spreadsheet', () => {
     expect(head?.slice(5)).toEqual(['Ziel des Parcours', 'benutzt eine Schleife', 'Welt 1', 'Welt 1: Zeit in s', 'Welt 1: Berührungen', 'Bemerkungen', 'Notiz']); // prettier-ignore
     expect(berard?.slice(0, 8)).toEqual(['Bérard', 'bestanden', '1,5', '4', '1', 'bestanden', 'Das Programm hat keine Schleife.', 'bestanden']); // prettier-ignore
     expect(berard?.[8]).toMatch(/^\d+,\d{1,2}$/);
-    expect(bonnet).toEqual(['Bonnet', 'nicht bestanden', '0', '4', '0', 'Der Roboter hat sich nie bewegt.', 'Das Programm hat keine Schleife.', 'Der Roboter hat sich nie bewegt.', '', '0', '', `'=1+1;' "gut"`]); // prettier-ignore
+    expect(bonnet).toEqual(['Bonnet', 'nicht bestanden', '0', '4', '0', 'Der Roboter hat sich nie bewegt.', 'Das Programm hat keine Schleife.', 'Der Roboter hat sich nie bewegt.', '', '0', '', `'=1+1; "gut"`]); // prettier-ignore
     expect(weiss?.slice(0, 10)).toEqual(['Weiss Tim', 'nicht lesbar', '', '', '', '', '', '', '', '']);
     expect(weiss?.[10]).toContain('nicht lesbar: ');
   });
