@@ -117,7 +117,7 @@ export const wings = {
     ], // prettier-ignore
     series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker', 'teacher/desk'],
   },
-  help: ['session', 'course/editor'],
+  help: ['session', 'course/editor', 'pupil/galleries', 'teacher/desk'],
   app: ['session'],
 };
 

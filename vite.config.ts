@@ -18,6 +18,7 @@ import {
   shortForStyles,
 } from './build/chunks.ts';
 import { firmwareAwaited, firmwareMade } from './build/firmware-awaited.ts';
+import { handbook } from './build/handbook.ts';
 import { librariesApart } from './build/libraries-apart.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
@@ -185,7 +186,7 @@ function drawingsLighter(): Plugin {
 
 /** The plugins of both builds, made anew for each. */
 const commonPlugins = (): PluginOption[] => [
-  ...[firmwareAwaited(), programs(), scenes(), vue(), iconsApart(), drawingsLighter()],
+  ...[firmwareAwaited(), programs(), scenes(), handbook(), vue(), iconsApart(), drawingsLighter()],
   runsInTheOldest(),
 ];
 

@@ -3,6 +3,7 @@ import { availableParallelism } from 'node:os';
 import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vitest/config';
 
+import { handbook } from './build/handbook.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
 import { words } from './build/words.ts';
@@ -21,7 +22,7 @@ const WHOLE_THREAD = [
  * `// @vitest-environment happy-dom`.
  */
 export default defineConfig({
-  plugins: [programs(), scenes(), words(), vue()],
+  plugins: [programs(), scenes(), handbook(), words(), vue()],
   test: {
     projects: [
       {

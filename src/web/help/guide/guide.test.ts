@@ -27,7 +27,7 @@ const sources = import.meta.glob<string>(
     '../../pupil/look-back/{PastActions,PastFoot}.vue',
     '../../course/editor/palette/ToolPalette.vue',
     '../../**/contribution.ts',
-    '../../teacher/*/desk-cards.ts',
+    '../../{teacher,help}/*/desk-cards.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );
