@@ -1,4 +1,4 @@
-import type { ClassResult, NamedResult } from '#check/report/class-result';
+import { shownName, type ClassResult, type NamedResult } from '#check/report/class-result';
 import { isUnread } from '#check/report/texts';
 import { courseMark } from '#check/task/course-mark';
 import type { ClassTask } from '#check/task/task';
@@ -34,9 +34,10 @@ export function addResults(given: SchoolClass, { task, found, day }: CheckedTask
   const results: Result[] = [];
   const strangers: string[] = [];
   for (const one of found.handIns) {
-    let pupil = findPupil(pupils, one.name);
+    const shown = shownName(one);
+    let pupil = findPupil(pupils, shown);
     if (pupil === null) {
-      const name = one.name.slice(0, classLimits.nameCharacters);
+      const name = shown.slice(0, classLimits.nameCharacters);
       pupil = { id: freePupilId(pupils, name), name, also: [], isListed: !isList };
       pupils.push(pupil);
       strangers.push(name);

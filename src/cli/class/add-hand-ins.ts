@@ -73,11 +73,11 @@ async function addTask(
   terminal: Terminal,
 ): Promise<{ readonly schoolClass: SchoolClass; readonly said: readonly string[] }> {
   const { task } = named;
-  const progress = new Progress(terminal, sources.length, quiet || json);
+  const progress = new Progress(terminal, sources.length, quiet || json, lang);
   const start = startThread(task, await WebAssembly.compile(readFirmware()));
   const results = await checkAll(task, sources, start, { jobs, folder: null, keepsWays: false, progress });
   terminal.clearProgress();
-  const found = classResult(titleOf(named, lang), results);
+  const found = classResult(titleOf(named, lang), results, lang);
   const checked = { task, found, day };
   const added = addResults(given, checked);
   return { schoolClass: added.schoolClass, said: addedTexts(added, checked, lang) };

@@ -64,7 +64,7 @@ describe('the page of classes', () => {
     expect(textOf(byId('classes-missing'))).toBe('«Die Kurve»: Noch 1 ohne Abgabe (Ben Huber)');
     const checked = classOf(page);
     checked.task.value = { name: 'Die Kurve', from: 'file', task: aTask('bend') };
-    checked.rows.value = [{ name: 'Ben', handIn: null, result: aResult(4), note: '' }];
+    checked.rows.value = [{ name: 'Ben', shown: 'Ben', handIn: null, result: aResult(4), note: '' }];
     await flushPromises();
     expect(textOf(byId('classes-checked'))).toContain('1 Abgaben zu «Die Kurve»');
     await tap('classes-enter');
