@@ -1,7 +1,7 @@
 import { runFilesOf } from '#project/devices';
 import { MAIN } from '#project/project';
 import { isSame } from '#core/same';
-import { findFact, type Files } from './program/facts';
+import { findFact, isEmpty, type Files } from './program/facts';
 import { twinHash, twinOfAll } from './program/twin';
 import type { HandIn } from './hand-in/hand-in';
 import { otherTask } from './hand-in/other-task';
@@ -69,7 +69,8 @@ function resultOf(
     checks,
     worlds,
     remarks: remarksOn(task, handIn, worlds, unchanged),
-    twin: unchanged ? '' : twinOfAll(programs),
+    // Nobody has an empty program from somebody else.
+    twin: unchanged || programs.every(isEmpty) ? '' : twinOfAll(programs),
   };
 }
 

@@ -76,7 +76,7 @@ const markOf = (passed: boolean): string =>
 function verdictOf(result: CheckResult, language: Language): string {
   const { passed, unread, missed } = reportWords.report;
   const word = isUnread(result) ? unread : result.passed ? passed : missed;
-  return `${markOf(result.passed)} ${word[language]}`;
+  return isUnread(result) ? word[language] : `${markOf(result.passed)} ${word[language]}`;
 }
 
 const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
@@ -121,7 +121,7 @@ function sheetOf(
   { drawings, title, task, language }: Sheet & { readonly title: string; readonly task: ClassTask },
 ): string {
   const words = reportWords.report;
-  const facts = result.checks.map(
+  const facts = (isUnread(result) ? [] : result.checks).map(
     ({ id, passed, reason }) =>
       `<li>${markOf(passed)} ${askedOf(task, id, language)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
   );

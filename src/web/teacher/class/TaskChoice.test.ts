@@ -2,9 +2,14 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { projectOf } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
+import { handInOf, handInOfFiles } from '#check/hand-in/read-hand-in';
+import { unread } from '#check/hand-in/unread';
 import { seriesLinkOf } from '#check/series/series-link';
 import { aSeries, readyCourses } from '#check/series/testing/series';
 import { targetAt } from '#check/testing/tasks';
+import type { Content } from '#intake/contents';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
@@ -17,7 +22,7 @@ import TaskChoice from './TaskChoice.vue';
 /** A page, and a class of which nothing is handed in. */
 function classOn() {
   const page = createPage();
-  const model = new ClassModel({ starter: () => Promise.reject(new Error()), every: () => () => undefined, lanes: 1 });
+  const model = new ClassModel({ starter: () => Promise.reject(new Error()), every: () => () => undefined, lanes: 1, language: () => 'de' }); // prettier-ignore
   return { page, model };
 }
 const objectsOf = (model: ClassModel): number => model.task.value?.task.project.scene.objects.length ?? -1;
@@ -27,17 +32,47 @@ beforeEach(() => sessionStorage.clear());
 describe('the task that a class is checked for', () => {
   it('is that of the open work, also when another one is open as the page comes back', () => {
     const { page, model } = classOn();
+    page.work.edit({ type: 'add', objects: [targetAt(300, 300, 'second')] });
     mountOn(page, TaskChoice, { model });
     const before = objectsOf(model);
-    page.work.edit({ type: 'add', objects: [targetAt(300, 300, 'second')] });
+    page.work.edit({ type: 'add', objects: [targetAt(400, 300, 'third')] });
     mountOn(page, TaskChoice, { model });
     expect(objectsOf(model)).toBe(before + 1);
   });
 
+  it('is none on a first visit: nobody has chosen the course that is open then', () => {
+    const { page, model } = classOn();
+    const shown = mountOn(page, TaskChoice, { model });
+    expect(model.task.value).toBeNull();
+    expect(shown.get('select').element.selectedOptions[0]?.text).toBe('Aufgabe wählen …');
+  });
+
+  it('is offered where most hand-ins know another one, and taken by one tap', async () => {
+    const { page, model } = classOn();
+    const shown = mountOn(page, TaskChoice, { model });
+    const project = { ...projectOf(courses.find(({ id }) => id === 'closed-line')!, 'de'), files: [{ name: 'main.py', text: 'x = 1' }] }; // prettier-ignore
+    const read = handInOf(project);
+    const whole: Content = 'handIn' in read ? read : unread('kind');
+    const alone: Content = { handIn: handInOfFiles([{ name: 'main.py', text: 'x' }]) };
+    await model.add(['Ada', 'Ben', 'Cem'].map((name) => ({ name, read: () => (name === 'Cem' ? alone : whole) })));
+    await nextTick();
+    expect(shown.get('[data-testid="class-meant"]').text()).toContain(
+      '2 von 3 Abgaben gehören zu «Geschlossene Linie».',
+    );
+    await shown.get('[data-testid="class-take-meant"]').trigger('click');
+    expect([model.task.value?.name, model.task.value?.from]).toEqual(['Geschlossene Linie', 'closed-line']);
+    await nextTick();
+    expect(shown.find('[data-testid="class-meant"]').exists()).toBe(false);
+    await shown.get('select').setValue('slalom');
+    expect(shown.find('[data-testid="class-meant"]').exists()).toBe(true);
+  });
+
   it('stays as it is while the open work does', () => {
     const { page, model } = classOn();
+    page.work.edit({ type: 'add', objects: [targetAt(300, 300, 'second')] });
     mountOn(page, TaskChoice, { model });
     const { value } = model.task;
+    expect(value).not.toBeNull();
     mountOn(page, TaskChoice, { model });
     expect(model.task.value).toBe(value);
   });

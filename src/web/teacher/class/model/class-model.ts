@@ -184,7 +184,11 @@ export class ClassModel {
     const { turn } = this;
     const open = this.task.value;
     const waiting = this.rows.value.flatMap(({ result }, place) => (result === null ? [place] : []));
-    if (open === null || waiting.length === 0) return;
+    if (waiting.length === 0) return;
+    if (open === null) {
+      for (const place of waiting) await this.readOne(place, turn);
+      return;
+    }
     this.isChecking.value = true;
     this.failure.value = null;
     try {
@@ -197,6 +201,16 @@ export class ClassModel {
       if (turn === this.turn) this.failure.value = troubleKey(error);
     }
     if (turn === this.turn) this.stop();
+  }
+
+  /** Reads a hand-in before there is a task: perhaps it knows its own. */
+  private async readOne(place: number, turn: number): Promise<void> {
+    const [source, row] = [this.sources[place], this.rows.value[place]];
+    if (source === undefined || row === undefined || row.handIn !== null || turn !== this.turn) return;
+    const content = await contentOf(source);
+    if (turn !== this.turn) return;
+    const now = this.rows.value[place] ?? row;
+    this.rows.value = this.rows.value.with(place, { ...now, ...readOf(content) });
   }
 
   private async checkOne(place: number, task: ClassTask, lane: Lane, turn: number): Promise<void> {
