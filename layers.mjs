@@ -19,7 +19,7 @@ export const layers = {
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
   'school-class': ['core', 'scene', 'check'],
-  intake: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'check', 'hex'],
+  intake: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'check', 'school-class', 'hex'],
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],

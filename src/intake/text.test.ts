@@ -36,6 +36,8 @@ describe('a JSON file', () => {
     expect(read(old).kind).toBe('course');
     for (const value of [null, 7, 'x', {}, [], [1, 2], { version: 1 }, [{ x: 1 }], { files: [] }])
       expect(problemIn(JSON.stringify(value))).toContain('neither a project nor a course');
+    const ofClass = readFileSync(new URL('../school-class/kept/v1.json', import.meta.url), 'utf8');
+    expect(problemIn(ofClass)).toContain('is the file of a class');
     expect(problemIn('[1, 2')).toContain('not JSON: line 1, column 6');
     expect(problemIn({ format: 'parcours-scene', version: 99 })).toContain('newer');
   });

@@ -1,5 +1,6 @@
 import { unread } from '#check/hand-in/unread';
 import { looksLikeSeries, parseSeries, type ReadSeries } from '#check/series/read-series';
+import { isClassFile } from '#school-class/class-file';
 import { parseSceneValue } from '#scene/parse';
 import { SCENE_FORMAT, type Scene } from '#scene/scene';
 import { looksLikeEarlierLevel, sceneOfEarlierLevel } from '#project/earlier-levels';
@@ -21,6 +22,7 @@ export function documentOfText(text: string, courses: ReadyCourses): TextDocumen
   const value = valueOf(text);
   // A text that is not JSON, or far too long, gets the messages of a project file.
   if (value === undefined || isProjectFile(value)) return projectDocument(value, text);
+  if (isClassFile(value)) return CLASS;
   const format = formatOf(value);
   const world = format === undefined ? documentOfWorld(value) : null;
   if (world !== null) return world;
@@ -81,8 +83,12 @@ function valueOf(text: string): unknown {
   }
 }
 
-const notOurs = (code: 'not-a-project' | 'wrong-type', path: string, value: string, message: string): Unreadable =>
-  wrongInside(message, [{ code, path, value, params: {}, message }]);
+const notOurs = (
+  code: 'not-a-project' | 'is-a-class' | 'wrong-type',
+  path: string,
+  value: string,
+  message: string,
+): Unreadable => wrongInside(message, [{ code, path, value, params: {}, message }]);
 
 const NEITHER = notOurs(
   'not-a-project',
@@ -95,4 +101,11 @@ export const SERIES = notOurs(
   'wrong-type',
   ...(['', '"parcours-series"'] as const),
   'is a series itself; a series holds tasks only. Add its tasks one by one.',
+);
+
+/** The file of a class in the place of work. */
+const CLASS = notOurs(
+  'is-a-class',
+  ...(['format', '"parcours-class"'] as const),
+  'is the file of a class. Open it on the page under Classes, or give it to parcours class.',
 );

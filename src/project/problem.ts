@@ -4,6 +4,7 @@ import type { SceneProblem, SceneProblemCode } from '#scene/problem';
 export type ProjectProblemCode =
   | SceneProblemCode
   | 'not-a-project'
+  | 'is-a-class'
   | 'not-a-level'
   | 'links-too-large'
   | 'not-beside'

@@ -115,6 +115,7 @@ describe.each(samples)('$name', ({ name, bytes }) => {
       starter: () => Promise.reject(new Error()),
       every: () => () => undefined,
       lanes: 1,
+      language: () => 'de',
     });
     const shown = mountOn(page, TaskChoice, { model });
     const picker = shown.get<HTMLInputElement>('input[type="file"]').element;
@@ -154,6 +155,7 @@ describe.each(Object.entries(addresses))('an address: %s', (kind, address) => {
       starter: () => Promise.reject(new Error()),
       every: () => () => undefined,
       lanes: 1,
+      language: () => 'de',
     });
     const [source] = listSources(address, readyScene);
     const what = offerLink(model, address) ? 'series' : 'nothing';

@@ -13,6 +13,7 @@ const byCode: Readonly<Record<FileProblem['code'], Texts>> = {
   'not-json': words.notJson,
   'not-a-scene': words.notOurs,
   'not-a-project': words.notOurs,
+  'is-a-class': words.isAClass,
   'not-a-level': words.notALevel,
   'not-a-series': shareWords.series.notASeries,
   'not-beside': shareWords.series.fileBeside,
