@@ -288,21 +288,21 @@ test(
         readonly remarks: readonly string[];
       }[];
     };
-    expect(handIns.filter(({ passed }) => passed).map(({ name }) => name)).toEqual(['Ada', 'Ivo', 'Zoë 🤖 «7b»', 'Lea', 'Nina']); // prettier-ignore
+    expect(handIns.filter(({ passed }) => passed).map(({ name }) => name)).toEqual(['Ada', 'Ivo', 'Lea', 'Nina', 'Zoë 🤖 «7b»']); // prettier-ignore
     const told = handIns.flatMap(({ name, remarks }) =>
       remarks.length === 0 ? [] : [`${name}: ${remarks.join(' ')}`],
     );
     expect(told).toEqual([
       'Ada: Gleiches Programm wie: Zoë 🤖 «7b»',
+      'Ada (2): Die Abgabe sagt «bestanden», der Lauf hier nicht. Gleiches Programm wie: Cem',
       'Cem: Gleiches Programm wie: Ada (2)',
       'Hana: Beim Üben half die Hand.',
       'Ivo: Der Parcours wurde geändert; geprüft wurde mit dem der Aufgabe.',
-      'Zoë 🤖 «7b»: Gleiches Programm wie: Ada',
       'Kai: nicht lesbar: Der Link ist beschädigt oder unvollständig. Bitte ganz kopieren und neu senden.',
       'Lea: für eine andere Aufgabe: another',
       'Max: Das Programm ist noch das ausgeteilte.',
       'Nina: Das Programm wurde ausserhalb der Seite geändert.',
-      'Ada (2): Die Abgabe sagt «bestanden», der Lauf hier nicht. Gleiches Programm wie: Cem',
+      'Zoë 🤖 «7b»: Gleiches Programm wie: Ada',
     ]);
     await openWork(app, work, './#class');
     await until(app, by('class-links'));

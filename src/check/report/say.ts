@@ -11,7 +11,7 @@ import words from './words';
 export function reasonText({ code, params: given, advice }: Reason, language: Language): string {
   const params = shownIn(given);
   const { reasons, more } = words;
-  const besides = (['near', 'limit'] as const).filter((name) => params[name] !== undefined);
+  const besides = (['allowed', 'left', 'near', 'limit'] as const).filter((name) => params[name] !== undefined);
   const said = [reasons[code], ...besides.map((name) => more[name])].map((text) => filledIn(text[language], params));
   // What the board says of an error ends with no full stop.
   return advice === undefined ? said.join(' ') : `${said.join(' ')} – ${unseenShown(advice[language])}`;

@@ -4,19 +4,22 @@ import type { Scene, Zone } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
 import { Route } from '#simulation/task/route';
 import { briefOf } from '#simulation/task/task-brief';
+import { LineWatch } from './line-watch';
 import type { Step } from './watcher';
 
 /** Simulated time between two looks at distances. Chosen: a robot at full speed drives less than a centimetre. */
 const LOOK_US = 20_000;
 
-/** Measures how near the first robot came to the place that it had to reach next. */
+/** Measures how near the first robot came to the place that it had to reach next, and when it left the line that leads there. */
 export class Approach {
   private readonly route: Route;
+  private readonly line: LineWatch;
   private next: readonly Zone[] = [];
   private outlines: readonly Outline[] = [];
   private nearest: number | null = null;
 
   constructor(course: Scene) {
+    this.line = new LineWatch(course);
     this.route = new Route(briefOf(course));
   }
 
@@ -25,11 +28,17 @@ export class Approach {
     return this.nearest;
   }
 
+  /** Simulated time at which it left the line, in µs; `null`: it did not. */
+  get leftUs(): number | null {
+    return this.line.leftUs;
+  }
+
   step({ nowUs, pose }: Step): void {
     if (pose === null) return;
     const at = { x: pose.xMm, y: pose.yMm };
     this.route.pass(at);
     if (nowUs % LOOK_US !== 0) return;
+    this.line.look(nowUs, at);
     const { next } = this.route;
     if (next.length !== this.next.length || next.some((zone, place) => zone !== this.next[place])) {
       this.next = next;

@@ -59,6 +59,23 @@ describe('a goal that was not reached', () => {
     expect(text).toMatch(/^The goal was not reached \(0 of 1\)\. The robot came as near as (2\d|3\d) cm\.$/);
   });
 
+  it('tells when the robot left the line that leads there, and not where no line does', async () => {
+    const line = { type: 'stroke', id: 'l', points: [[100, 450], [800, 450], [800, 850]], width: 30, color: 'black' } as const; // prettier-ignore
+    const along = sceneWith([targetAt(800, 700), line]);
+    expect(await said(ahead(4500), { seconds: 9 }, along)).toMatch(/^The goal was not reached \(0 of 1\)\. The robot left the line at \d\.\d s\. The robot came as near as \d+ cm\.$/); // prettier-ignore
+    const beside = sceneWith([targetAt(800, 200), line]);
+    expect(await said(ahead(4500), { seconds: 9 }, beside)).not.toContain('line');
+    // Who only crosses a line does not follow it.
+    const across = {
+      ...line,
+      points: [
+        [700, 100],
+        [700, 850],
+      ],
+    } as const;
+    expect(await said(ahead(6000), { seconds: 7 }, sceneWith([targetAt(700, 700), across]))).not.toContain('line');
+  });
+
   it('names the limit of the check where it was the end, and none where the program had ended', async () => {
     const endless = 'from mbrobot import *\nleft()\nwhile True: delay(10)\n';
     expect(await said(endless)).toBe(
@@ -69,7 +86,9 @@ describe('a goal that was not reached', () => {
   it('within the time of the course, too', async () => {
     const timed = { ...goal, task: { ...goal.task, seconds: 2 } };
     expect(await said('while True: pass', {}, timed)).toBe('The robot never moved.');
-    expect(await said(ahead(500), {}, timed)).toMatch(/^The time was over \(0 of 1 reached\)\. The robot came as near/);
+    expect(await said(ahead(500), {}, timed)).toMatch(
+      /^The time was over \(0 of 1 reached\)\. The course allows 2 s\. The robot came as near/,
+    );
   });
 
   it('is reached after two minutes where neither course nor task has a limit', async () => {

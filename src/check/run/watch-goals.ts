@@ -22,18 +22,23 @@ export function watchGoals(course: Scene): Watcher {
       verdict ??= run.verdict;
     },
     standing: () => standing,
-    reason: () => reasonOf(verdict, approach?.nearestMm ?? null),
+    reason: () => reasonOf(verdict, approach, course.task.seconds),
   };
 }
 
-/** @param nearestMm smallest distance of the robot from the next place, `null`: there is none */
-function reasonOf(verdict: Verdict | null, nearestMm: number | null): Reason {
+/** @param seconds the time of the course; `null`: it has none */
+function reasonOf(verdict: Verdict | null, approach: Approach | null, seconds: number | null): Reason {
   if (verdict?.state === 'helped') return { code: 'helped', params: {} };
   const reached = reachedIn(verdict);
   const { reason = null, by = null } = verdict ?? {};
-  const near = nearestMm === null ? {} : { near: Math.ceil(nearestMm / 10) };
-  if (reason === null) return { code: 'open', params: { ...reached, ...near } };
-  return { code: reasonCode(reason), params: { by: by ?? '', ...reached, ...(reason === 'time' && near) } };
+  const { nearestMm = null, leftUs = null } = approach ?? {};
+  const way = {
+    ...(leftUs !== null && { left: Math.round(leftUs / 100_000) / 10 }),
+    ...(nearestMm !== null && { near: Math.ceil(nearestMm / 10) }),
+  };
+  if (reason === null) return { code: 'open', params: { ...reached, ...way } };
+  const late = reason === 'time' && { ...(seconds !== null && { allowed: seconds }), ...way };
+  return { code: reasonCode(reason), params: { by: by ?? '', ...reached, ...late } };
 }
 
 /** Number of goals reached, and of all goals. */
