@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { parseCommand, type RunOptions } from './arguments';
+import { parseCommand } from './arguments';
+import type { RunOptions } from './run-arguments';
 import { parseDuration } from '#core/duration';
 
 function optionsOf(line: string): RunOptions {
@@ -73,19 +74,68 @@ describe('the command line', () => {
     });
   });
 
-  it('shows the help wherever --help stands', () => {
-    expect(parseCommand(['--help']).type).toBe('help');
-    expect(parseCommand(['run', 'main.py', '-h']).type).toBe('help');
-    expect(parseCommand(['help']).type).toBe('help');
+  it('shows the help on what is asked, wherever --help stands', () => {
+    const helpOn = (line: string) => {
+      const asked = parseCommand(line.split(' '));
+      return asked.type === 'help' ? asked.options.about.join(' ') : JSON.stringify(asked);
+    };
+    for (const line of ['--help', '-h', 'help', 'help --help']) expect(helpOn(line)).toMatch(/^(help)?$/);
+    for (const line of ['check --help', 'help check', '--help check a b', 'check a --jobs x -h'])
+      expect(helpOn(line)).toBe('check');
+    for (const line of ['probe --help', 'help probe']) expect(helpOn(line)).toBe('probe');
+    expect(helpOn('probe compare a.csv --help')).toBe('probe compare');
     expect(parseCommand(['--version']).type).toBe('version');
+    expect(parseCommand(['run', 'main.py', '--version']).type).toBe('version');
+  });
+
+  it('takes options of a command also before it, and files called like options behind --', () => {
+    expect(optionsOf('--robot none run main.py')).toMatchObject({ program: 'main.py', robot: 'none' });
+    expect(parseCommand(['check', 'closed-line', '--json', '--', '-2+3.py', '--help'])).toMatchObject({
+      type: 'check',
+      options: { json: true, work: { task: 'closed-line', handIns: ['-2+3.py', '--help'] } },
+    });
+    expect(optionsOf('run main.py --trace -2.csv').trace).toBe('-2.csv');
+  });
+
+  it('names the command that tells more', () => {
+    const helpOf = (line: string) => {
+      const asked = parseCommand(line.split(' '));
+      return asked.type === 'bad' ? asked.help : asked.type;
+    };
+    expect(helpOf('check --rapport x')).toBe('npx parcours check --help');
+    expect(helpOf('probe compare')).toBe('npx parcours probe compare --help');
+    expect(helpOf('chek')).toBe('npx parcours --help');
   });
 
   it.each([
     ['', /What shall it do\? For example: parcours run main\.py/],
     ['run', /Which program\?/],
-    ['drive main.py', /Unknown command "drive"/],
+    [
+      'drive main.py',
+      /^Unknown command "drive"\. There are: run, check, class add, [^]*, convert, replay, probe compare, /,
+    ],
+    ['chek closed-line class/ --json', /^Unknown command "chek"\. Did you mean check\?$/],
+    ['chek --help', /^Unknown command "chek"\. Did you mean check\?$/],
+    ['help konvert', /^Unknown command "konvert"\. Did you mean convert\?$/],
+    ['probe', /^probe: which of its commands\? probe compare$/],
+    ['probe compar a.csv', /^Unknown command "probe compar"\. Did you mean probe compare\?$/],
+    ['probe compare', /Which output of a board\?/],
     ['run a.py b.py', /what is "b\.py"\? Further files come with --file/],
-    ['run main.py --speed 3', /Unknown option --speed\. Known: --file, --device, --scene/],
+    ['run main.py --turbo 3', /^Unknown option --turbo\. Known: --scene, --robot, [^]*--quiet, --help, --version\.$/],
+    ['check a b --rapport r.html', /^Unknown option --rapport\. Did you mean --report\?$/],
+    ['run main.py --until', /^Unknown option --until\. Did you mean --until-verdict\?$/],
+    ['run main.py --toString', /^Unknown option --toString\. Known: /],
+    ['--rapport', /^Unknown option --rapport\. Did you mean --report\?$/],
+    ['run main.py --report r.html', /^--report is not for run, but for check, class report\. run takes --scene, /],
+    ['run main.py --out x', /^--out is not for run, but for convert\. /],
+    ['probe compare a.csv --json', /^--json is not for probe compare, but for run, check, [^]* takes none\.$/],
+    [
+      'check t -2+3.py',
+      /^-2\+3\.py begins like an option\. If it is the name of a file, put -- before .*: … -- -2\+3\.py$/,
+    ],
+    ['check t --anna.py', /^--anna\.py begins like an option\./],
+    ['check t -h.py', /^-h\.py begins like an option\./],
+    ['completion fish', /There is no completion for "fish"\. Known: bash, zsh\./],
     ['run main.py --scene', /--scene needs a value/],
     ['run main.py --scene --json', /--scene needs a value/],
     ['run main.py --firmware=', /--firmware needs a value/],
@@ -131,14 +181,14 @@ describe('a time', () => {
   it.each([
     [['replay'], 'Which recording?'],
     [['replay', 'a.json', 'b.json'], 'One recording at a time: what is "b.json"?'],
-    [['replay', 'a.json', '--scene', 'x'], '--scene is not for replay'],
+    [['replay', 'a.json', '--scene', 'x'], '--scene is not for replay, but for run. replay takes --at, --line, '],
     [['replay', 'a.json', '--at', '3'], '--at: "3" has no unit.'],
     [['replay', 'a.json', '--line', '14'], '--line: "14" is not like main.py:14.'],
     [['replay', 'a.json', '--line', 'main.py:0'], '--line: "main.py:0" is not like main.py:14.'],
     [['replay', 'a.json', '--hit', '2'], '--hit needs a line'],
     [['replay', 'a.json', '--line', 'main.py:1', '--hit', '0'], '--hit: "0" is not a whole number from 1.'],
     [['replay', 'a.json', '--at', '1s', '--line', 'main.py:1'], '--at and --line: choose one of them.'],
-    [['run', 'main.py', '--at', '1s'], '--at is for a recorded run'],
+    [['run', 'main.py', '--at', '1s'], '--at is not for run, but for replay.'],
   ])('says what is wrong with %j', (words, problem) => {
     const command = parseCommand(words);
     expect(command.type === 'bad' ? command.problem : '').toContain(problem);

@@ -274,13 +274,6 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     expect(err).toMatch(message);
     expect(err).not.toMatch(/\n +at /);
   });
-
-  it('explains itself with --help', () => {
-    const { code, out } = parcours('--help');
-    expect(code).toBe(0);
-    for (const option of ['--file', '--scene', '--robot', '--for', '--json', '--trace']) expect(out).toContain(option);
-    expect(Math.max(...out.split('\n').map((line) => line.length))).toBeLessThanOrEqual(100);
-  });
 });
 
 describe('a run that does not end', { timeout: 40_000 }, () => {

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { contentOf } from '#intake/sources';
 import { addresses, samples } from '#intake/testing/samples';
-import { parseCommand, type RunOptions } from './arguments';
+import { parseCommand } from './arguments';
+import type { RunOptions } from './run-arguments';
 import { readTask } from './check/read-task';
 import { findHandIns } from './check/sources';
 import { readRunFiles } from './read-files';

@@ -1,14 +1,7 @@
-/** The command line's entry: reads the words, runs, sets the exit code. */
+/** The command line's entry: reads the words, fetches the command and carries it out, sets the exit code. */
 import { version } from '../../package.json';
-import { parseCommand } from './arguments';
-import { checkHandIns } from './check/check-command';
-import { changeClass } from './class/class-command';
-import { convert } from './convert/convert-command';
-import { help } from './help';
-import { compareProbes } from './probe/compare-command';
-import { replay } from './replay/replay';
-import { createTerminal } from './terminal';
-import { run } from './run';
+import { parseCommand, type Asked } from './arguments';
+import { createTerminal, type Terminal } from './terminal';
 
 /** A reader that has closed the pipe (`parcours run … | head`) wants no more output. */
 process.stdout.on('error', (error: NodeJS.ErrnoException) => {
@@ -16,51 +9,47 @@ process.stdout.on('error', (error: NodeJS.ErrnoException) => {
   throw error;
 });
 
-const command = parseCommand(process.argv.slice(2));
-switch (command.type) {
-  case 'help':
-    process.stdout.write(help);
-    break;
-  case 'version':
-    process.stdout.write(`${version}\n`);
-    break;
-  case 'bad':
-    process.stderr.write(`parcours: ${command.problem}\nHelp: npx parcours --help\n`);
-    process.exitCode = 2;
-    break;
-  case 'run':
-    process.exitCode = await run(
-      command.options,
-      createTerminal(process.stdout, process.stderr, command.options.quiet),
-    );
-    break;
-  case 'replay':
-    process.exitCode = await replay(
-      command.options,
+const write = (text: string): 0 => {
+  process.stdout.write(text);
+  return 0;
+};
+
+const terminal = (quiet = false): Terminal => createTerminal(process.stdout, process.stderr, quiet);
+
+/** Carries a command out. Its code is fetched now: help and messages need nothing of the simulation. */
+async function carryOut(asked: Asked): Promise<number> {
+  switch (asked.type) {
+    case 'help':
+      return write((await import('./commands/help')).helpText(asked.options.about));
+    case 'version':
+      return write(`${version}\n`);
+    case 'completion':
+      return write((await import('./commands/completion/completion')).completionFor(asked.options.shell));
+    case 'bad':
+      process.stderr.write(`parcours: ${asked.problem}\nHelp: ${asked.help}\n`);
+      return 2;
+    case 'run':
+      return (await import('./run')).run(asked.options, terminal(asked.options.quiet));
+    case 'replay':
       // A moment is shown alone, without what the program has printed until then.
-      createTerminal(process.stdout, process.stderr, command.options.quiet || command.options.stop !== null),
-    );
-    break;
-  case 'check':
-    process.exitCode = await checkHandIns(
-      command.options,
-      createTerminal(process.stdout, process.stderr, command.options.quiet),
-    );
-    break;
-  case 'class':
-    process.exitCode = await changeClass(
-      command.options,
-      createTerminal(process.stdout, process.stderr, command.options.quiet),
-    );
-    break;
-  case 'convert':
-    process.exitCode = await convert(command.options, createTerminal(process.stdout, process.stderr, false), (text) =>
-      process.stdout.write(text),
-    );
-    break;
-  case 'probe':
-    process.exitCode = await compareProbes(command.options, createTerminal(process.stdout, process.stderr, false));
-    break;
-  default:
-    command satisfies never;
+      return (await import('./replay/replay')).replay(
+        asked.options,
+        terminal(asked.options.quiet || asked.options.stop !== null),
+      );
+    case 'check':
+      return (await import('./check/check-command')).checkHandIns(asked.options, terminal(asked.options.quiet));
+    case 'class add':
+    case 'class set':
+    case 'class merge':
+    case 'class report':
+      return (await import('./class/class-command')).changeClass(asked.options, terminal(asked.options.quiet));
+    case 'convert':
+      return (await import('./convert/convert-command')).convert(asked.options, terminal(), write);
+    case 'probe compare':
+      return (await import('./probe/compare-command')).compareProbes(asked.options, terminal());
+    default:
+      return asked satisfies never;
+  }
 }
+
+process.exitCode = await carryOut(parseCommand(process.argv.slice(2)));

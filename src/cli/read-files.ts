@@ -9,7 +9,7 @@ import { MAIN, newWork } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
-import type { RunOptions } from './arguments';
+import type { RunOptions } from './run-arguments';
 import { parseInputs } from '#simulation/input-file';
 import {
   addressProblem,

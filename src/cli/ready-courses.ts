@@ -1,4 +1,6 @@
 import { projectOf } from '#catalogue/course';
+import { courses as courseList } from '#catalogue/courses';
+import { missions } from '#catalogue/missions';
 import { asNew, readyCourseOf } from '#catalogue/starts';
 import type { Language } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
@@ -28,6 +30,9 @@ export function readyCourse(id: string): Scene | null {
   const parsed = parseSceneValue(value);
   return 'scene' in parsed ? parsed.scene : null;
 }
+
+/** The ids of all ready courses and missions, in the page's order. */
+export const readyIds = (): readonly string[] => [...courseList, ...missions].map(({ id }) => id);
 
 /** The page's title of a ready course in this language; `null`: that of its scene. */
 export const readyTitle = (id: string | null, language: Language): string | null =>

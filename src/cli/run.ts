@@ -11,7 +11,7 @@ import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { robotFault } from '#simulation/robot-fit';
 import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
-import type { RunOptions } from './arguments';
+import type { RunOptions } from './run-arguments';
 import { withAdvice } from './explained';
 import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';

@@ -1,7 +1,7 @@
 import type { RunSetup } from '#simulation/run-setup';
 import type { Moment } from '#tape/moment';
 import type { TapeResult } from '#tape/result';
-import type { StopAsked } from './arguments';
+import type { StopAsked } from './replay/replay-arguments';
 import type { RadioNews } from './radio-report';
 import type { Report } from './report';
 import type { SharedConsole } from './shared-console';

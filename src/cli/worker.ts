@@ -13,7 +13,7 @@ import { momentOf, type Moment } from '#tape/moment';
 import { OutputHashes, resultOf } from '#tape/result';
 import { atLine } from '#vm/debug/stops';
 import { version } from '../../package.json';
-import type { StopAsked } from './arguments';
+import type { StopAsked } from './replay/replay-arguments';
 import { readFirmware } from './firmware';
 import { RadioKeeper, type RadioNews } from './radio-report';
 import { reportOf, type Report } from './report';

@@ -1,5 +1,6 @@
-import { availableParallelism } from 'node:os';
-import { LANGUAGES, type Language } from '#core/languages';
+import type { Language } from '#core/languages';
+import { command, type Around, type Given, type Options, type Problem } from '../commands/about';
+import { jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
 import { shardOf, type Shard } from './shard';
 
 /** The request to `parcours check`. */
@@ -29,82 +30,89 @@ export interface CheckOptions {
   readonly lang: Language;
 }
 
-/** The options of `check` that take a value, without `--`. */
-export const checkTexts = [
-  'jobs',
-  'report',
-  'junit',
-  'csv',
-  'table',
-  'take',
-  'shard',
-  'resume',
-  'merge',
-  'lang',
-] as const;
-const checkFlags: readonly string[] = ['json', 'quiet'];
-
-/** Chosen: more threads than that no machine of a school has. */
-const MOST_JOBS = 256;
-
 const EXAMPLE = 'For example: parcours check closed-line class/ --report report.html';
 
-/** Reads the words after `parcours check`, or says what is wrong with them. */
-export function parseCheck(
-  positionals: readonly string[],
-  given: ReadonlyMap<string, readonly string[]>,
-  set: ReadonlySet<string>,
-  environment: Readonly<Record<string, string | undefined>>,
-): CheckOptions | { readonly problem: string } {
-  const known: readonly string[] = [...checkTexts, ...checkFlags];
-  const strange = [...given.keys(), ...set].find((name) => !known.includes(name));
-  if (strange !== undefined)
-    return { problem: `--${strange} is not for check. Known: ${known.map((name) => `--${name}`).join(', ')}.` };
-  const last = (name: (typeof checkTexts)[number]): string | null => given.get(name)?.at(-1) ?? null;
-  const lang = LANGUAGES.find((one) => one === (last('lang') ?? 'en'));
-  if (lang === undefined)
-    return { problem: `--lang: "${last('lang') ?? ''}" is not available. Known: ${LANGUAGES.join(', ')}.` };
-  const work =
-    last('merge') === null
-      ? workOf(positionals, last, environment, given.get('take') ?? [])
-      : nothingToRun(positionals, given);
+const options = {
+  jobs: jobsOption,
+  report: { value: 'REPORT.html', path: 'writes', help: 'a page with drawings to print' },
+  csv: { value: 'R.csv', path: 'writes', help: 'a table for programs' },
+  table: { value: 'FILE.csv', path: 'writes', help: 'a table for a spreadsheet in the language of --lang' },
+  junit: { value: 'R.xml', path: 'writes', help: 'test results, for services that show those' },
+  json: { help: 'one line at the end for other programs, the same for the same work' },
+  quiet: { help: 'neither results nor progress' },
+  lang: langOption('the language of results, reports and reasons; default: en'),
+  shard: {
+    value: 'I/N',
+    help: '2/7: the second of seven parts; auto: the part of this job of Slurm, Kubernetes (auto/7), GitLab, CircleCI or Buildkite',
+  },
+  take: {
+    value: 'NAME=FILE',
+    isRepeated: true,
+    help: 'which of several files is the program of a hand-in',
+  },
+  resume: { value: 'DIR', path: 'folder', help: 'keeps each result in DIR, and runs only what is missing there' },
+  merge: { value: 'DIR', path: 'folder', help: 'runs nothing: joins what is in DIR' },
+} as const satisfies Options;
+
+export const checkAbout = command({
+  summary: 'runs hand-ins against a task, and says who has passed',
+  usage: ['TASK HAND-INS… [options]', '--merge DIR [options]'],
+  text: [
+    'TASK is a task file, a project or a course, a link, the id of a ready course such as closed-line, or a task of a series by its number or id: series.json#3, "LINK#3".',
+    'HAND-INS are programs, project files, links, texts with links in them (.txt, .eml), folders and zips: there each file is a hand-in with its name, each sub-folder one whose program is main.py. What cannot be read is told and the rest goes on.',
+    "Course, robot and chance are the task's; only the programs are the pupils'. A run may take as long as the task or the course says, else 300 simulated seconds.",
+  ],
+  words: [
+    { name: 'TASK', choices: 'courses', path: 'reads' },
+    { name: 'HAND-INS', path: 'reads', isRepeated: true },
+  ],
+  options,
+  exits: { 0: 'all have passed', 2: 'something is wrong with the command', 3: 'some have not passed' },
+  examples: [
+    'check closed-line class.zip --report report.html --lang de',
+    'check task.json class/ --resume results --shard 2/7',
+    'check --merge results --table results.csv --lang de',
+  ],
+  read: readCheck,
+});
+
+type CheckGiven = Given<typeof options>;
+
+/** Reads the words after `parcours check`. */
+function readCheck(words: readonly string[], given: CheckGiven, { variables }: Around): CheckOptions | Problem {
+  const language = languageOf(given.last('lang'));
+  if ('problem' in language) return language;
+  const work = given.has('merge') ? nothingToRun(words, given) : workOf(words, given, variables);
   if (work !== null && 'problem' in work) return work;
   return {
     work,
-    folder: last('merge') ?? last('resume'),
-    report: last('report'),
-    junit: last('junit'),
-    csv: last('csv'),
-    table: last('table'),
-    json: set.has('json'),
-    quiet: set.has('quiet'),
-    lang,
+    folder: given.last('merge') ?? given.last('resume'),
+    report: given.last('report'),
+    junit: given.last('junit'),
+    csv: given.last('csv'),
+    table: given.last('table'),
+    json: given.has('json'),
+    quiet: given.has('quiet'),
+    ...language,
   };
 }
 
-type Problem = { readonly problem: string };
-
 function workOf(
   [task, ...handIns]: readonly string[],
-  last: (name: 'jobs' | 'shard') => string | null,
-  environment: Readonly<Record<string, string | undefined>>,
-  take: readonly string[],
+  given: CheckGiven,
+  variables: Around['variables'],
 ): NonNullable<CheckOptions['work']> | Problem {
   if (task === undefined) return { problem: `Which task? ${EXAMPLE}` };
   if (handIns.length === 0) return { problem: `Which hand-ins? ${EXAMPLE}` };
-  const jobs = last('jobs') === null ? availableParallelism() : Number(last('jobs'));
-  if (!(Number.isInteger(jobs) && jobs >= 1 && jobs <= MOST_JOBS))
-    return { problem: `--jobs: "${last('jobs') ?? ''}" is not a whole number from 1 to ${MOST_JOBS}.` };
-  const shard = shardOf(last('shard'), environment);
-  return 'problem' in shard ? shard : { task, handIns, take, jobs, shard };
+  const jobs = jobsOf(given.last('jobs'));
+  if ('problem' in jobs) return jobs;
+  const shard = shardOf(given.last('shard'), variables);
+  return 'problem' in shard ? shard : { task, handIns, take: given.all('take'), ...jobs, shard };
 }
 
-function nothingToRun(
-  [first]: readonly string[],
-  given: ReadonlyMap<string, readonly string[]>,
-): null | { readonly problem: string } {
+function nothingToRun([first]: readonly string[], given: CheckGiven): null | Problem {
   if (first !== undefined)
     return { problem: `--merge runs nothing: what is "${first}"? Its folder has the task, too.` };
-  const other = ['jobs', 'shard', 'resume', 'take'].find((name) => given.has(name));
+  const other = (['jobs', 'shard', 'resume', 'take'] as const).find((name) => given.has(name));
   return other === undefined ? null : { problem: `--${other} and --merge: choose one of them.` };
 }

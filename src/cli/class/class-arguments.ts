@@ -1,11 +1,11 @@
-import { availableParallelism } from 'node:os';
 import { dayNumber, type Day } from '#core/day';
-import { LANGUAGES, type Language } from '#core/languages';
+import type { Language } from '#core/languages';
 import { passPercents, systemIds, type SystemId } from '#school-class/grades';
+import { command, type Around, type Options, type Problem } from '../commands/about';
+import { jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
 
-/** The acts of `parcours class` on the file of a class. */
-export const classActs = ['add', 'set', 'merge', 'report'] as const;
-type Act = (typeof classActs)[number];
+/** The work with the file of a class. */
+type Act = 'add' | 'set' | 'merge' | 'report';
 
 /** The request to `parcours class`. */
 export interface ClassOptions {
@@ -34,94 +34,159 @@ export interface ClassOptions {
   readonly lang: Language;
 }
 
-/** The options of each act that take a value, without `--`. */
-export const classTexts = {
-  add: ['jobs', 'date', 'lang'],
-  set: ['name', 'names', 'scale', 'pass', 'due', 'lang'],
-  merge: ['lang'],
-  report: ['report', 'csv', 'date', 'lang'],
-} as const satisfies Readonly<Record<Act, readonly string[]>>;
-const flags: readonly string[] = ['json', 'quiet'];
+const everyAct = {
+  json: { help: 'one line for other programs: the whole class' },
+  quiet: { help: 'says nothing' },
+  lang: langOption('the language of what is said and written; default: en'),
+} as const satisfies Options;
+
+const dateOption = { value: 'DAY', help: 'the day of the work, such as 2026-11-30; default: today' } as const;
+
+const addOptions = { jobs: jobsOption, date: dateOption, ...everyAct } as const satisfies Options;
+
+const setOptions = {
+  name: { value: 'NAME', help: 'its name' },
+  names: { value: 'FILE', path: 'reads', help: 'who is in it: a name a line, or a table' },
+  scale: { value: 'NAME', choices: systemIds, help: 'its grades' },
+  pass: { value: 'PERCENT|even', help: 'the share of the points for a pass; even: grades from none to all' },
+  due: { value: 'TASK=DAY', isRepeated: true, help: 'the last day for a task, such as bend=2026-11-30' },
+  ...everyAct,
+} as const satisfies Options;
+
+const reportOptions = {
+  report: { value: 'F.html', path: 'writes', help: 'a page to print' },
+  csv: { value: 'F.csv', path: 'writes', help: 'a table for a spreadsheet' },
+  date: dateOption,
+  ...everyAct,
+} as const satisfies Options;
 
 const EXAMPLES: Readonly<Record<Act, string>> = {
-  add: 'parcours class add 8b.json closed-line class/',
-  set: 'parcours class set 8b.json --names list.csv --scale ch6',
-  merge: 'parcours class merge 8b.json other/8b.json',
-  report: 'parcours class report 8b.json --report 8b.html --csv 8b.csv',
+  add: 'class add 8b.json closed-line class/',
+  set: 'class set 8b.json --names list.csv --scale ch6',
+  merge: 'class merge 8b.json other/8b.json',
+  report: 'class report 8b.json --report 8b.html --csv 8b.csv',
 };
 
-type Problem = { readonly problem: string };
+const FILE = { name: 'CLASS.json', path: 'reads' } as const;
+const exits = { 0: 'done', 2: 'something is wrong with the command or a file' } as const;
 
-/** Reads the words after `parcours class`, or says what is wrong with them. @param today the day if no `--date` is given */
-export function parseClassCommand(
-  [word, file, ...others]: readonly string[],
-  given: ReadonlyMap<string, readonly string[]>,
-  set: ReadonlySet<string>,
-  today: Day,
-): ClassOptions | Problem {
-  const act = classActs.find((one) => one === word);
-  if (act === undefined)
-    return { problem: `What shall be done with the class? ${classActs.join(', ')}. For example: ${EXAMPLES.add}` };
-  const problem = wordsProblem(act, file, others, [...given.keys(), ...set]);
-  if (problem !== null) return { problem };
-  const last = (name: string): string | null => given.get(name)?.at(-1) ?? null;
-  const figures = figuresIn(last, given.get('due') ?? [], today);
-  if ('problem' in figures) return figures;
-  return {
-    ...{ act, file: file ?? '', others, ...figures },
-    ...{ name: last('name'), names: last('names'), report: last('report'), csv: last('csv') },
-    ...{ json: set.has('json'), quiet: set.has('quiet') },
-  };
+/** The parts of a request that an act does not have. */
+const nothing = {
+  ...{ others: [], jobs: 1, name: null, names: null, scale: null, pass: null, due: [], report: null, csv: null },
+} as const;
+
+export const classAddAbout = command({
+  summary: 'checks hand-ins and adds the results to the file of a class',
+  usage: ['CLASS.json TASK HAND-INS… [options]'],
+  text: [
+    'Runs the hand-ins as check does and keeps the results in CLASS.json, which the page opens, too; where there is none, it is made. TASK may be a whole series: then each hand-in goes to the task that it was made for.',
+  ],
+  words: [
+    FILE,
+    { name: 'TASK', choices: 'courses', path: 'reads' },
+    { name: 'HAND-INS', path: 'reads', isRepeated: true },
+  ],
+  options: addOptions,
+  exits,
+  examples: [EXAMPLES.add],
+  read([file, ...others], given, around) {
+    const jobs = jobsOf(given.last('jobs'));
+    if ('problem' in jobs) return jobs;
+    const [task, handIns] = others;
+    if (file !== undefined && task === undefined) return { problem: `Which task? ${exampleOf('add')}` };
+    if (file !== undefined && handIns === undefined) return { problem: `Which hand-ins? ${exampleOf('add')}` };
+    const day = dayOf(given.last('date'), around);
+    return 'problem' in day ? day : requestOf('add', [file], given, { ...day, ...jobs, others });
+  },
+});
+
+export const classSetAbout = command({
+  summary: 'changes names, grades and last days in the file of a class',
+  usage: ['CLASS.json [options]'],
+  text: ['Where there is no CLASS.json, it is made.'],
+  words: [FILE],
+  options: setOptions,
+  exits,
+  examples: [EXAMPLES.set],
+  read(words, given, { today }) {
+    const scale = systemIds.find((one) => one === given.last('scale')) ?? null;
+    if (scale === null && given.has('scale'))
+      return { problem: `--scale: "${given.last('scale') ?? ''}" is not known. Known: ${systemIds.join(', ')}.` };
+    const pass = passOf(given.last('pass'));
+    if (typeof pass === 'object' && pass !== null) return pass;
+    const due = duesOf(given.all('due'), today);
+    if ('problem' in due) return due;
+    const own = { day: today, name: given.last('name'), names: given.last('names'), scale, pass, ...due };
+    return requestOf('set', words, given, own);
+  },
+});
+
+export const classMergeAbout = command({
+  summary: 'joins copies of the file of a class; nothing is lost',
+  usage: ['CLASS.json COPY.json… [options]'],
+  text: ['CLASS.json has afterwards what it had and what the copies have besides.'],
+  words: [FILE, { name: 'COPY.json', path: 'reads', isRepeated: true }],
+  options: everyAct,
+  exits,
+  examples: [EXAMPLES.merge],
+  read([file, ...others], given, { today }) {
+    if (file !== undefined && others.length === 0) return { problem: `Which other copy? ${exampleOf('merge')}` };
+    return requestOf('merge', [file], given, { day: today, others });
+  },
+});
+
+export const classReportAbout = command({
+  summary: 'shows who has done what in a class, with points and grades',
+  usage: ['CLASS.json [options]'],
+  text: ['Changes nothing in CLASS.json.'],
+  words: [FILE],
+  options: reportOptions,
+  exits,
+  examples: [EXAMPLES.report],
+  read(words, given, around) {
+    const day = dayOf(given.last('date'), around);
+    if ('problem' in day) return day;
+    const own = { ...day, report: given.last('report'), csv: given.last('csv') };
+    return requestOf('report', words, given, own);
+  },
+});
+
+const exampleOf = (act: Act): string => `For example: parcours ${EXAMPLES[act]}`;
+
+/** The options that every act has. */
+interface GivenToAll {
+  has(name: 'json' | 'quiet'): boolean;
+  last(name: 'lang'): string | null;
 }
 
-function wordsProblem(
+/** A request of what every act has and of its own. */
+function requestOf(
   act: Act,
-  file: string | undefined,
-  others: readonly string[],
-  named: readonly string[],
-): string | null {
-  const example = `For example: ${EXAMPLES[act]}`;
-  if (file === undefined) return `Which class? ${example}`;
-  const known: readonly string[] = [...classTexts[act], ...flags];
-  const strange = named.find((name) => !known.includes(name));
-  if (strange !== undefined)
-    return `--${strange} is not for class ${act}. Known: ${known.map((name) => `--${name}`).join(', ')}.`;
-  if (act === 'add' && others.length === 0) return `Which task? ${example}`;
-  if (act === 'add' && others.length === 1) return `Which hand-ins? ${example}`;
-  if (act === 'merge' && others.length === 0) return `Which other copy? ${example}`;
-  const takesMore = act === 'add' || act === 'merge';
-  return takesMore || others.length === 0 ? null : `One class at a time: what is "${others[0] ?? ''}"?`;
+  [file, more]: readonly (string | undefined)[],
+  given: GivenToAll,
+  own: Partial<ClassOptions> & Pick<ClassOptions, 'day'>,
+): ClassOptions | Problem {
+  if (file === undefined) return { problem: `Which class? ${exampleOf(act)}` };
+  if (more !== undefined) return { problem: `One class at a time: what is "${more}"?` };
+  const language = languageOf(given.last('lang'));
+  if ('problem' in language) return language;
+  return { act, file, ...nothing, ...own, ...language, json: given.has('json'), quiet: given.has('quiet') };
 }
 
-/** Chosen: more threads than that no machine of a school has. */
-const MOST_JOBS = 256;
+function dayOf(text: string | null, { today }: Around): { readonly day: Day } | Problem {
+  const day = text ?? today;
+  return dayNumber(day) === null ? { problem: `--date: "${day}" is no day such as ${today}.` } : { day };
+}
 
-function figuresIn(
-  last: (name: string) => string | null,
-  dues: readonly string[],
-  today: Day,
-): Pick<ClassOptions, 'jobs' | 'day' | 'scale' | 'pass' | 'due' | 'lang'> | Problem {
-  const wanted = last('lang') ?? 'en';
-  const lang = LANGUAGES.find((one) => one === wanted);
-  if (lang === undefined) return { problem: `--lang: "${wanted}" is not available. Known: ${LANGUAGES.join(', ')}.` };
-  const jobs = last('jobs') === null ? availableParallelism() : Number(last('jobs'));
-  if (!(Number.isInteger(jobs) && jobs >= 1 && jobs <= MOST_JOBS))
-    return { problem: `--jobs: "${last('jobs') ?? ''}" is not a whole number from 1 to ${String(MOST_JOBS)}.` };
-  const day = last('date') ?? today;
-  if (dayNumber(day) === null) return { problem: `--date: "${day}" is no day such as ${today}.` };
-  const scale = systemIds.find((one) => one === last('scale')) ?? null;
-  if (scale === null && last('scale') !== null)
-    return { problem: `--scale: "${last('scale') ?? ''}" is not known. Known: ${systemIds.join(', ')}.` };
-  const pass = passOf(last('pass'));
-  if (typeof pass === 'object' && pass !== null) return pass;
+function duesOf(texts: readonly string[], today: Day): Pick<ClassOptions, 'due'> | Problem {
   const due: (readonly [string, Day])[] = [];
-  for (const text of dues) {
+  for (const text of texts) {
     const [, task = '', until = ''] = /^(.+)=([^=]*)$/.exec(text) ?? [];
     if (task === '' || dayNumber(until) === null)
       return { problem: `--due: "${text}" is no TASK=DAY such as bend=${today}.` };
     due.push([task, until]);
   }
-  return { jobs, day, scale, pass, due, lang };
+  return { due };
 }
 
 function passOf(text: string | null): number | 'even' | null | Problem {

@@ -2,9 +2,9 @@ import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { projectToText } from '#project/file';
+import { parseCommand } from '../arguments';
 import { readyProject } from '../ready-courses';
 import { parcours, useFolder } from '../testing/parcours';
-import { parseClassCommand } from './class-arguments';
 
 const { folder, file } = useFolder();
 
@@ -97,24 +97,20 @@ describe('parcours class', () => {
 });
 
 describe('the words behind parcours class', () => {
-  const read = (...words: readonly string[]): unknown => {
-    const given = new Map<string, readonly string[]>();
-    const positionals = words.filter((word) => !word.startsWith('--'));
-    for (const word of words.filter((one) => one.startsWith('--'))) {
-      const [, name = '', value = ''] = /^--([^=]+)=(.*)$/.exec(word) ?? [];
-      given.set(name, [...(given.get(name) ?? []), value]);
-    }
-    return parseClassCommand(positionals, given, new Set(), '2026-11-30');
+  const read = (...words: readonly string[]): object => {
+    const asked = parseCommand(['class', ...words], { variables: {}, today: '2026-11-30' });
+    return asked.type === 'bad' ? { problem: asked.problem } : 'options' in asked ? asked.options : asked;
   };
 
   it.each([
-    [[], 'What shall be done with the class? add, set, merge, report. For example: parcours class add 8b.json closed-line class/'], // prettier-ignore
+    [[], 'class: which of its commands? class add, class set, class merge, class report'],
+    [['repport', '8b.json'], 'Unknown command "class repport". Did you mean class report?'],
     [['add'], 'Which class? For example: parcours class add 8b.json closed-line class/'],
     [['add', '8b.json'], 'Which task? For example: parcours class add 8b.json closed-line class/'],
     [['add', '8b.json', 'slalom'], 'Which hand-ins? For example: parcours class add 8b.json closed-line class/'],
     [['merge', '8b.json'], 'Which other copy? For example: parcours class merge 8b.json other/8b.json'],
     [['report', '8b.json', 'x'], 'One class at a time: what is "x"?'],
-    [['set', '8b.json', '--csv=x'], '--csv is not for class set. Known: --name, --names, --scale, --pass, --due, --lang, --json, --quiet.'], // prettier-ignore
+    [['set', '8b.json', '--csv=x'], '--csv is not for class set, but for check, class report. class set takes --name, --names, --scale, --pass, --due, --json, --quiet, --lang.'], // prettier-ignore
     [['add', '8b.json', 'a', 'b', '--date=2026-02-30'], '--date: "2026-02-30" is no day such as 2026-11-30.'],
     [['set', '8b.json', '--scale=us'], '--scale: "us" is not known. Known: ch6, de6, de15, fr20, it10.'],
     [['set', '8b.json', '--pass=0'], '--pass: "0" is neither "even" nor a whole number of per cent from 1 to 99.'],

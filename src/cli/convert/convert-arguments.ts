@@ -1,5 +1,6 @@
 import { extname } from 'node:path';
 import { hexBoards, type HexBoard } from '#hex/firmware';
+import { command, type Given, type Options, type Problem } from '../commands/about';
 
 /** The forms into which work is converted. */
 export const forms = ['project', 'course', 'program', 'files', 'hex', 'link', 'webtigerpython'] as const;
@@ -22,47 +23,71 @@ export interface ConvertOptions {
   readonly files: readonly string[];
 }
 
-/** The options of `convert` that take a value and belong to no other command, without `--`. */
-export const convertTexts = ['out', 'as'] as const;
+/** Options that only a hex has. */
 const forHex = ['firmware', 'board', 'file'] as const;
-const known: readonly string[] = [...convertTexts, ...forHex, 'json'];
 
-const EXAMPLE = 'For example: parcours convert "https://webtigerpython.ethz.ch/#?code=…" --out anna.json';
+const options = {
+  out: {
+    value: 'PATH',
+    path: 'writes',
+    help: 'where it goes (default: here); .json: a project, .py: a program, .hex: a hex, folder/: all its files',
+  },
+  as: { value: 'FORM', choices: forms, help: 'what it shall be; webtigerpython is a link for it' },
+  firmware: {
+    value: 'FILE.hex',
+    path: 'reads',
+    isRepeated: true,
+    help: 'for a hex: any hex of MicroPython for the board, cleaned of its files; several, or a universal one, give a universal hex',
+  },
+  board: { value: 'NAME', choices: hexBoards, help: 'for a hex: one of its boards alone' },
+  file: { value: 'DRIVER.py', path: 'reads', isRepeated: true, help: 'for a hex: a further file on the board' },
+  json: { help: 'one line: kind, program, robot, board, scene and notes' },
+} as const satisfies Options;
 
-/** Reads the words after `parcours convert`, or says what is wrong with them. */
-export function parseConvert(
-  [input, ...more]: readonly string[],
-  given: ReadonlyMap<string, readonly string[]>,
-  set: ReadonlySet<string>,
-): ConvertOptions | { readonly problem: string } {
-  if (input === undefined) return { problem: `What shall be converted? ${EXAMPLE}` };
-  if (more.length > 0) return { problem: `One thing at a time: what is "${more[0] ?? ''}"?` };
-  const strange = [...given.keys(), ...set].find((name) => !known.includes(name));
-  if (strange !== undefined)
-    return { problem: `--${strange} is not for convert. Known: ${known.map((name) => `--${name}`).join(', ')}.` };
-  const last = (name: (typeof convertTexts)[number]): string | null => given.get(name)?.at(-1) ?? null;
-  const [wanted, out] = [last('as'), last('out')];
+export const convertAbout = command({
+  summary: 'turns one form of work into another, or says what it is',
+  usage: ['IN [--as FORM] [--out PATH] [options]', 'IN --as hex --firmware FILE.hex [--out PATH] [options]'],
+  text: [
+    'IN is a program (.py), a project or a course, a hex of a micro:bit or Calliope mini, a link of Parcours or of WebTigerPython (also in a file), a course file of WebTigerPython, the id of a ready course. What cannot be taken over is told.',
+  ],
+  words: [{ name: 'IN', choices: 'courses', path: 'reads' }],
+  options,
+  exits: {
+    0: 'done',
+    2: 'it is none of these, or cannot be had in that form, such as a hex that has too little room: then the missing bytes are told',
+  },
+  examples: [
+    'convert "https://webtigerpython.ethz.ch/#?code=…" --out anna.json',
+    'convert main.py --as hex --firmware my-board.hex --out main.hex',
+  ],
+  read: readConvert,
+});
+
+type ConvertGiven = Given<typeof options>;
+
+/** Reads the words after `parcours convert`. */
+function readConvert([input, ...more]: readonly string[], given: ConvertGiven): ConvertOptions | Problem {
+  if (input === undefined)
+    return { problem: `What shall be converted? For example: parcours ${convertAbout.examples[0] ?? ''}` };
+  if (more[0] !== undefined) return { problem: `One thing at a time: what is "${more[0]}"?` };
+  const [wanted, out] = [given.last('as'), given.last('out')];
   const as = wanted === null ? formOf(out) : (forms.find((form) => form === wanted) ?? null);
   if (as === null && wanted !== null) return { problem: `--as: "${wanted}" is not known. Known: ${forms.join(', ')}.` };
   if (as === null && out !== null)
     return { problem: `--out: ${out} does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder). Say what it shall be: --as ${forms.join('|')}.` }; // prettier-ignore
   if (as === 'files' && out === null) return { problem: '--as files: say which folder takes them: --out folder/' };
   const hex = hexOf(as, given);
-  return 'problem' in hex ? hex : { input, as, out, json: set.has('json'), ...hex };
+  return 'problem' in hex ? hex : { input, as, out, json: given.has('json'), ...hex };
 }
 
 /** The options of a hex, or what is wrong with them. */
-function hexOf(
-  as: Form | null,
-  given: ReadonlyMap<string, readonly string[]>,
-): Pick<ConvertOptions, 'firmware' | 'board' | 'files'> | { readonly problem: string } {
-  // prettier-ignore
-  const [firmware = [], files = []] = [given.get('firmware'), given.get('file')];
+function hexOf(as: Form | null, given: ConvertGiven): Pick<ConvertOptions, 'firmware' | 'board' | 'files'> | Problem {
+  const [firmware, files] = [given.all('firmware'), given.all('file')];
   const strange = as === 'hex' ? undefined : forHex.find((name) => given.has(name));
   if (strange !== undefined) return { problem: `--${strange} is for a hex only: --as hex --firmware FILE.hex` };
   if (as === 'hex' && firmware.length === 0)
     return { problem: 'A hex needs MicroPython. Give any hex that a Python editor saved for this board: --firmware FILE.hex' }; // prettier-ignore
-  const wanted = given.get('board')?.at(-1) ?? null;
+  const wanted = given.last('board');
   const board = hexBoards.find((id) => id === wanted) ?? null;
   if (board === null && wanted !== null)
     return { problem: `--board: "${wanted}" is not known. Known: ${hexBoards.join(', ')}.` };

@@ -7,7 +7,6 @@ import { parseProject, projectToText } from '#project/file';
 import { fullProject } from '#project/testing/projects';
 import { linkSamples } from '#project/webtigerpython/testing/links';
 import { parseScene } from '#scene/parse';
-import { parseCommand } from '../arguments';
 import { useFolder } from '../testing/parcours';
 import { converted } from './testing/converted';
 
@@ -122,7 +121,7 @@ describe('parcours convert', () => {
     ['two things', ['a.py', 'b.py'], 'One thing at a time: what is "b.py"?'],
     ['an unknown form', [anna, '--as', 'pdf'], '--as: "pdf" is not known. Known: project, course, program, files, hex, link, webtigerpython.'],
     ['an ending that says nothing', [anna, '--out', 'x.txt'], '--out: x.txt does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder).'],
-    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert. Known: --out, --as, --firmware, --board, --file, --json.'],
+    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert, but for run. convert takes --out, --as, '],
     ['a missing file', [join(folder, 'no.py')], 'no.py: there is no such file.'],
     ['a recorded run', [sample('anna.run.json')], 'is a recorded run. Run it again with parcours replay.'],
     ['a series', [sample('week.json')], 'is a series of tasks.'],
@@ -141,8 +140,4 @@ describe('parcours convert', () => {
     expect([code, out]).toEqual([2, '']);
     expect(err).toContain(sentence);
   }); // prettier-ignore
-
-  it('is told of by the other commands', () => {
-    expect(parseCommand(['run', 'a.py', '--out', 'x'])).toMatchObject({ type: 'bad', problem: '--out is for another form of your work: parcours convert main.py --out …' }); // prettier-ignore
-  });
 });

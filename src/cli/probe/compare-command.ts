@@ -1,5 +1,5 @@
 import { defaultScene } from '#scene/scene';
-import type { ProbeOptions } from '../arguments';
+import type { ProbeOptions } from './probe-arguments';
 import { readLimited } from '../read-files';
 import { supervise } from '../supervise';
 import { createTerminal, type Terminal } from '../terminal';

@@ -3,7 +3,7 @@ import { PHYSICS } from '#simulation/physics-version';
 import { parseTape } from '#tape/file';
 import { differences, type TapeResult } from '#tape/result';
 import type { Tape } from '#tape/tape';
-import type { ReplayOptions } from '../arguments';
+import type { ReplayOptions } from './replay-arguments';
 import { readLimited } from '../read-files';
 import { jsonLine } from '../report';
 import { supervise, type Outcome } from '../supervise';

@@ -1,0 +1,31 @@
+import { availableParallelism } from 'node:os';
+import { LANGUAGES, type Language } from '#core/languages';
+import type { OptionAbout, Problem } from './about';
+
+/** The language of what a command says; the help of each command says of what. */
+export const langOption = (help: string) =>
+  ({ value: 'NAME', choices: LANGUAGES, help }) as const satisfies OptionAbout;
+
+/** The language with this name; `null`: English. */
+export function languageOf(text: string | null): { readonly lang: Language } | Problem {
+  const lang = LANGUAGES.find((one) => one === (text ?? 'en'));
+  return lang === undefined
+    ? { problem: `--lang: "${text ?? ''}" is not available. Known: ${LANGUAGES.join(', ')}.` }
+    : { lang };
+}
+
+/** Chosen: more threads than that no machine of a school has. */
+const MOST_JOBS = 256;
+
+export const jobsOption = {
+  value: 'N',
+  help: 'so many threads (default: as many as this computer has)',
+} as const satisfies OptionAbout;
+
+/** The number of threads that a text says; `null`: as many as the computer has. */
+export function jobsOf(text: string | null): { readonly jobs: number } | Problem {
+  const jobs = text === null ? availableParallelism() : Number(text);
+  return Number.isInteger(jobs) && jobs >= 1 && jobs <= MOST_JOBS
+    ? { jobs }
+    : { problem: `--jobs: "${text ?? ''}" is not a whole number from 1 to ${MOST_JOBS}.` };
+}
