@@ -10,7 +10,7 @@ function optionsOf(line: string): RunOptions {
 }
 
 function problemOf(line: string): string {
-  const command = parseCommand(line === '' ? [] : line.split(' '));
+  const command = parseCommand(line === '' ? [] : line.split(' '), { variables: {}, today: '2026-11-30' });
   return command.type === 'bad' ? command.problem : `not bad: ${JSON.stringify(command)}`;
 }
 
@@ -135,6 +135,14 @@ describe('the command line', () => {
     ],
     ['check t --anna.py', /^--anna\.py begins like an option\./],
     ['check t -h.py', /^-h\.py begins like an option\./],
+    ['check', /^Which task\?/],
+    ['check closed-line', /^Which hand-ins\?/],
+    ['check closed-line bin --jobs 0', /^--jobs: "0" is not a whole number from 1 to 256\.$/],
+    ['check closed-line bin --shard 8/7', /^--shard: "8\/7" is not like 2\/7/],
+    ['check closed-line bin --shard auto', /^--shard auto: none of SLURM_ARRAY_TASK_ID/],
+    ['check closed-line --merge src', /^--merge runs nothing: what is "closed-line"\?/],
+    ['check --merge src --resume src', /^--resume and --merge: choose one of them\.$/],
+    ['probe compare a b c', /^Two tables at most: what is "c"\?$/],
     ['completion fish', /There is no completion for "fish"\. Known: bash, zsh\./],
     ['run main.py --scene', /--scene needs a value/],
     ['run main.py --scene --json', /--scene needs a value/],

@@ -210,8 +210,6 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ['signs that steer a terminal', ['\u001b[31mred.py'], /^parcours: \\x1b\[31mred\.py: there is no such file/],
     ['a missing driver', [hello, '--file', 'nothing.py'], /nothing\.py: there is no such file/],
     ['a driver twice', [hello, '--file', hello, '--file', hello], /there is already a file "fine\.py" on the board/],
-    ['no unit', [hello, '--for', '20'], /--for: "20" has no unit\. Did you mean 20s\?/],
-    ['an unknown option', [hello, '--turbo'], /Unknown option --turbo\. Known: /],
     ['an unknown robot', [hello, '--robot', 'tank'], /Unknown robot "tank"\. Known robots: maqueen-lite/],
     ['an unknown board', [hello, '--board', 'x'], /Unknown board "x"\. Known boards: microbit-v2/],
     ['a missing course', [hello, '--scene', 'no.json'], /no\.json: there is no such file/],
@@ -265,9 +263,16 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     [
       'a trace in no folder',
       [hello, '--trace', join(folder, 'no', 'trace.csv')],
-      /--trace: .*trace\.csv: its folder does not exist/,
+      /^parcours: --trace: the folder .*no does not exist\.\n$/,
     ],
   ];
+  it('names the option that was probably meant, and the help on the command', () => {
+    expect(parcours('run', hello, '--trase', 'x.csv')).toEqual({
+      ...{ code: 2, out: '' },
+      err: 'parcours: Unknown option --trase. Did you mean --trace?\nHelp: npx parcours run --help\n',
+    });
+  });
+
   it.each(table)('%s: says so and exits with 2', (_what, args, message) => {
     const { code, out, err } = parcours('run', ...args);
     expect({ code, out }).toEqual({ code: 2, out: '' });

@@ -6,6 +6,10 @@ export function reasonOf(error: unknown): string {
       return 'there is no such file.';
     case 'EACCES':
       return 'may not be opened (permission denied).';
+    case 'EROFS':
+      return 'this place can only be read.';
+    case 'EBUSY':
+      return 'is in use by another program.';
     case 'ENOSPC':
       return 'the disk is full.';
     case 'ENOTDIR':

@@ -1,5 +1,5 @@
-import { closeSync, existsSync, openSync } from 'node:fs';
-import { basename, dirname, resolve } from 'node:path';
+import { existsSync, rmSync, statSync } from 'node:fs';
+import { basename } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { traitsFor } from '#my-robot/my-robot';
 import { importsOf, modulesImportedBy } from '#python/imports';
@@ -16,10 +16,10 @@ import { withAdvice } from './explained';
 import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
-import { reasonOf } from './reason-of';
 import { exitCodeOf, jsonLine, runEnding, verdictLines, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import { printable, type Terminal } from './terminal';
+import { closeOutput, openOutput } from './write-output';
 
 /** Default time limit of a run: ten minutes, longer than any lesson's program. */
 const DEFAULT_LIMIT_US = 600_000_000;
@@ -66,7 +66,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
     },
     terminal,
   );
-  for (const result of [trace, log, record]) if (result !== null) closeSync(result);
+  results.close(outcome.type === 'ran');
   switch (outcome.type) {
     case 'refused':
       return refuse(placed(outcome.problem, options, (setup.inputs?.length ?? 0) - read.inputs.length), terminal);
@@ -244,7 +244,10 @@ function placed(problem: string, options: RunOptions, added = 0): string {
 
 /** Outputs of a run, each with a file of its own. */
 const RESULTS = ['trace', 'log', 'record'] as const;
-type Results = Readonly<Record<(typeof RESULTS)[number], number | null>>;
+interface Results extends Readonly<Record<(typeof RESULTS)[number], number | null>> {
+  /** Closes them; new ones of a run that was refused are removed again. */
+  close(hasRun: boolean): void;
+}
 
 /** Opens the output files of the run, without emptying them yet: a refused run must not destroy an earlier result. */
 function openResults(options: RunOptions): Results | { readonly problem: string } {
@@ -254,19 +257,18 @@ function openResults(options: RunOptions): Results | { readonly problem: string 
   const outputs = RESULTS.map((name) => ({ option: `--${name}`, path: options[name] }));
   const problem = outputProblem(outputs, reads, 'run');
   if (problem !== null) return { problem };
-  const opened: Record<string, number | null> = {};
-  for (const name of RESULTS) {
-    const path = options[name];
-    try {
-      opened[name] = path === null ? null : openSync(path, 'a');
-    } catch (error) {
-      const isFolderMissing = !existsSync(dirname(resolve(path ?? '')));
-      return {
-        problem: `--${name}: ${path ?? ''}: ${isFolderMissing ? 'its folder does not exist.' : reasonOf(error)}`,
-      };
-    }
-  }
-  return opened as Results;
+  const paths = outputs.flatMap(({ path }) => (path === null ? [] : [path]));
+  const added = paths.filter((path) => !existsSync(path));
+  const [trace = null, log = null, record = null] = outputs.map(({ path }) =>
+    path === null ? null : openOutput(path),
+  );
+  return {
+    ...{ trace, log, record },
+    close(hasRun) {
+      for (const file of [trace, log, record]) if (file !== null) closeOutput(file);
+      for (const path of hasRun ? [] : added) if (statSync(path, { throwIfNoEntry: false })?.size === 0) rmSync(path);
+    },
+  };
 }
 
 /** The result of the course's task. */

@@ -1,5 +1,4 @@
 /** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
-import { fstatSync, ftruncateSync, writeSync } from 'node:fs';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
 import { stillness } from '#check/run/stillness';
@@ -21,6 +20,7 @@ import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
 import { traceColumns, traceHeader, traceLine, type TraceColumns } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
+import { emptyOutput, writeAll } from './write-output';
 
 /** Simulated time between two checks of the outside. Chosen: some ms of wall time, few suspensions of the program. */
 const SLICE_US = 100_000;
@@ -30,11 +30,6 @@ const MESSAGE_MS = 50;
 
 const post = (message: WorkerMessage): void => parentPort?.postMessage(message);
 
-/** Empties a file; anything else (a terminal, /dev/null) cannot be emptied and need not be. */
-function empty(file: number): void {
-  if (fstatSync(file).isFile()) ftruncateSync(file);
-}
-
 /** Writes the rows since the last call; the first call writes the names of the columns. */
 function createTraceWriter(simulation: Simulation, file: number | null, devices: number): () => void {
   let columns: TraceColumns | null = null;
@@ -43,11 +38,11 @@ function createTraceWriter(simulation: Simulation, file: number | null, devices:
     const rows = simulation.takeTrace();
     if (columns === null) {
       columns = traceColumns(rows, devices);
-      empty(file);
-      writeSync(file, `${traceHeader(columns)}\n`);
+      emptyOutput(file);
+      writeAll(file, `${traceHeader(columns)}\n`);
     }
     const shown = columns;
-    writeSync(file, rows.map((row) => `${traceLine(row, shown)}\n`).join(''));
+    writeAll(file, rows.map((row) => `${traceLine(row, shown)}\n`).join(''));
   };
 }
 
@@ -82,8 +77,8 @@ function createNews(task: WorkerTask): {
 }
 
 function writeLog(file: number, events: readonly LogEvent[]): void {
-  empty(file);
-  writeSync(file, csvOf(withLogEvents(emptyLog, events)));
+  emptyOutput(file);
+  writeAll(file, csvOf(withLogEvents(emptyLog, events)));
 }
 
 function writeTape(
@@ -92,14 +87,14 @@ function writeTape(
   run: Simulation,
   output: OutputHashes,
 ): void {
-  empty(file);
+  emptyOutput(file);
   const inputs = run.inputLog;
   // An interrupted run has not reached its time limit.
   const until = {
     untilUs: run.hasEnded && untilProgramEnds ? untilUs : Math.min(untilUs, run.nowUs),
     untilProgramEnds,
   };
-  writeSync(
+  writeAll(
     file,
     tapeToText({
       madeBy: version,

@@ -1,4 +1,3 @@
-import { writeFileSync } from 'node:fs';
 import { equalWorlds } from '#check/equal-worlds';
 import { handInOfFiles } from '#check/hand-in/read-hand-in';
 import { contentOf, type Source } from '#intake/sources';
@@ -16,6 +15,7 @@ import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
 import { reasonOf } from '../reason-of';
 import { printable, type Terminal } from '../terminal';
+import { writeOutput } from '../write-output';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
 import { readTask, titleOf, type NamedTask } from './read-task';
@@ -42,18 +42,18 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
   const found = classResult(checked.name, checked.results, options.lang);
-  const problem = writeReports(found, checked, options);
-  if (problem !== null) return refuse(problem, terminal);
+  const problems = writeReports(found, checked, options);
   const [passed, of] = [passedOf(found), found.handIns.length];
   if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
   else if (!options.quiet) {
     for (const one of found.handIns) terminal.line(lineOf(one, options));
-    terminal.line(filledIn(words.sum[options.lang], { name: checked.name, passed, of }));
+    terminal.line(printable(filledIn(words.sum[options.lang], { name: checked.name, passed, of })));
   }
   const how = howToTake(found.handIns, options.lang);
   const notes = [...otherTaskTexts(found, options.lang), ...(how === null ? [] : [how])];
   if (!options.quiet) for (const text of notes) terminal.message(`parcours: ${text}`);
-  return passed === of ? 0 : 3;
+  for (const problem of problems) refuse(problem, terminal);
+  return problems.length > 0 ? 2 : passed === of ? 0 : 3;
 }
 
 function refuse(problem: string, terminal: Terminal): 2 {
@@ -104,14 +104,14 @@ async function runAll(
   const found = await findHandIns(work.handIns);
   if ('problem' in found) return found;
   if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
-  const list = { option: '--resume', path: path && ResultsFolder.listIn(path) };
+  const list = { option: '--resume', path: path && ResultsFolder.listIn(path), isInNewFolder: true } as const;
   const unwritable = outputProblem([...outputsOf(options), list], [...read.files, ...found.files], 'check');
   if (unwritable !== null) return { problem: unwritable };
   const sources = withTaken(found.sources, work.take);
   if ('problem' in sources) return sources;
   const names = sources.map((source) => source.name);
   const folder = path === null ? null : ResultsFolder.open(path, { ...read, names });
-  if (folder !== null && 'problem' in folder) return folder;
+  if (folder !== null && 'problem' in folder) return { problem: `--resume: ${folder.problem}` };
   const mine = sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json, options.lang);
   const start = startThread(task, await WebAssembly.compile(readFirmware()));
@@ -206,26 +206,25 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
-/** @returns what is wrong with one of the files */
-function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): string | null {
+/** Writes all that can be written. @returns the problems with the others */
+function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): readonly string[] {
   const { task } = named;
   const { report, junit, csv, table, lang } = options;
   const files = [
-    [report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
-    [junit, () => junitOf(found, lang)],
+    ['--report', report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
+    ['--junit', junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
-    [csv, () => `\ufeff${csvOf(found, lang)}`],
-    [table, () => tableOf(found, task, lang)],
+    ['--csv', csv, () => `\ufeff${csvOf(found, lang)}`],
+    ['--table', table, () => tableOf(found, task, lang)],
   ] as const;
-  for (const [path, textOf] of files) {
-    if (path === null) continue;
+  return files.flatMap(([option, path, textOf]) => {
     try {
-      writeFileSync(path, textOf());
+      if (path !== null) writeOutput(path, textOf());
+      return [];
     } catch (error) {
-      return `${path}: ${reasonOf(error)}`;
+      return [`${option}: ${path ?? ''}: ${reasonOf(error)}`];
     }
-  }
-  return null;
+  });
 }
 
 function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {

@@ -137,19 +137,11 @@ describe('parcours check', () => {
   });
 
   it.each([
-    [['check'], 'Which task?'],
-    [['check', 'closed-line'], 'Which hand-ins?'],
     [['check', 'closed-line', 'nowhere/'], 'nowhere/: there is no such file.'],
     [['check', 'no-such-course', 'package.json'], 'There is no ready course "no-such-course" either.'],
     [['check', 'package.json', 'README.md'], 'package.json: '],
-    [['check', 'closed-line', 'bin', '--jobs', '0'], '--jobs: "0" is not a whole number from 1 to 256.'],
-    [['check', 'closed-line', 'bin', '--shard', '8/7'], '--shard: "8/7" is not like 2/7'],
-    [['check', 'closed-line', 'bin', '--shard', 'auto'], '--shard auto: none of SLURM_ARRAY_TASK_ID'],
-    [['check', 'closed-line', 'bin', '--reality', '1'], '--reality is not for check.'],
     [['check', '--merge', 'src'], 'src: is no folder of results'],
-    [['check', 'closed-line', '--merge', 'src'], '--merge runs nothing: what is "closed-line"?'],
     [['check', 'closed-line', 'bin', '--csv', 'a', '--junit', 'a'], '--junit and --csv: a can be only one of them.'],
-    [['run', 'main.py', '--jobs', '2'], '--jobs is for hand-ins'],
   ])('refuses %j', (words, problem) => {
     const { code, out, err } = parcours(...words);
     expect([code, out]).toEqual([2, '']);

@@ -1,5 +1,5 @@
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Content } from '#intake/contents';
 import { projectOfHandIn, type HandIn } from '#check/hand-in/hand-in';
@@ -12,6 +12,7 @@ import { documentOfText } from '#intake/text';
 import { projectToText } from '#project/file';
 import { version } from '../../../package.json';
 import { reasonOf } from '../reason-of';
+import { replaceFile } from '../write-output';
 import type { NamedTask } from './read-task';
 
 /** The task of a folder of results, and the names of its hand-ins, in order. */
@@ -41,8 +42,8 @@ export class ResultsFolder {
       const here = join(path, TASK);
       if (existsSync(here) && readFileSync(here, 'utf8') !== text)
         return { problem: `${path}: holds the results of another task. Choose another folder.` };
-      writeWhole(here, text);
-      writeWhole(join(path, LIST), `${JSON.stringify({ task: name, title, names })}\n`);
+      replaceFile(here, text);
+      replaceFile(join(path, LIST), `${JSON.stringify({ task: name, title, names })}\n`);
       return new ResultsFolder(path, keyOf(version, text));
     } catch (error) {
       return { problem: `${path}: ${reasonOf(error)}` };
@@ -90,7 +91,7 @@ export class ResultsFolder {
   }
 
   keep(name: string, key: string, result: CheckResult): void {
-    writeWhole(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
+    replaceFile(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
   }
 
   /** Hash of everything that the result of a hand-in depends on; of an unreadable one, of why it cannot be read. */
@@ -149,10 +150,3 @@ const isList = (value: unknown): value is List =>
 const taskText = (task: ClassTask): string => projectToText(projectOfTask(task));
 
 const keyOf = (...parts: readonly string[]): string => createHash('sha256').update(JSON.stringify(parts)).digest('hex');
-
-/** Writes a file in one step, so that no reader sees half of it. */
-function writeWhole(path: string, text: string): void {
-  const draft = `${path}.${process.pid}.tmp`;
-  writeFileSync(draft, text);
-  renameSync(draft, path);
-}

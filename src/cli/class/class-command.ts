@@ -1,4 +1,3 @@
-import { writeFileSync } from 'node:fs';
 import { withList, namesIn, namesTwice } from '#school-class/class-list';
 import { usualScale, type Scale } from '#school-class/grades';
 import { mergeClasses } from '#school-class/merge';
@@ -7,10 +6,11 @@ import { classReport } from '#school-class/report/html';
 import { gradeText, hasPoints, SIGNS, stateText, summaryText, twiceText } from '#school-class/report/say';
 import { classTable } from '#school-class/report/table';
 import { classLimits, type SchoolClass } from '#school-class/school-class';
-import { outputProblem } from '../outputs';
+import { outputProblem, writeProblem } from '../outputs';
 import { readLimited } from '../read-files';
 import { reasonOf } from '../reason-of';
 import { printable, type Terminal } from '../terminal';
+import { writeOutput } from '../write-output';
 import { addHandIns } from './add-hand-ins';
 import type { ClassOptions } from './class-arguments';
 import { readClass, readOrNewClass, writeClass, type Done } from './class-file';
@@ -30,6 +30,8 @@ export async function changeClass(options: ClassOptions, terminal: Terminal): Pr
 
 async function doneBy(options: ClassOptions, terminal: Terminal): Promise<Done> {
   const { act, file } = options;
+  const unwritable = act === 'report' ? null : writeProblem({ option: `class ${act}`, path: file });
+  if (unwritable !== null) return { problem: unwritable };
   const given = act === 'add' || act === 'set' ? readOrNewClass(file) : readClass(file);
   if ('problem' in given) return given;
   if (act === 'add') return addHandIns(given, options, terminal);
@@ -87,7 +89,7 @@ function reported(schoolClass: SchoolClass, options: ClassOptions): Done {
   for (const [path, textOf] of files) {
     if (path === null) continue;
     try {
-      writeFileSync(path, textOf());
+      writeOutput(path, textOf());
     } catch (error) {
       return { problem: `${path}: ${reasonOf(error)}` };
     }

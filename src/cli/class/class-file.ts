@@ -1,4 +1,4 @@
-import { existsSync, renameSync, writeFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
 import { stemOf } from '#intake/formats';
 import { classToText, parseClass } from '#school-class/class-file';
@@ -6,6 +6,7 @@ import { classLimits, newClass, type SchoolClass } from '#school-class/school-cl
 import { withoutReload } from '../check/series-task';
 import { readLimited } from '../read-files';
 import { reasonOf } from '../reason-of';
+import { writeOutput } from '../write-output';
 
 /** A class as it is afterwards, and what there is to say; or what is wrong. */
 export type Done = { readonly schoolClass: SchoolClass; readonly said: readonly string[] } | Problem;
@@ -26,10 +27,8 @@ export const readOrNewClass = (path: string): SchoolClass | Problem =>
 
 /** Writes the file of a class. The old one stays until the new one is whole. @returns what is wrong; `null`: nothing */
 export function writeClass(path: string, schoolClass: SchoolClass): string | null {
-  const beside = `${path}.part`;
   try {
-    writeFileSync(beside, classToText(schoolClass));
-    renameSync(beside, path);
+    writeOutput(path, classToText(schoolClass));
     return null;
   } catch (error) {
     return `${path}: ${reasonOf(error)}`;

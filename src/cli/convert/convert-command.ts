@@ -1,4 +1,4 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { withLinesBack } from '#intake/lines-back';
 import { hardwareOf } from '#intake/webtigerpython';
@@ -7,10 +7,11 @@ import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import type { Hardware } from '#simulation/hardware';
 import { NO_ROBOT } from '#simulation/run-setup';
-import { isSameFile } from '../outputs';
+import { isSameFile, writeProblem } from '../outputs';
 import { shortened } from '../read-work';
 import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
+import { writeOutput } from '../write-output';
 import type { ConvertOptions } from './convert-arguments';
 import type { Made } from './made';
 import { makeForm } from './make-form';
@@ -28,6 +29,8 @@ export async function convert(
   write: (text: string) => void,
 ): Promise<0 | 2> {
   const { input: word, as, out, json } = options;
+  const unwritable = out === null || as === 'files' ? null : writeProblem({ option: '--out', path: out });
+  if (unwritable !== null) return refuse(unwritable, terminal);
   const input = await readInput(word);
   if ('problem' in input) return refuse(input.problem, terminal);
   const made = as === null ? null : await makeForm(input, as, options);
@@ -62,7 +65,7 @@ function writeOut(out: string, { text, files }: Made, word: string): string | nu
   if (all.some(([path]) => isSameFile(path, word))) return 'is the file that is read. Choose another name.';
   try {
     if (files !== undefined) mkdirSync(out, { recursive: true });
-    for (const [path, content] of all) writeFileSync(path, content);
+    for (const [path, content] of all) writeOutput(path, content);
     return null;
   } catch (error) {
     return reasonOf(error);

@@ -134,7 +134,7 @@ describe('parcours convert', () => {
     ['a course as a program', [sample('mylevel.json'), '--as', 'program'], 'has no program, only a course.'],
     ['a program as a course', [anna, '--as', 'course'], 'has no course, only a program.'],
     ['a file over itself', [anna, '--out', anna], 'is the file that is read. Choose another name.'],
-    ['a place that is none', [anna, '--as', 'project', '--out', join(folder, 'no/x.json')], 'there is no such file.'],
+    ['a place that is none', [anna, '--as', 'project', '--out', join(folder, 'no/x.json')], `--out: the folder ${join(folder, 'no')} does not exist.`],
   ])('refuses %s in a sentence', async (_, words, sentence) => {
     const { code, out, err } = await converted(...words);
     expect([code, out]).toEqual([2, '']);
