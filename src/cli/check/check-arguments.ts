@@ -67,7 +67,11 @@ export const checkAbout = command({
     { name: 'HAND-INS', path: 'reads', isRepeated: true },
   ],
   options,
-  exits: { 0: 'all have passed', 2: 'something is wrong with the command', 3: 'some have not passed' },
+  exits: {
+    0: 'all have passed',
+    2: 'something is wrong with the command, or a report could not be written',
+    3: 'some have not passed',
+  },
   examples: [
     'check closed-line class.zip --report report.html --lang de',
     'check task.json class/ --resume results --shard 2/7',
