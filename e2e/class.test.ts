@@ -123,6 +123,10 @@ test(
     await until(app, by('class-open'));
     const href = await app.evaluate(() => document.querySelector<HTMLAnchorElement>('[data-testid=class-open]')!.href);
     expect(href).toContain('#p=');
+    // Escape closes the opened hand-in, then the page.
+    await app.press('Escape');
+    await gone(app, by('class-view'));
+    await until(app, by('class-task'));
     await app.press('Escape');
     await gone(app, by('class-task'));
   },
