@@ -27,8 +27,10 @@ describe('the manual page', () => {
     expect(page).toMatch(/^[\n -~]*$/);
   });
 
-  it('lies where the package says, after the command line was built', () => {
-    expect(readFileSync(about.man, 'utf8')).toMatch(new RegExp(`^\\.TH PARCOURS 1 "" "Parcours ${about.version}"`));
+  it('lies where the package says, in a list, since npm links nothing else', () => {
+    expect(readFileSync(about.man[0] ?? '', 'utf8')).toMatch(
+      new RegExp(`^\\.TH PARCOURS 1 "" "Parcours ${about.version}"`),
+    );
   });
 
   it.runIf(hasGroff)('says in man what the help says: each command, option, sample, exit code and example', () => {
