@@ -1,5 +1,14 @@
 import { spawnSync } from 'node:child_process';
-import { cpSync, linkSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import {
+  cpSync,
+  existsSync,
+  linkSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
@@ -99,6 +108,18 @@ describe('parcours check', () => {
     expect(parcours('check', 'closed-line', here, '--take', 'Eva=b.py')).toMatchObject({ code: 2 });
   });
 
+  it.runIf(existsSync('/dev/full'))(
+    'writes the other reports and says the results where one does not fit on the disk',
+    () => {
+      const here = classOf('full', { 'anna.py': 'x = 1\n' });
+      const tests = join(folder, 'beside-full.xml');
+      const { code, out, err } = parcours('check', 'closed-line', here, '--csv', '/dev/full', '--junit', tests);
+      expect([code, err]).toEqual([2, 'parcours: --csv: /dev/full: the disk is full.\n']);
+      expect(out).toContain('closed-line: 0 of 1 passed');
+      expect(readFileSync(tests, 'utf8')).toContain('anna');
+    },
+  );
+
   it('keeps what a program says to one line, and from steering the terminal', () => {
     const here = classOf('steering', { 'anna.py': 'raise Exception("a\\nb\\x1b[2J")\n' });
     const { out } = parcours('check', 'closed-line', here);
@@ -129,8 +150,8 @@ describe('parcours check', () => {
     expect(handIns.map(({ name, passed, remarks }) => [name, passed, remarks.at(-1) ?? ''])).toEqual([
       ['anna', true, 'Same program as: ben'],
       ['ben', true, 'Same program as: anna'],
-      ['gone', false, 'cannot be read: the file could not be read (there is no such file.).'],
       ['empty.zip', false, 'cannot be read: the folder has no program (main.py).'],
+      ['gone', false, 'cannot be read: the file could not be read (there is no such file.).'],
       ['nobody', false, 'cannot be read: the folder has no program (main.py).'],
     ]);
     expect(parcours('check', 'closed-line', join(folder, 'nobody'))).toMatchObject({ code: 2, err: expect.stringContaining('there are no hand-ins') as string }); // prettier-ignore
@@ -205,10 +226,8 @@ describe('parcours check', () => {
       const course = courses.find((one) => one.id === id)!;
       const german = file(`${id}.json`, projectToText(projectOf(withSolution(course), 'de')));
       const { out } = parcours('check', id, german, join('courses', id, 'main.py'), '--json');
-      expect(jsonOf(out).handIns.map(({ name, passed }) => [name, passed])).toEqual([
-        [id, true],
-        ['main', true],
-      ]);
+      const inOrder = [[id, true], ['main', true]].sort(); // prettier-ignore
+      expect(jsonOf(out).handIns.map(({ name, passed }) => [name, passed])).toEqual(inOrder);
       const begun = file('begun.json', projectToText(projectOf(course, 'de')));
       expect(jsonOf(parcours('check', id, begun, '--json').out).passed).toBe(0);
     },

@@ -57,7 +57,7 @@ describe('parcours class', () => {
     expect(readFileSync(report, 'utf8')).toContain('<th>Ada Meier</th><td class="passed">✓ 1 / 1');
     expect(JSON.parse(classAct('report', own, '--json').out)).toMatchObject({
       name: 'Klasse 8b',
-      pupils: [{ name: 'Ada Meier', points: 1, of: 2, grade: 3.5, tasks: [{ state: 'passed', tries: 2 }, { state: 'missing', points: null }] }, {}, {}, {}], // prettier-ignore
+      pupils: [{ name: 'Ada Meier', points: 1, most: 2, grade: 3.5, tasks: [{ state: 'passed', tries: 2 }, { state: 'missing', points: null }] }, {}, {}, {}], // prettier-ignore
     });
   });
 
