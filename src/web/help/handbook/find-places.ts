@@ -15,6 +15,6 @@ export function findPlaces(book: Book, query: string): readonly Place[] {
 
 const textOf = ({ chapter, section }: Place): string => `${chapter.title} ${section.text} ${section.tip}`;
 
-/** The beginning of a section's text, as one line. */
+/** The beginning of a section's text, as one line: longer than there is room for. */
 export const beginningOf = ({ section }: Place): string =>
-  section.text.replaceAll('**', '').replaceAll('`', '').replace(/\s+/g, ' ').slice(0, 140);
+  section.text.replaceAll('**', '').replaceAll('`', '').replace(/\s+/g, ' ').slice(0, 400);
