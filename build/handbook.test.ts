@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 
 import { LANGUAGES, type Language } from '../src/core/languages.ts';
+import type { FeaturePage } from '../src/web/kit/features/feature-page.ts';
 import type { Book } from '../src/web/help/handbook/book.ts';
 import { readBook, referencesIn, wordOf } from './handbook.ts';
 
@@ -17,10 +18,8 @@ const shapeOf = (book: Book): readonly string[] =>
   book.flatMap((chapter) => chapter.sections.map(({ id, show }) => `${chapter.id}.${id} → ${show}`));
 /** The pages of the app, by the names in their addresses. */
 const pages = Object.values(
-  import.meta.glob<string>('../src/web/**/pages.ts', { query: '?raw', import: 'default', eager: true }),
-)
-  .flatMap((source) => Array.from(source.matchAll(/name: (?:'([\w-]+)'|DESK)/g), ([, name = 'teachers']) => name))
-  .sort();
+  import.meta.glob<readonly FeaturePage[]>('../src/web/**/pages.ts', { import: 'pages', eager: true }),
+).flatMap((all) => all.map(({ name }) => name));
 
 describe('a book of the help', () => {
   it('has chapters, sections with text and advice, and words of the page in bold', () => {
