@@ -15,6 +15,22 @@ const SIZE = { width: 1180, height: 700 };
 /** Long enough for a page to come and for its pictures to be drawn. */
 const DRAWN_MS = 2_500;
 
+/** In the page: the places that the printed handbook leads to. */
+const PLACES = `[...new Set([...document.querySelectorAll('[data-show]')].map((one) => one.getAttribute('data-show')))]
+  .filter((place) => place !== '')`;
+
+/**
+ * In the page: puts a picture below the first section about a place.
+ *
+ * @param {string} place
+ * @param {string} address
+ */
+const putPicture = (place, address) => `(() => {
+  const picture = Object.assign(new Image(), { alt: '', src: ${JSON.stringify(address)} });
+  document.querySelector('[data-show="${place}"]')?.append(picture);
+  return picture.decode();
+})()`;
+
 /**
  * A picture of a place in the program, as the address of an image.
  *
@@ -47,23 +63,8 @@ async function print(browser, url, language) {
   await page.goto(`${url}#handbook`);
   await page.click('[data-testid="handbook-pdf"]');
   await page.waitForSelector('[data-testid="handbook-paper"]');
-  const places = await page.evaluate(() => {
-    const sections = [...document.querySelectorAll('[data-show]:not([data-show=""])')];
-    return [...new Set(sections.map((one) => one.getAttribute('data-show')))];
-  });
-  for (const place of places) {
-    const source = await pictureOf(context, url, place);
-    await page.evaluate(
-      ([where, address]) => {
-        const picture = new Image();
-        picture.alt = '';
-        picture.src = address;
-        document.querySelector(`[data-show="${where}"]`)?.append(picture);
-        return picture.decode();
-      },
-      [place, source],
-    );
-  }
+  const places = /** @type {string[]} */ (await page.evaluate(PLACES));
+  for (const place of places) await page.evaluate(putPicture(place, await pictureOf(context, url, place)));
   const path = `${MADE}/parcours-handbook-${language}.pdf`;
   await page.pdf({ path: `${root}${path}`, preferCSSPageSize: true, tagged: true, outline: true });
   await context.close();
