@@ -39,7 +39,7 @@ function tableOf({ tasks, scale }: SchoolClass, rows: readonly Row[], language: 
   const grade = scale === null ? '' : `<th class="number">${escaped(words.grade[language])}</th>`;
   return `<table>
 <thead>
-<tr><th></th>${weeks.join('')}<th></th>${scale === null ? '' : '<th></th>'}</tr>
+<tr><td></td>${weeks.join('')}<td></td>${scale === null ? '' : '<td></td>'}</tr>
 <tr><th>${escaped(words.name[language])}</th>${tasks.map((task) => taskHead(task, language)).join('')}<th class="number">${escaped(words.points[language])}</th>${grade}</tr>
 </thead>
 <tbody>
