@@ -227,7 +227,7 @@ function writeReports(found: ClassResult, named: NamedTask, options: CheckOption
   });
 }
 
-function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
+function lineOf({ name, shown = name, result }: NamedResult, { lang }: CheckOptions): string {
   const { passed, points, worlds, remarks } = result;
   const word = words[isUnread(result) ? 'unread' : passed ? 'passed' : 'failed'][lang];
   const time = worlds[0]?.atMs ?? null;
@@ -236,7 +236,7 @@ function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
     ...(passed ? [] : reasonsAgainst(result, lang)),
     ...remarks.map((remark) => remarkText(remark, lang)),
   ];
-  const figures = isUnread(result) ? [word, name] : [word, name, points];
+  const figures = isUnread(result) ? [word, shown] : [word, shown, points];
   // What a program's error says stays in its line.
   return printable([...figures, told.join(' · ')].join('  ').trimEnd().replaceAll('\n', ' '));
 }
