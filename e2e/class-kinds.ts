@@ -106,4 +106,5 @@ function taskIn(project: Project): ClassTask {
 }
 
 /** The line of `--json` of what a page has found. */
-export const lineOf = (rows: readonly NamedResult[]): string => jsonOf(classResult('wall', rows, 'de'), taskIn(whole), 'de');
+export const lineOf = (rows: readonly NamedResult[]): string =>
+  jsonOf(classResult('wall', rows, 'de'), taskIn(whole), 'de');
