@@ -1,7 +1,7 @@
 /** The subjects of `npm run bench`: every budget of docs/architecture.md, in the order of its table. */
 import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
-import { classSubject } from './page/class';
+import { classSubject, openClassSubject } from './page/class';
 import { debugSubject } from './page/debug';
 import { whySubject } from './page/why';
 import { downloadSubject } from './page/download';
@@ -33,6 +33,7 @@ const pageSubjects = [
   goOnSubject,
   whySubject,
   classSubject,
+  openClassSubject,
 ];
 
 export { apiCalls } from './api-calls';
