@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { csvText, spreadsheetText } from './csv';
+import { csvText, spreadsheetText, usualForm } from './csv';
 
 const rows = [
   ['Name', 'Note', 'Zeit'],
@@ -13,11 +13,11 @@ describe('a table as CSV', () => {
     expect(csvText(rows)).toBe('Name,Note,Zeit\r\n"Ada; ""die"" Erste",5.5,\r\n\'=1+1,-2.5,12.5\r\n'));
 
   it.each(['de', 'fr', 'it'] as const)('has semicolons and decimal commas for a spreadsheet in %s', (language) =>
-    expect(spreadsheetText(rows, language)).toBe(
+    expect(spreadsheetText(rows, usualForm(language))).toBe(
       '\ufeffName;Note;Zeit\r\n"Ada; ""die"" Erste";5,5;\r\n\'=1+1;-2,5;12.5\r\n',
     ),
   );
 
   it('has commas and points for a spreadsheet in English', () =>
-    expect(spreadsheetText([['a', 0.25]], 'en')).toBe('\ufeffa,0.25\r\n'));
+    expect(spreadsheetText([['a', 0.25]], usualForm('en'))).toBe('\ufeffa,0.25\r\n'));
 });

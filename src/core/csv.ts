@@ -7,29 +7,34 @@ export type Cell = string | number | null;
 /** A table as CSV for programs: commas, numbers with a point; RFC 4180. */
 export const csvText = (rows: readonly (readonly Cell[])[]): string => tableText(rows, { sign: ',', point: '.' });
 
-/**
- * A table as CSV for a spreadsheet in this language: opened by a double click, each cell is in its column, and a number is a
- * number.
- */
-export const spreadsheetText = (rows: readonly (readonly Cell[])[], language: Language): string =>
-  // Spreadsheets take a file for UTF-8 only if it begins with this sign.
-  `\ufeff${tableText(rows, language === 'en' ? { sign: ',', point: '.' } : { sign: ';', point: ',' })}`;
-
-interface Form {
+/** The signs of a spreadsheet's files. */
+export interface SpreadsheetForm {
   /** Between cells. */
-  readonly sign: string;
+  readonly sign: ',' | ';';
   /** Between a number's whole part and its decimals. */
-  readonly point: string;
+  readonly point: '.' | ',';
 }
 
-const tableText = (rows: readonly (readonly Cell[])[], form: Form): string =>
+/**
+ * The signs that spreadsheets expect in a language: in German, French and Italian semicolons and decimal commas. In
+ * Switzerland decimals have a point in two of them: whoever knows the country says so.
+ */
+export const usualForm = (language: Language): SpreadsheetForm =>
+  language === 'en' ? { sign: ',', point: '.' } : { sign: ';', point: ',' };
+
+/** A table as CSV for a spreadsheet: opened by a double click, each cell is in its column, and a number is a number. */
+export const spreadsheetText = (rows: readonly (readonly Cell[])[], form: SpreadsheetForm): string =>
+  // Spreadsheets take a file for UTF-8 only if it begins with this sign.
+  `\ufeff${tableText(rows, form)}`;
+
+const tableText = (rows: readonly (readonly Cell[])[], form: SpreadsheetForm): string =>
   rows.map((cells) => `${cells.map((one) => cellText(one, form)).join(form.sign)}\r\n`).join('');
 
 /**
  * Defuses a text that a spreadsheet would take for a formula: also behind a sign that parts cells on computers of
  * other languages, or a line break.
  */
-function cellText(cell: Cell, { point }: Form): string {
+function cellText(cell: Cell, { point }: SpreadsheetForm): string {
   if (cell === null) return '';
   if (typeof cell === 'number') return String(cell).replace('.', point);
   const isNumber = /^-?\d+(\.\d+)?$/.test(cell);

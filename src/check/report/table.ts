@@ -1,4 +1,4 @@
-import { spreadsheetText, type Cell } from '#core/csv';
+import { spreadsheetText, usualForm, type Cell } from '#core/csv';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { CheckOutcome } from '../result';
@@ -13,7 +13,12 @@ import reportWords from './words';
  * The result of a class as a table for a spreadsheet in the reader's language: what is checked stands in words, each figure
  * alone in its cell. What could not be read has none. For programs there is `csvOf`.
  */
-export function tableOf({ handIns }: ClassResult, task: ClassTask, language: Language): string {
+export function tableOf(
+  { handIns }: ClassResult,
+  task: ClassTask,
+  language: Language,
+  form = usualForm(language),
+): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
   const most = task.checks.reduce((sum, { points }) => sum + points, 0);
@@ -48,5 +53,5 @@ export function tableOf({ handIns }: ClassResult, task: ClassTask, language: Lan
     one.result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
     ...(hasNotes ? [one.note ?? ''] : []),
   ]);
-  return spreadsheetText([headings, ...rows], language);
+  return spreadsheetText([headings, ...rows], form);
 }

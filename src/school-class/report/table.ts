@@ -1,4 +1,4 @@
-import { spreadsheetText, type Cell as TableCell } from '#core/csv';
+import { spreadsheetText, usualForm, type Cell as TableCell } from '#core/csv';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { Cell, Row } from '../progress';
@@ -10,7 +10,12 @@ import { hasPoints, stateText } from './say';
  * A class as CSV for a spreadsheet in this language: a row for each pupil, and of each task the points, stars if it gives some,
  * and the number of hand-ins. Where there are no points, a word says why.
  */
-export function classTable({ tasks, scale }: SchoolClass, rows: readonly Row[], language: Language): string {
+export function classTable(
+  { tasks, scale }: SchoolClass,
+  rows: readonly Row[],
+  language: Language,
+  form = usualForm(language),
+): string {
   const say = (text: 'name' | 'points' | 'grade'): string => words[text][language];
   const headings = [
     say('name'),
@@ -29,7 +34,7 @@ export function classTable({ tasks, scale }: SchoolClass, rows: readonly Row[], 
     ...[points, most],
     ...(scale === null ? [] : [grade]),
   ]);
-  return spreadsheetText([headings, ...body], language);
+  return spreadsheetText([headings, ...body], form);
 }
 
 function cellsOf(cell: Cell | undefined, hasStars: boolean, language: Language): readonly TableCell[] {

@@ -9,6 +9,7 @@ import { classLimits, type SchoolClass } from '#school-class/school-class';
 
 import type { AddedFile } from '../../kit/files/added-files';
 import { shownLanguage, t } from '../../kit/i18n';
+import { spreadsheetForm } from '../../kit/i18n/spreadsheet-form';
 import type { PageParts } from '../../kit/parts';
 import { fileName, saveText } from '../../session/work/save-file';
 import type { ClassBook } from './class-book';
@@ -49,7 +50,9 @@ export function useClassActs(
     saveTable() {
       withClass((schoolClass) => {
         const rows = rowsOf(schoolClass, today());
-        save(schoolClass.name, 'csv', classTable(schoolClass, rows, shownLanguage()), 'text/csv');
+        const language = shownLanguage();
+        const text = classTable(schoolClass, rows, language, spreadsheetForm(language));
+        save(schoolClass.name, 'csv', text, 'text/csv');
       });
     },
     report() {
