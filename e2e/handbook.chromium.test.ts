@@ -28,7 +28,7 @@ test('the handbook is found on the page for teachers, searched, read and left fo
 test('the sheet on data protection is printed on two pages of A4 at most, without anything of the page around it', async ({
   page,
 }) => {
-  await page.goto('./#data-protection');
+  await page.goto('./#handbook/data-protection');
   await page.waitForSelector(by('data-protection'));
   expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
   for (const language of ['de', 'fr', 'it', 'en']) {

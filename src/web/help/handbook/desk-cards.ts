@@ -6,6 +6,7 @@ import { t } from '../../kit/i18n';
 import { findPlaces } from './find-places';
 import { addressOf, loadHandbook } from './load-book';
 import { useBook } from './use-book';
+import { SHEET } from './sheet-address';
 import words from './words';
 
 /** The ways to the handbook and to the sheet on data protection; the search finds the sections of the handbook. */
@@ -28,7 +29,7 @@ export const deskCards: DeskCards = (search) => {
       ...{ part: 'check', order: 40, testId: 'desk-data-protection', icon: mdiShieldCheckOutline },
       title: () => t(words.sheet.title),
       about: () => t(words.sheet.card),
-      open: (desk) => desk.openPage('data-protection'),
+      open: (desk) => desk.openPage('handbook', SHEET),
     },
   ];
 };

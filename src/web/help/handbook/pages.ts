@@ -1,6 +1,3 @@
 import type { FeaturePage } from '../../kit/features/feature-page';
 
-export const pages: readonly FeaturePage[] = [
-  { name: 'handbook', hasIds: true, load: () => import('./HandbookPage.vue') },
-  { name: 'data-protection', load: () => import('./SheetPage.vue') },
-];
+export const pages: readonly FeaturePage[] = [{ name: 'handbook', hasIds: true, load: () => import('./BookPage.vue') }];
