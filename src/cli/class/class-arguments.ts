@@ -48,7 +48,7 @@ const setOptions = {
   name: { value: 'NAME', help: 'its name' },
   names: { value: 'FILE', path: 'reads', help: 'who is in it: a name a line, or a table' },
   scale: { value: 'NAME', choices: systemIds, help: 'its grades' },
-  pass: { value: 'PERCENT|even', help: 'the share of the points for a pass; even: grades from none to all' },
+  pass: { value: 'PERCENT|even', help: 'the share of the points for a pass; even: the grades rise evenly' },
   due: { value: 'TASK=DAY', isRepeated: true, help: 'the last day for a task, such as bend=2026-11-30' },
   ...everyAct,
 } as const satisfies Options;
