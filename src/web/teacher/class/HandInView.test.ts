@@ -2,6 +2,7 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 
 import { Drawings } from '#check/report/drawing';
+import { handInOfFiles } from '#check/hand-in/read-hand-in';
 import { unreadable } from '#check/result';
 import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 
@@ -26,6 +27,21 @@ describe('one hand-in', () => {
     expect(unread.findAll('li')).toHaveLength(0);
     expect(unread.text()).toContain('nicht lesbar');
     expect(unread.get('h3').text()).toBe('Tim');
+  });
+
+  it('has its program beside it, with the lines marked that the model solution does not have, and the other way round', async () => {
+    const main = (text: string) => [{ name: 'main.py', text }];
+    const handIn = handInOfFiles(main('a = 1\nb = 2\n'));
+    const row: Row = { name: 'Tim', shown: 'Tim', handIn, note: '', result: null };
+    const solved = { ...task, solution: main('a = 1\nb = 3\n') };
+    const shown = mountOn(createPage(), HandInView, { row, task: solved, drawings: new Drawings(solved) });
+    const marked = () => shown.findAll('.lines .unlike').map((line) => line.text());
+    expect(shown.findAll('.lines li').map((line) => line.text())).toEqual(['a = 1', 'andere Zeile: b = 2', '']);
+    await shown.get('[data-testid=class-solution]').trigger('click');
+    expect(marked()).toEqual(['andere Zeile: b = 3']);
+    const alone = mountOn(createPage(), HandInView, { row, task, drawings: new Drawings(task) });
+    expect(alone.find('[data-testid=class-solution]').exists()).toBe(false);
+    expect(alone.findAll('.lines .unlike')).toHaveLength(0);
   });
 
   it('closes with Escape, before the page does', () => {
