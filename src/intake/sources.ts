@@ -98,9 +98,9 @@ const areTries = (files: readonly TreeFile[]): boolean =>
 /** Chosen: longer names are not looked at. */
 const LONG = 80;
 
-/** Names that pupils give to their programs, in the four languages, with whatever number. */
+/** Names that pupils give to their programs, in the four languages, or a letter, with whatever number. */
 const TRY =
-  /^(main|haupt|prog(ram(m|me|ma)?)?|projekt|project|projet|progetto|robot(er)?|rob[oô]t|versuch|try|essai|prova|test|aufgabe|task|t[aâ]che|compito|l[oö]sung|solution|soluzione|code|neu|new|nouveau|nuovo|alt|old|final|fertig|kopie|copy|copie|copia|version|v)?[\s_\-().\d]*(main|kopie|copy|copie|copia|final|neu|new|alt|old)?[\s_\-().\d]*$/i;
+  /^(main|haupt|prog(ram(m|me|ma)?)?|projekt|project|projet|progetto|robot(er)?|rob[oô]t|versuch|try|essai|prova|test|aufgabe|task|t[aâ]che|compito|l[oö]sung|solution|soluzione|code|neu|new|nouveau|nuovo|alt|old|final|fertig|kopie|copy|copie|copia|version|[a-z])?[\s_\-().\d]*(main|kopie|copy|copie|copia|final|neu|new|alt|old)?[\s_\-().\d]*$/i;
 
 /** The way in which a folder or a zip is searched for hand-ins. */
 interface Looking {
