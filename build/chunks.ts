@@ -42,10 +42,10 @@ export const belowWorker = {
 export const shortForStyles = ({ names }: { readonly names: readonly string[] }): string =>
   names[0]?.endsWith('.css') === true ? 'assets/s-[hash:6][extname]' : 'assets/[name]-[hash][extname]';
 
-/** Files of words are called after their group and language. */
+/** Files of words are called after their group and language. Their names lie in the first chunk, too: no letter more than Rolldown needs. */
 export const namesOfWords = ({ facadeModuleId }: { readonly facadeModuleId?: string | null | undefined }): string => {
   const [, group = '', language = ''] = /word-file:(\w+)\/(\w+)$/.exec(facadeModuleId ?? '') ?? [];
-  return `assets/${group === '' ? '[name]' : `words-${group}-${language}`}-[hash].js`;
+  return `assets/${group === '' ? '[name]' : `words-${group}-${language}`}-[hash:7].js`;
 };
 
 /** Parts of the editor that come late: cards and panels, and its own completions of Python. */

@@ -38,8 +38,8 @@ export async function openHost(): Promise<Host> {
   };
 }
 
-/** Names of styles have six characters of their hash, all others eight. */
-const HASHED = /^(.*-)([\w-]{8}|[\w-]{6})(\.\w+)$/;
+/** Names have six characters of their hash (styles), seven (late scripts) or eight. */
+const HASHED = /^(.*-)([\w-]{8}|[\w-]{7}|[\w-]{6})(\.\w+)$/;
 const TEXT = /\.(js|css|html|webmanifest)$/;
 
 /**

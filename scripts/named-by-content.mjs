@@ -1,5 +1,5 @@
 /**
- * Tells whether a file's name changes with what is in it: eight characters of its hash, of styles six.
+ * Tells whether a file's name changes with what is in it: six to eight characters of its hash.
  *
  * @param {string} path below the app, such as `assets/page-Dx3k9_aQ.js`
  */

@@ -33,8 +33,9 @@ export const classSubject: Subject<Stage> = {
 /** Pupils and tasks of the class that is opened. */
 const [PUPILS, TASKS] = [300, 30];
 const OPEN_BUDGET_S = 1;
+const FIRST_ROWS = 40;
 
-/** The time in which the page of classes opens a file, until its last row is drawn. */
+/** The time in which the page of classes opens a file, until its first rows are drawn; the others come with scrolling. */
 export const openClassSubject: Subject<Stage> = {
   budgets: [{ what: `a class of ${PUPILS} pupils and ${TASKS} tasks opened`, budget: `<= ${OPEN_BUDGET_S} s` }],
   measure: (stage) =>
@@ -45,7 +46,7 @@ export const openClassSubject: Subject<Stage> = {
       const file = { name: 'school.json', mimeType: 'application/json', buffer: Buffer.from(classText()) };
       const fromMs = performance.now();
       await page.locator('[data-testid=classes-file]').setInputFiles(file);
-      await until(page, (count) => document.querySelectorAll('tbody tr').length === count, PUPILS);
+      await until(page, (least) => document.querySelectorAll('tbody tr').length >= least, FIRST_ROWS);
       const seconds = (performance.now() - fromMs) / 1000;
       return [{ text: `${seconds.toFixed(2)} s`, met: seconds <= OPEN_BUDGET_S }];
     }),

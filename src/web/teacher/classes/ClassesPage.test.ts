@@ -75,6 +75,17 @@ describe('the page of classes', () => {
     expect(rowsShown()[1]).toBe('Ben Huber fehlt0 /4');
   });
 
+  it('draws the first rows of a large class, and the others when somebody scrolls to them', async () => {
+    const page = await opened();
+    const names = Array.from({ length: 90 }, (_, place) => `Kind ${'abcdefghi'.charAt(place / 10)}${'klmnopqrst'.charAt(place % 10)}`); // prettier-ignore
+    classBookOf(page).add(withList(newClass('8b'), names), true);
+    await flushPromises();
+    expect(rowsShown()).toHaveLength(40);
+    byId('classes-table').parentElement!.dispatchEvent(new Event('scroll'));
+    await flushPromises();
+    expect(rowsShown()).toHaveLength(80);
+  });
+
   it('joins a second row with the pupil that it belongs to', async () => {
     const page = await opened();
     classBookOf(page).add(schoolClass, true);
