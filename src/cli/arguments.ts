@@ -1,3 +1,4 @@
+import { dayOf } from '#core/day';
 import type { Around, Command, Given, Options, RequestOf } from './commands/about';
 import { commandList, commands, commandsAt, everywhere, type CommandName } from './commands/commands';
 import { readLine, unknownProblem, wordsOf } from './commands/given';
@@ -16,9 +17,7 @@ const allOptions: Options = Object.assign({}, ...commandList.map(({ options }) =
 /** This computer, now. */
 function here(): Around {
   const now = new Date();
-  const two = (number: number): string => String(number).padStart(2, '0');
-  const today = `${now.getFullYear()}-${two(now.getMonth() + 1)}-${two(now.getDate())}`;
-  return { variables: process.env, today };
+  return { variables: process.env, today: dayOf(now.getFullYear(), now.getMonth() + 1, now.getDate()) };
 }
 
 /** Reads the words after `parcours`. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { dayNumber, weekOf } from './day';
+import { dayNumber, dayOf, weekOf } from './day';
 
 describe('a day of the calendar', () => {
   it('is as many days after 1 January of year 1 as JavaScript’s calendar says', () => {
@@ -20,6 +20,9 @@ describe('a day of the calendar', () => {
     'today',
     '',
   ])('is none if it is %j', (day) => expect(dayNumber(day)).toBeNull());
+
+  it('is written with its year first, whatever its numbers', () =>
+    expect([dayOf(2026, 11, 30), dayOf(987, 1, 2)]).toEqual(['2026-11-30', '0987-01-02']));
 
   // ISO 8601: week 1 has the year's first Thursday.
   it.each([

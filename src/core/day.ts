@@ -1,6 +1,12 @@
 /** A day of the calendar, as `2026-11-30`: its order as text is that of time. */
 export type Day = string;
 
+/** A day by its numbers, months from 1. */
+export function dayOf(year: number, month: number, date: number): Day {
+  const digits = (number: number, count: number): string => String(number).padStart(count, '0');
+  return `${digits(year, 4)}-${digits(month, 2)}-${digits(date, 2)}`;
+}
+
 /** Days before the first of each month in a year that is not a leap year. */
 const BEFORE = [0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334] as const;
 

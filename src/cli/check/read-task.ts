@@ -2,13 +2,14 @@ import { basename } from 'node:path';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import type { Language } from '#core/languages';
-import { documentOfSeriesLink, seriesLinkOf } from '#intake/address';
+import type { Series } from '#check/series/series';
+import { seriesLinkOf } from '#intake/address';
 import { limits, stemOf } from '#intake/formats';
 import { documentOfText, taskIn } from '#intake/text';
 import { isNoFile, readLimited } from '../read-files';
 import { readyCourse, readyProject, readyTitle } from '../ready-courses';
 import { addressProblem, documentAt, isAddress, shortened } from '../read-work';
-import { partsOf, taskInFile, taskOfLink, withoutReload, type OpenedTask } from './series-task';
+import { partsOf, seriesInLink, taskInFile, taskInLink, withoutReload, type OpenedTask } from './series-task';
 
 /** A task with the names that reports have for it. */
 export interface NamedTask {
@@ -20,51 +21,56 @@ export interface NamedTask {
 
 type Problem = { readonly problem: string };
 
+/** A task with the files that it may be read from. */
+export type ReadTask = NamedTask & { readonly files: readonly string[] };
+
+/** A series, and the way to each of its tasks by number or id. */
+interface NamedSeries {
+  readonly series: Series;
+  readonly open: (which: string) => Promise<OpenedTask | Problem>;
+}
+
 /**
  * The task behind a word of the command line: a task file, a project or a course, a link, the id of a ready course, or one of a
  * series, which is said behind `#`.
- *
- * @returns also the files that it may be read from
  */
-export async function readTask(word: string): Promise<(NamedTask & { readonly files: readonly string[] }) | Problem> {
-  const opened = await openedTask(word);
-  if ('problem' in opened) return opened;
-  const { project, name, beside = [], ...titled } = opened;
-  const read = taskOf(project);
-  if ('problem' in read) return { problem: `${shortened(word)}: ${read.problem}` };
-  const files = isAddress(word) ? [] : [partsOf(word).where, ...beside];
-  return { name: read.task.id || name, ...titled, task: read.task, files };
+export async function readTask(word: string): Promise<ReadTask | Problem> {
+  const named = await namedBy(word);
+  return opened(word, 'series' in named ? await named.open(partsOf(word).which) : named);
 }
 
 /** The tasks behind a word: all of a series, in their order, else the one. */
-export async function readTasks(
-  word: string,
-): Promise<readonly (NamedTask & { readonly files: readonly string[] })[] | Problem> {
-  const { where, which } = partsOf(word);
-  const count = which === '' ? seriesLength(where) : null;
-  const words = count === null ? [word] : Array.from({ length: count }, (_, place) => `${where}#${String(place + 1)}`);
-  const tasks = [];
-  for (const one of words) {
-    const read = await readTask(one);
+export async function readTasks(word: string): Promise<readonly ReadTask[] | Problem> {
+  const named = await namedBy(word);
+  const isWhole = 'series' in named && partsOf(word).which === '' && named.series.tasks.length > 0;
+  const which = isWhole ? named.series.tasks.map((_, place) => String(place + 1)) : [partsOf(word).which];
+  const tasks: ReadTask[] = [];
+  for (const one of which) {
+    const read = opened(word, 'series' in named ? await named.open(one) : named);
     if ('problem' in read) return read;
     tasks.push(read);
   }
   return tasks;
 }
 
-/** Number of tasks of a series; `null`: it is none, or one without tasks. */
-function seriesLength(where: string): number | null {
-  const link = seriesLinkOf(where);
-  if (link === null && (isAddress(where) || isNoFile(where))) return null;
-  const file = link === null ? readLimited(where, limits.json) : null;
-  const document = link !== null ? documentOfSeriesLink(link, readyCourse) : file && 'text' in file ? documentOfText(file.text, readyCourse) : null; // prettier-ignore
-  return document?.kind === 'series' ? document.series.tasks.length || null : null;
+function opened(word: string, task: OpenedTask | Problem): ReadTask | Problem {
+  if ('problem' in task) return task;
+  const { project, name, beside = [], ...titled } = task;
+  const read = taskOf(project);
+  if ('problem' in read) return { problem: `${shortened(word)}: ${read.problem}` };
+  const files = isAddress(word) ? [] : [partsOf(word).where, ...beside];
+  return { name: read.task.id || name, ...titled, task: read.task, files };
 }
 
-async function openedTask(word: string): Promise<OpenedTask | Problem> {
+/** The task or the series that a word names. */
+async function namedBy(word: string): Promise<OpenedTask | NamedSeries | Problem> {
   const { where, which } = partsOf(word);
   const link = seriesLinkOf(where);
-  if (link !== null) return saidOf(shortened(word), await taskOfLink(link, which));
+  if (link !== null) {
+    const series = seriesInLink(link);
+    if ('problem' in series) return { problem: `${shortened(word)}: ${series.problem}` };
+    return { series, open: async (one) => saidOf(shortened(word), await taskInLink(series, one)) };
+  }
   if (isAddress(word)) return taskOfAddress(word);
   const ready = isNoFile(where) ? readyProject(where) : null;
   if (ready !== null) return which === '' ? { project: ready, name: where } : isSingle(where, which);
@@ -72,8 +78,11 @@ async function openedTask(word: string): Promise<OpenedTask | Problem> {
   if ('problem' in file)
     return isId(where) ? { problem: `${file.problem} There is no ready course "${where}" either.` } : file;
   const document = documentOfText(file.text, readyCourse);
-  if (document.kind === 'series')
-    return saidOf(which === '' ? where : word, await taskInFile(where, document.series, which));
+  if (document.kind === 'series') {
+    const { series } = document;
+    const named = (one: string): string => (one === '' ? where : `${where}#${one}`);
+    return { series, open: async (one) => saidOf(named(one), await taskInFile(where, series, one)) };
+  }
   const task = taskIn(document);
   if (!('project' in task)) return { problem: `${word}: ${withoutReload(task.message)}` };
   if (which !== '') return isSingle(where, which);

@@ -39,12 +39,15 @@ export function partsOf(word: string): TaskWord {
   return at < 1 ? { where: word, which: '' } : { where: word.slice(0, at), which: word.slice(at + 1) };
 }
 
-/** The task that is meant of the series in a link. */
-export async function taskOfLink(link: string, which: string): Promise<OpenedTask | Problem> {
+/** The series in a link. */
+export function seriesInLink(link: string): Series | Problem {
   const document = documentOfSeriesLink(link, readyCourse);
-  if (document.kind === 'unreadable') return { problem: withoutReload(document.message) };
-  return chosen(document.series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
+  return document.kind === 'unreadable' ? { problem: withoutReload(document.message) } : document.series;
 }
+
+/** The task that is meant of the series in a link. */
+export const taskInLink = (series: Series, which: string): Promise<OpenedTask | Problem> =>
+  chosen(series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
 
 /** The task that is meant of the series in a file. */
 export async function taskInFile(path: string, series: Series, which: string): Promise<OpenedTask | Problem> {

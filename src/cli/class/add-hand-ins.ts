@@ -28,9 +28,10 @@ export async function addHandIns(given: SchoolClass, options: ClassOptions, term
   if (unwritable !== null) return { problem: unwritable };
   const { groups, strange } = await sorted(found.sources, tasks);
   const said = strange.length === 0 ? [] : [strangeText(strange, lang)];
+  const firmware = await WebAssembly.compile(readFirmware());
   let schoolClass = given;
   for (const [named, sources] of groups) {
-    const added = await addTask(schoolClass, { named, sources }, options, terminal);
+    const added = await addTask(schoolClass, { named, sources, firmware }, options, terminal);
     schoolClass = added.schoolClass;
     said.push(...added.said);
   }
@@ -64,17 +65,19 @@ async function taskFor(source: Source, tasks: readonly NamedTask[]): Promise<Nam
 interface Group {
   readonly named: NamedTask;
   readonly sources: readonly Source[];
+  /** The VM, which all tasks share. */
+  readonly firmware: WebAssembly.Module;
 }
 
 async function addTask(
   given: SchoolClass,
-  { named, sources }: Group,
+  { named, sources, firmware }: Group,
   { jobs, quiet, json, day, lang }: ClassOptions,
   terminal: Terminal,
 ): Promise<{ readonly schoolClass: SchoolClass; readonly said: readonly string[] }> {
   const { task } = named;
   const progress = new Progress(terminal, sources.length, quiet || json, lang);
-  const start = startThread(task, await WebAssembly.compile(readFirmware()));
+  const start = startThread(task, firmware);
   const results = await checkAll(task, sources, start, { jobs, folder: null, keepsWays: false, progress });
   terminal.clearProgress();
   const found = classResult(titleOf(named, lang), results, lang);

@@ -28,7 +28,7 @@ export function classReport(schoolClass: SchoolClass, day: Day, language: Langua
 <h1>${title}</h1>
 <p>${[filledIn(words.day[language], { day: dayText(day, language) }), ...about].map(escaped).join(' · ')}</p>
 ${rows.length === 0 ? `<p>${escaped(words.nobody[language])}</p>` : tableOf(schoolClass, rows, language)}
-<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(words.states[state][language])}</span>`).join(' ')}</p>
+<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(stateText({ state }, language))}</span>`).join(' ')}</p>
 </body>
 </html>
 `;

@@ -1,16 +1,7 @@
-import { effectScope, watch } from 'vue';
-
+import { askBeforeLeaving } from '../../kit/state/ask-before-leaving';
 import type { ClassKeeper } from './class-keeper';
 import type { ClassModel } from './model/class-model';
 
-/** Has the browser ask before the page is left, as long as results or notes would be lost with it, and only then. */
-export function askOnLeaving(model: ClassModel, keeper: Pick<ClassKeeper, 'isKept'>): void {
-  const ask = (event: Event): void => event.preventDefault();
-  effectScope(true).run(() =>
-    watch(
-      () => model.isUnsaved.value && !keeper.isKept.value,
-      (asks) => (asks ? addEventListener('beforeunload', ask) : removeEventListener('beforeunload', ask)),
-      { flush: 'sync', immediate: true },
-    ),
-  );
-}
+/** Has the browser ask before results or notes are lost with the page. */
+export const askOnLeaving = (model: ClassModel, keeper: Pick<ClassKeeper, 'isKept'>): void =>
+  askBeforeLeaving(() => model.isUnsaved.value && !keeper.isKept.value);

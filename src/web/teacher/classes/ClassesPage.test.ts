@@ -114,9 +114,9 @@ describe('a class that the browser keeps', () => {
     await one.keep(true);
     const two = await booked();
     expect(classToText(two.chosen.value!.schoolClass)).toBe(classToText(list));
-    one.change(schoolClass);
+    one.change(() => schoolClass);
     await one.keep(true);
-    two.change({ ...list, name: '8b', scale: { system: 'ch6', passPercent: null, step: 0.5 } });
+    two.change(() => ({ ...list, name: '8b', scale: { system: 'ch6', passPercent: null, step: 0.5 } }));
     await two.keep(true);
     expect(two.chosen.value!.schoolClass).toMatchObject({ scale: { system: 'ch6' }, results: schoolClass.results });
     await two.keep(false);

@@ -62,10 +62,10 @@ export class ClassBook {
   }
 
   /** Changes the class in sight. @returns a function that takes it back */
-  change(schoolClass: SchoolClass): () => void {
+  change(make: (now: SchoolClass) => SchoolClass): () => void {
     const now = this.chosen.value;
     if (now === null) return () => undefined;
-    this.replace(now.key, { schoolClass });
+    this.replace(now.key, { schoolClass: make(now.schoolClass) });
     return () => this.replace(now.key, { schoolClass: now.schoolClass });
   }
 

@@ -114,6 +114,6 @@ function open(schoolClass: SchoolClass, { notices, book }: Taking): void {
     return;
   }
   book.choose(same.key);
-  const undo = book.change(mergeClasses(same.schoolClass, schoolClass));
+  const undo = book.change((now) => mergeClasses(now, schoolClass));
   offerUndo({ notices, book }, t(words.joined, { name: schoolClass.name }), undo);
 }
