@@ -59,7 +59,10 @@ function resultOf(
   const passed =
     task.checks.every(({ needed }, place) => !needed || checks[place]?.passed === true) &&
     isEnough(task, worlds, ({ passed: holds }) => holds);
-  const points = task.checks.reduce((sum, one, place) => sum + (checks[place]?.passed === true ? one.points : 0), 0);
+  const points = task.checks.reduce(
+    (sum, one, place) => sum + (checks[place]?.passed === true ? one.points : 0) + countPoints(task, one, worlds),
+    0,
+  );
   const programs = programsOf(task.project, handIn.project);
   const unchanged = isUnchanged(task, programs, starts);
   return {
@@ -92,6 +95,16 @@ function outcomeOf(task: ClassTask, check: Check, handIn: HandIn, worlds: readon
   const passed = isEnough(task, worlds, ({ held }) => held.includes(id));
   const missed = worlds.map((world) => world.missed[id]).find((reason) => reason !== undefined) ?? null;
   return { id, passed, reason: passed ? null : missed };
+}
+
+/** Points for each of what a check counts, as many as in all visible worlds and in enough of the hidden ones. */
+function countPoints(task: ClassTask, check: Check, worlds: readonly WorldResult[]): number {
+  if (check.type !== 'checkpoints' || check.each === null || worlds.length === 0) return 0;
+  const countIn = ({ counts }: WorldResult): number => counts?.[check.id] ?? 0;
+  const most = Math.max(...worlds.map(countIn));
+  for (let count = most; count > 0; count -= 1)
+    if (isEnough(task, worlds, (world) => countIn(world) >= count)) return count * check.each;
+  return 0;
 }
 
 function factOutcome(fact: Check & Fact, { project }: HandIn): Pick<CheckOutcome, 'passed' | 'reason'> {

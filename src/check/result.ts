@@ -40,6 +40,8 @@ export interface WorldResult {
   readonly held: readonly string[];
   /** Why those that a run decides do not hold, by their ids. */
   readonly missed: Readonly<Record<string, Reason>>;
+  /** Numbers of those reached, of the checks that give points for each, by their ids; left out where there are none. */
+  readonly counts?: Readonly<Record<string, number>>;
   /** Fingerprint of the robots' trails until the end of the run. */
   readonly hash: string;
   /** The trail of the first robot in mm: pieces, without the parts where the hand lifted it. */
@@ -64,7 +66,8 @@ export const reasonCodes = [
   // of a run that ended without a result
   ...(['empty', 'unmoved', 'waits'] as const),
   // of the other checks
-  ...(['stop', 'laps', 'checkpoints', 'touches', 'slow'] as const),
+  ...(['stop', 'whole', 'heading', 'reach', 'stay', 'laps', 'checkpoints', 'belongs', 'covered'] as const),
+  ...(['touches', 'slow', 'early'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
   // of the program
@@ -74,7 +77,8 @@ export type ReasonCode = (typeof reasonCodes)[number];
 
 /** The codes of requirements that a run may still meet. */
 const unreached: readonly ReasonCode[] = [
-  ...(['open', 'empty', 'unmoved', 'waits', 'stop', 'laps', 'checkpoints'] as const),
+  ...(['open', 'empty', 'unmoved', 'waits', 'stop', 'whole', 'heading', 'reach', 'stay'] as const),
+  ...(['laps', 'checkpoints', 'belongs', 'covered'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
 ];
 

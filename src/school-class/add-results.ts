@@ -1,7 +1,7 @@
 import { shownName, type ClassResult, type NamedResult } from '#check/report/class-result';
 import { isUnread } from '#check/report/texts';
 import { courseMark } from '#check/task/course-mark';
-import type { ClassTask } from '#check/task/task';
+import { mostPoints, type ClassTask } from '#check/task/task';
 import type { Day } from '#core/day';
 import { findPupil, freePupilId } from './names';
 import { classLimits, type Pupil, type Result, type SchoolClass, type SetTask } from './school-class';
@@ -53,10 +53,10 @@ export function addResults(given: SchoolClass, { task, found, day }: CheckedTask
   };
 }
 
-const setTask = ({ checks, stars }: ClassTask, title: string, since: Day): Omit<SetTask, 'id'> => ({
+const setTask = (task: ClassTask, title: string, since: Day): Omit<SetTask, 'id'> => ({
   title: title.slice(0, classLimits.titleCharacters),
-  points: checks.reduce((sum, { points }) => sum + points, 0),
-  hasStars: stars !== null,
+  points: mostPoints(task),
+  hasStars: task.stars !== null,
   ...{ since, due: null },
 });
 

@@ -2,11 +2,14 @@ import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { BRIGHTEST_LEVEL, unpackLevels } from '#scene/background';
 import { isZone } from '#scene/kinds/zone';
+import type { Outline } from '#scene/outline';
 import type { Background, Point, Scene, SceneObject, Zone } from '#scene/scene';
+import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
 import { createWorld, type World } from '#world/world';
 import { movableIds } from './at-once';
 import { isLasting, isMovable, runKinds, type Body } from './kinds';
+import { outlineAt } from './task/outline-at';
 
 /** A world made from a course; it follows changes of the course during a run. */
 export class CourseWorld {
@@ -39,6 +42,13 @@ export class CourseWorld {
   /** A movable block of the run. */
   block(id: string): BlockHandle | undefined {
     return this.blocks.get(id);
+  }
+
+  /** The outline of a movable block where it lies, in world mm; `null`: a robot holds it, or there is none of this id. */
+  lying(id: string): Outline | null {
+    const [handle, shape] = [this.blocks.get(id), this.now.objects.find((object) => object.id === id)];
+    if (handle === undefined || handle.isHeld() || shape?.type !== 'block') return null;
+    return outlineAt(ownOutline(shape), handle.pose());
   }
 
   /** Ids of the movable blocks of the run. */

@@ -1,6 +1,7 @@
 import { packetOfText } from '#board/radio-text';
 import type { Pose, Vec } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import type { Inspected } from '#vm/debug/inspected';
 import { watchLines, type StopRule } from '#vm/debug/line-watch';
@@ -161,6 +162,16 @@ export class Simulation {
   /** Pose of the first device's robot, or `null` if it has none. */
   get pose(): Pose | null {
     return this.first.mounted?.chassis.pose() ?? null;
+  }
+
+  /** Convex outlines of the first robot now, with all that is fixed to it or held, in world mm; none without a robot. */
+  get body(): readonly Outline[] {
+    return this.judge?.body() ?? [];
+  }
+
+  /** The outline of a movable block where it lies, in world mm; `null`: a robot holds it, or there is none of this id. */
+  blockLying(id: string): Outline | null {
+    return this.courseWorld.lying(id);
   }
 
   /** The first device's display: 25 levels 0 … 9, row by row. */

@@ -3,7 +3,7 @@ import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { CheckOutcome } from '../result';
 import { checkText } from '../task/check-text';
-import { worldName, type ClassTask } from '../task/task';
+import { mostPoints, worldName, type ClassTask } from '../task/task';
 import { shownName, type ClassResult, type NamedResult } from './class-result';
 import { reasonText, remarkText } from './say';
 import { isUnread } from './texts';
@@ -21,7 +21,7 @@ export function tableOf(
 ): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
-  const most = task.checks.reduce((sum, { points }) => sum + points, 0);
+  const most = mostPoints(task);
   const hasNotes = handIns.some(({ note = '' }) => note !== '');
   const worlds = task.worlds.map((world) => filledIn(say('world'), { id: worldName(world) }));
   const headings = [

@@ -2,7 +2,7 @@ import { csvText } from '#core/csv';
 import type { Language } from '#core/languages';
 
 import type { CheckResult } from '../result';
-import type { ClassTask } from '../task/task';
+import { mostPoints, type ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
 import { escaped } from './escaped';
 import { reasonText, remarkText } from './say';
@@ -14,12 +14,12 @@ import reportWords from './words';
  *
  * @param language of the sentences in `reason` and `remarks`
  */
-export function jsonOf(found: ClassResult, { checks: asked }: ClassTask, language: Language): string {
+export function jsonOf(found: ClassResult, asked: ClassTask, language: Language): string {
   const { task, handIns } = found;
-  const pointsOf = (id: string): number => asked.find((check) => check.id === id)?.points ?? 0;
+  const pointsOf = (id: string): number => asked.checks.find((check) => check.id === id)?.points ?? 0;
   return JSON.stringify({
     task,
-    maxPoints: asked.reduce((sum, { points }) => sum + points, 0),
+    maxPoints: mostPoints(asked),
     handIns: handIns.map(({ name, result }) => {
       const { passed, points, stars, checks, worlds, remarks } = result;
       return {

@@ -12,7 +12,7 @@ interface Watched {
 }
 
 /** Result of a run's checks. */
-export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches'>;
+export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches' | 'counts'>;
 
 /** Why a check was not reached, if there is more to say than that (`causeOf`). */
 export type ReasonGiver = (check: RunCheck, failedUs: number | null) => Reason | null;
@@ -143,7 +143,16 @@ export class Judging {
       touches: this.touches,
       held: ends.filter(isHeld).map(({ check }) => check.id),
       missed: Object.fromEntries(ends.filter((end) => !isHeld(end)).map((end) => [end.check.id, whyMissed(end)])),
+      ...this.counts(),
     };
+  }
+
+  /** Numbers of those reached, of the checks that give points for each. */
+  private counts(): Pick<Outcome, 'counts'> {
+    const found = this.watched.flatMap(({ check, watcher }) =>
+      check.type === 'checkpoints' && check.each !== null ? [[check.id, watcher.count?.() ?? 0] as const] : [],
+    );
+    return found.length === 0 ? {} : { counts: Object.fromEntries(found) };
   }
 
   private note(pose: Pose | null): void {

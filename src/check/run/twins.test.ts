@@ -43,7 +43,7 @@ function drive(course: Scene, task: Partial<Task>, checks: readonly RunCheck[], 
   let nowUs = 0;
   const lights = { rgb: [], lights: [], robot: null };
   const run = {
-    ...{ display: [], lights },
+    ...{ display: [], lights, body: [], blockLying: () => null },
     get nowUs() {
       return nowUs;
     },

@@ -64,6 +64,18 @@ export function watchTouches(most: number): Watcher {
   };
 }
 
+/** Watches that all that has to be reached is not reached before this time. */
+export function watchEarly(seconds: number): Watcher {
+  let failedUs: number | null = null;
+  return {
+    clock: (nowUs, reachedUs) => {
+      if (reachedUs !== null && reachedUs < usOf(seconds)) failedUs ??= nowUs;
+    },
+    standing: (): Standing => (failedUs === null ? HELD : failedAt(failedUs)),
+    reason: () => ({ code: 'early', params: { seconds } }),
+  };
+}
+
 /** Watches that not more time passes before all that has to be reached is reached. */
 export function watchTime(seconds: number): Watcher {
   let failedUs: number | null = null;

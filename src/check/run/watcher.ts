@@ -12,13 +12,18 @@ export interface Standing {
 }
 
 /** The run at a step of the world, after its judge has looked. Each property is computed when it is read. */
-export type Step = Pick<Simulation, 'nowUs' | 'pose' | 'verdict' | 'isJudged' | 'touches' | 'display' | 'lights'>;
+export type Step = Pick<
+  Simulation,
+  'nowUs' | 'pose' | 'body' | 'blockLying' | 'verdict' | 'isJudged' | 'touches' | 'display' | 'lights'
+>;
 
 /** Watches a run for one check. Events without a handler are not produced. */
 export interface Watcher {
   standing(): Standing;
   /** Why the check does not hold, asked at the end of the run. */
   reason(): Reason;
+  /** Number of those reached, of a check that gives points for each. */
+  count?(): number;
   /** Every step of the world, as the judge of the course sees it. */
   step?(run: Step): void;
   /** After the last step that counts. */

@@ -1,8 +1,9 @@
 import type { Scene } from '#scene/scene';
 import type { Check, Fact } from '../task/task';
-import { watchGoals, watchTime, watchTouches } from './watch-goals';
+import { watchEarly, watchGoals, watchTime, watchTouches } from './watch-goals';
 import { watchConsole, watchDisplay, watchLight, watchLog, watchRadio, watchSound } from './watch-shows';
-import { watchCheckpoints, watchLaps, watchStop } from './watch-way';
+import { watchBelongs, watchCovered } from './watch-things';
+import { watchCheckpoints, watchLaps, watchReach, watchStay, watchStop } from './watch-way';
 import type { Watcher } from './watcher';
 
 /** A check that a run decides. */
@@ -15,6 +16,14 @@ export function watcherOf(check: RunCheck, course: Scene): Watcher {
       return watchGoals(course);
     case 'stop':
       return watchStop(course, check);
+    case 'reach':
+      return watchReach(course, check.zones);
+    case 'stay':
+      return watchStay(course, check);
+    case 'belongs':
+      return watchBelongs(course, check);
+    case 'covered':
+      return watchCovered(course, check);
     case 'laps':
       return watchLaps(course, check.count);
     case 'checkpoints':
@@ -23,6 +32,8 @@ export function watcherOf(check: RunCheck, course: Scene): Watcher {
       return watchTouches(check.most);
     case 'faster':
       return watchTime(check.seconds);
+    case 'later':
+      return watchEarly(check.seconds);
     case 'display':
       return watchDisplay(check.image);
     case 'light':

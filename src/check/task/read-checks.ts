@@ -1,6 +1,6 @@
 import type { Reader, Fields } from '#scene/reader';
 import { sceneLimits } from '#scene/scene';
-import { checkTypes, lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from './task';
+import { checkTypes, lightColors, lightPlaces, taskLimits, USUAL_WITHIN_DEG, type Check, type CheckKind } from './task';
 
 type Type = CheckKind['type'];
 
@@ -51,19 +51,64 @@ interface Kind {
 /** The fields of each type of check beyond the common ones. */
 const kinds: Readonly<Record<Type, Kind>> = {
   goals: { names: [], read: () => ({ type: 'goals' }) },
+  reach: {
+    names: ['zones'],
+    read: ({ zones = [] }, path, reader) => ({
+      type: 'reach',
+      zones: reader
+        .list(zones, `${path}.zones`, taskLimits.zones)
+        .map((zone, place) => reader.text(zone, `${path}.zones[${String(place)}]`, sceneLimits.idCharacters)),
+    }),
+  },
   stop: {
+    names: ['seconds', 'zone', 'whole', 'heading', 'within'],
+    read: (fields, path, reader) => {
+      const { whole, heading, within } = fields;
+      return {
+        type: 'stop',
+        seconds: secondsIn(fields, path, reader),
+        zone: zoneIn(fields, path, reader),
+        whole: reader.flag(whole, `${path}.whole`, false),
+        heading: heading === undefined ? null : reader.number(heading, `${path}.heading`, sceneLimits.headingDeg),
+        within: reader.number(within, `${path}.within`, taskLimits.withinDeg, USUAL_WITHIN_DEG),
+      };
+    },
+  },
+  stay: {
     names: ['seconds', 'zone'],
-    read: ({ seconds, zone }, path, reader) => ({
-      type: 'stop',
-      seconds: reader.number(seconds, `${path}.seconds`, { min: 0.1, max: taskLimits.seconds.max }),
-      zone: zone === undefined ? null : reader.text(zone, `${path}.zone`, sceneLimits.idCharacters),
+    read: (fields, path, reader) => ({
+      type: 'stay',
+      seconds: secondsIn(fields, path, reader),
+      zone: zoneIn(fields, path, reader),
     }),
   },
   laps: {
     names: ['count'],
     read: ({ count }, path, reader) => ({ type: 'laps', count: reader.whole(count, `${path}.count`, taskLimits.laps) }),
   },
-  checkpoints: { names: [], read: () => ({ type: 'checkpoints' }) },
+  checkpoints: {
+    names: ['each'],
+    read: ({ each }, path, reader) => ({
+      type: 'checkpoints',
+      each: each === undefined ? null : reader.number(each, `${path}.each`, taskLimits.points),
+    }),
+  },
+  belongs: {
+    names: ['object', 'zone'],
+    read: ({ object, zone }, path, reader) => ({
+      type: 'belongs',
+      object: reader.text(object, `${path}.object`, sceneLimits.idCharacters),
+      zone: reader.text(zone, `${path}.zone`, sceneLimits.idCharacters),
+    }),
+  },
+  covered: {
+    names: ['percent', 'zone'],
+    read: (fields, path, reader) => ({
+      type: 'covered',
+      percent: reader.number(fields['percent'], `${path}.percent`, taskLimits.percent),
+      zone: zoneIn(fields, path, reader),
+    }),
+  },
   touches: {
     names: ['most'],
     read: ({ most }, path, reader) => ({
@@ -73,10 +118,11 @@ const kinds: Readonly<Record<Type, Kind>> = {
   },
   faster: {
     names: ['seconds'],
-    read: ({ seconds }, path, reader) => ({
-      type: 'faster',
-      seconds: reader.number(seconds, `${path}.seconds`, { min: 0.1, max: taskLimits.seconds.max }),
-    }),
+    read: (fields, path, reader) => ({ type: 'faster', seconds: secondsIn(fields, path, reader) }),
+  },
+  later: {
+    names: ['seconds'],
+    read: (fields, path, reader) => ({ type: 'later', seconds: secondsIn(fields, path, reader) }),
   },
   display: {
     names: ['image'],
@@ -132,6 +178,12 @@ const kinds: Readonly<Record<Type, Kind>> = {
     }),
   },
 };
+
+const secondsIn = ({ seconds }: Fields, path: string, reader: Reader): number =>
+  reader.number(seconds, `${path}.seconds`, { min: 0.1, max: taskLimits.seconds.max });
+
+const zoneIn = ({ zone }: Fields, path: string, reader: Reader): string | null =>
+  zone === undefined ? null : reader.text(zone, `${path}.zone`, sceneLimits.idCharacters);
 
 function textIn({ text }: Fields, path: string, reader: Reader): string {
   const said = reader.text(text, `${path}.text`, taskLimits.textCharacters);

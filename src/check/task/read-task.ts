@@ -11,6 +11,7 @@ import { readInputs } from '#tape/read-setup';
 import type { ProjectProblem } from '#project/problem';
 import type { Carried, Project, SourceFile } from '#project/project';
 import { readFiles } from '#project/read-files';
+import { lostIn, lostProblem } from './named-objects';
 import { readChecks } from './read-checks';
 import {
   lockNames,
@@ -23,8 +24,11 @@ import {
   type WorldVariant,
 } from './task';
 
-/** The version of a task's own data that this app writes, and the newest that it reads. */
-export const TASK_VERSION = 1;
+/**
+ * The newest version of a task's own data that this app reads. Version 2 has more kinds of checks; what an older app knows
+ * is written as version 1.
+ */
+export const TASK_VERSION = 2;
 
 /** A task, or everything that is wrong with it; `problem` is the first one's message and how many follow. */
 export type ReadTask =
@@ -42,7 +46,10 @@ const NOTHING: Carried = { version: TASK_VERSION };
  */
 export function taskOf(project: Project): ReadTask {
   const read = draftOf(project);
-  return 'task' in read && lacksGoals(read.task) ? refused('checks', NO_GOALS) : read;
+  if (!('task' in read)) return read;
+  if (lacksGoals(read.task)) return refused('checks', NO_GOALS);
+  const [lost] = lostIn(read.task);
+  return lost === undefined ? read : refused(lost.path, lostProblem(lost));
 }
 
 /** True if the goals of the course are required but it has none. */
@@ -53,7 +60,7 @@ export const lacksGoals = ({ checks, project }: ClassTask): boolean =>
 export function draftOf(project: Project): ReadTask {
   const { task: data = NOTHING, handIn: _, ...plain } = project;
   const { version } = data;
-  if (version !== TASK_VERSION) return refused('version', versionProblem(version));
+  if (version !== 1 && version !== TASK_VERSION) return refused('version', versionProblem(version));
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
     ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
@@ -87,7 +94,7 @@ function versionProblem(version: unknown): string {
   const isNewer = typeof version === 'number' && version > TASK_VERSION;
   return isNewer
     ? `task: version ${String(version)} is newer than this app (${String(TASK_VERSION)}). Update Parcours.`
-    : `task: "version" must be ${String(TASK_VERSION)}.`;
+    : `task: "version" must be a whole number from 1 to ${String(TASK_VERSION)}.`;
 }
 
 function refused(path: string, message: string): ReadTask {

@@ -51,20 +51,41 @@ export type Check = CheckKind & {
 export type CheckKind =
   /** The course's own goals and rules. */
   | { readonly type: 'goals' }
-  /**
-   * Stands still for that long, in the zone of this id; `null`: in any target, or anywhere in a course without targets.
-   */
-  | { readonly type: 'stop'; readonly seconds: number; readonly zone: string | null }
+  /** Reaches one of the zones of these ids, whichever; none given: one of the targets. */
+  | { readonly type: 'reach'; readonly zones: readonly string[] }
+  | Stop
+  /** Is in a zone for that long, all visits together; `zone` as of `stop`. */
+  | { readonly type: 'stay'; readonly seconds: number; readonly zone: string | null }
   /** Rounds through all checkpoints in their order, and the targets. */
   | { readonly type: 'laps'; readonly count: number }
-  /** All checkpoints, in any order. */
-  | { readonly type: 'checkpoints' }
+  /** All checkpoints, in any order; `each`: points for each one besides those for all, `null`: none. */
+  | { readonly type: 'checkpoints'; readonly each: number | null }
+  /** A movable block lies in a zone with all its corners, and no robot holds it. */
+  | { readonly type: 'belongs'; readonly object: string; readonly zone: string }
+  /** The robot's body was over so much of the floor of the arena or of a zone on which a robot can be. */
+  | { readonly type: 'covered'; readonly percent: number; readonly zone: string | null }
   /** At most this many touches of walls, blocks, obstacles and the edge. */
   | { readonly type: 'touches'; readonly most: number }
   /** All that has to be reached is reached within this simulated time. */
   | { readonly type: 'faster'; readonly seconds: number }
+  /** All that has to be reached is not reached before this simulated time. */
+  | { readonly type: 'later'; readonly seconds: number }
   | Shows
   | Fact;
+
+/** Standing still for that long. */
+export interface Stop {
+  readonly type: 'stop';
+  readonly seconds: number;
+  /** Id of a zone in which; `null`: in any target, or anywhere in a course without targets. */
+  readonly zone: string | null;
+  /** The whole robot is in it, not only the middle of its axle. */
+  readonly whole: boolean;
+  /** Direction in degrees, as that of a start: 0 along x, counter-clockwise; `null`: any. */
+  readonly heading: number | null;
+  /** Degrees to either side of it that will do. */
+  readonly within: number;
+}
 
 /** Something that the board or the robot must once show, sound, send or write. */
 export type Shows =
@@ -102,7 +123,8 @@ export type Fact =
 
 /** All types of checks, in the order in which they are offered. */
 export const checkTypes = [
-  ...(['goals', 'stop', 'laps', 'checkpoints', 'touches', 'faster'] as const),
+  ...(['goals', 'reach', 'stop', 'stay', 'laps', 'checkpoints', 'belongs', 'covered'] as const),
+  ...(['touches', 'faster', 'later'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
 ] as const satisfies readonly CheckKind['type'][];
@@ -173,6 +195,10 @@ export const taskLimits = {
   seconds: { min: 1, max: 3600 },
   laps: { min: 1, max: 100 },
   touches: { min: 0, max: 10_000 },
+  zones: { min: 0, max: 50 },
+  /** Angle to either side of a direction. */
+  withinDeg: { min: 1, max: 180 },
+  percent: { min: 1, max: 100 },
   hz: { min: 1, max: 100_000 },
   rows: { min: 1, max: 10_000 },
   lines: { min: 1, max: 10_000 },
@@ -193,3 +219,17 @@ export const hiddenWorlds = ({ worlds }: ClassTask): readonly WorldVariant[] => 
 /** True if the program's text alone decides a check. */
 export const isFact = (check: Check): check is Check & Fact =>
   check.type === 'loop' || check.type === 'calls' || check.type === 'lines' || check.type === 'delay';
+
+/** Angle to either side of a direction that is the same to the eye. Chosen. */
+export const USUAL_WITHIN_DEG = 15;
+
+/** The most points that a task gives. */
+export function mostPoints({ checks, project }: Pick<ClassTask, 'checks' | 'project'>): number {
+  return checks.reduce((sum, check) => sum + check.points + countsOf(check, project.scene), 0);
+}
+
+/** The most points of a check beyond those for passing it. */
+function countsOf(check: Check, { objects }: Scene): number {
+  if (check.type !== 'checkpoints' || check.each === null) return 0;
+  return check.each * objects.filter(({ type }) => type === 'checkpoint').length;
+}

@@ -2,7 +2,7 @@ import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
-import { noLocks, plainWorld, type Check, type ClassTask, type Locks, type WorldVariant } from './task';
+import { noLocks, plainWorld, type Check, type CheckKind, type ClassTask, type Locks, type WorldVariant } from './task';
 import { visibleTask } from './visible';
 
 /** The project of a task, with everything: for the teacher. */
@@ -38,7 +38,7 @@ export function withoutSecrets(project: Project): Project {
 function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
-    version: TASK_VERSION,
+    version: checks.some(isNew) ? TASK_VERSION : 1,
     ...(id !== '' && { id }),
     checks: checks.map(checkData),
     ...(others.length > 0 && { worlds: others.map(worldData) }),
@@ -51,9 +51,24 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }
 
+/** True for a check that version 1 does not know. */
+function isNew(check: Check): boolean {
+  if (check.type === 'stop') return check.whole || check.heading !== null;
+  if (check.type === 'checkpoints') return check.each !== null;
+  return ['reach', 'stay', 'belongs', 'covered', 'later'].includes(check.type);
+}
+
 /** Leaves out fields that are `null`. */
 const said = (fields: object): object =>
   Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
+
+/** The fields of a check that say something. */
+function checkFields(check: CheckKind): object {
+  if (check.type === 'reach') return check.zones.length === 0 ? { type: check.type } : check;
+  if (check.type !== 'stop') return said(check);
+  const { whole, heading, within, ...others } = check;
+  return said({ ...others, ...(whole && { whole }), ...(heading !== null && { heading, within }) });
+}
 
 /** The locks that are set, without the others. */
 const lockData = ({ tools, lines, speed, ...flags }: Locks): object => ({
@@ -64,7 +79,7 @@ const lockData = ({ tools, lines, speed, ...flags }: Locks): object => ({
 });
 
 const checkData = ({ points, needed, ...check }: Check): object => ({
-  ...said(check),
+  ...checkFields(check),
   ...(points !== 1 && { points }),
   ...(!needed && { needed }),
 });

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { property, shapeProperties } from '../json-text';
-import { overlapMm, squaredDistance, type Outline } from '../outline';
+import { distanceToEdge, overlapMm, squaredDistance, type Outline } from '../outline';
 import { sceneDefaults, type SceneObject, type Zone } from '../scene';
 import { outlineHolds, shapeBounds, shapeOutline, shapeParts, toOwnFrame } from '../shape/shape';
 import type { SceneKind } from './kind';
@@ -48,6 +48,17 @@ export function zoneHolds(zone: Zone, place: Vec): boolean {
   const alongY = y / halfY;
   return alongX * alongX + alongY * alongY <= 1;
 }
+
+/** True if a zone contains a convex outline in world mm; its edge belongs to it. */
+export function zoneContains(zone: Zone, outline: Outline): boolean {
+  if (!outline.every((corner) => zoneHolds(zone, corner))) return false;
+  // A hollow zone may reach into what it holds by the corners.
+  return !zone.corners || !shapeOutline(zone).some((corner) => isWithin(outline, corner));
+}
+
+/** True if a place lies inside an outline and not only at its edge. */
+const isWithin = (outline: Outline, place: Vec): boolean =>
+  outlineHolds(outline, place, 0) && distanceToEdge(outline, place) > ROUNDING_MM;
 
 /** True if a convex outline in world mm covers a part of a zone; touching its edge is not yet covering. */
 export function zoneOverlaps(zone: Zone, outline: Outline): boolean {

@@ -1,10 +1,10 @@
-import { exactCos, exactSin } from '#core/exact-math';
-import type { Pose, Vec } from '#core/geometry';
-import { zoneHolds } from '#scene/kinds/zone';
-import { distanceToEdge, movedOutline, type Outline } from '#scene/outline';
+import type { Pose } from '#core/geometry';
+import { zoneContains } from '#scene/kinds/zone';
+import type { Outline } from '#scene/outline';
 import type { Zone } from '#scene/scene';
-import { outlineHolds, ownOutline, shapeOutline } from '#scene/shape/shape';
+import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle } from '#world/shapes';
+import { outlineAt } from './outline-at';
 import type { TaskBrief } from './task-brief';
 
 /** Counts the blocks that lie in targets. */
@@ -42,7 +42,8 @@ export function createDeliveries(
         if (held === one.held && one.pose !== null && isSame(pose, one.pose)) continue;
         one.pose = pose;
         one.held = held;
-        const targets = held ? [] : blockTargets.filter((target) => liesIn(target, pose, one.corners));
+        const outline = outlineAt(one.corners, pose);
+        const targets = held ? [] : blockTargets.filter((target) => zoneContains(target, outline));
         // Nearly everything that moves does so outside all targets.
         if (targets.length === 0 && one.targets.length === 0) continue;
         one.targets = targets;
@@ -68,21 +69,6 @@ function countIn(targets: readonly Zone[], watched: readonly Watched[]): number 
   return counted.size;
 }
 
-function liesIn(target: Zone, { xMm: x, yMm: y, headingRad }: Pose, corners: Outline): boolean {
-  const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
-  const outline = movedOutline(corners, { x, y }, direction);
-  if (!outline.every((corner) => zoneHolds(target, corner))) return false;
-  // A hollow zone may reach into what it holds by the corners.
-  return !target.corners || !shapeOutline(target).some((corner) => isWithin(outline, corner));
-}
-
 /** True if two poses are the same to the last bit. */
 export const isSame = (a: Pose, b: Pose): boolean =>
   a.xMm === b.xMm && a.yMm === b.yMm && a.headingRad === b.headingRad;
-
-/** True if a place lies inside an outline and not only at its edge. */
-const isWithin = (outline: Outline, place: Vec): boolean =>
-  outlineHolds(outline, place, 0) && distanceToEdge(outline, place) > ROUNDING_MM;
-
-/** Differences up to this are rounding errors. */
-const ROUNDING_MM = 1e-6;

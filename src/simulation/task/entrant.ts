@@ -1,10 +1,10 @@
-import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose } from '#core/geometry';
 import { zoneHolds, zoneOverlaps } from '#scene/kinds/zone';
-import { lengthOf, movedOutline, type Outline } from '#scene/outline';
+import { lengthOf, type Outline } from '#scene/outline';
 import type { Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import { isSame } from './deliveries';
+import { outlineAt } from './outline-at';
 import type { Route, Waiting } from './route';
 import type { TaskBrief } from './task-brief';
 import type { RobotVerdict, Verdict } from './verdict';
@@ -16,6 +16,12 @@ export interface WatchedRobot {
   readonly chassis: Chassis;
   /** Convex parts of its body at its size, robot frame, mm. */
   readonly body: readonly Outline[];
+}
+
+/** Convex outlines of a robot now, with all that is fixed to it or held; world mm. */
+export function bodyNow({ chassis, body }: WatchedRobot): readonly Outline[] {
+  const pose = chassis.pose();
+  return [...body, ...chassis.addedMm()].map((part) => outlineAt(part, pose));
 }
 
 /** Why a task is failed. */
@@ -127,18 +133,18 @@ export class Entrant {
   }
 
   /** @param hasMoved a robot that stands can still move its jaws, or take something up */
-  private overForbidden({ xMm: x, yMm: y, headingRad }: Pose, hasMoved: boolean): Failure | null {
+  private overForbidden(pose: Pose, hasMoved: boolean): Failure | null {
     if (this.forbidden.length === 0) return null;
     const added = this.robot.chassis.addedMm();
     if (!hasMoved && added.length === 0) return null;
+    const { xMm: x, yMm: y } = pose;
     const own = [...this.robot.body, ...added];
     const robotReach = reachOf(own);
     let parts: readonly Outline[] | null = null;
     for (const { zone, atX, atY, reachMm } of this.forbidden) {
       const reach = robotReach + reachMm;
       if ((x - atX) * (x - atX) + (y - atY) * (y - atY) > reach * reach) continue;
-      const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
-      parts ??= own.map((part) => movedOutline(part, { x, y }, direction));
+      parts ??= own.map((part) => outlineAt(part, pose));
       if (parts.some((part) => zoneOverlaps(zone, part))) return { reason: 'forbidden', by: zone.id };
     }
     return null;

@@ -1,9 +1,10 @@
 import { usOf } from '#core/seconds';
+import type { Outline } from '#scene/outline';
 import { helps, type Help, type Scene, type Task } from '#scene/scene';
 import type { BlockHandle } from '#world/shapes';
 import { changesRun } from '../at-once';
 import { createDeliveries, type Deliveries } from './deliveries';
-import { Entrant, type Failure, type WatchedRobot } from './entrant';
+import { bodyNow, Entrant, type Failure, type WatchedRobot } from './entrant';
 import { Route } from './route';
 import { sharings, type Decision } from './sharing';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
@@ -86,6 +87,11 @@ export class Judge {
   /** Number of touches of walls, blocks, the edge or obstacles up to now, also after the decision, of all robots that count. */
   get touches(): number {
     return this.entrants.reduce((sum, { collisions }) => sum + collisions, 0);
+  }
+
+  /** Convex outlines of the first robot now, with all that is fixed to it or held; world mm. */
+  body(): readonly Outline[] {
+    return this.watched.robots.slice(0, 1).flatMap(bodyNow);
   }
 
   /** True while the task is open and has a time limit, which will decide it at the latest. */

@@ -31,7 +31,8 @@ describe('the task of the open work', () => {
 
   it.each(checkTypes)('can ask for “%s”, twice, and is read again as it was made', (type) => {
     const { page, made, task } = maker();
-    const add = (): void => made.change({ checks: [...task().checks, freshCheck(type, task().checks)] });
+    const add = (): void =>
+      made.change({ checks: [...task().checks, freshCheck(type, task().checks, task().project.scene)] });
     add();
     add();
     const { checks } = task();

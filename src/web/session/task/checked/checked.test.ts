@@ -98,6 +98,18 @@ describe('a task that asks for more than the goals of its course', () => {
     expect(checked.state.value).toBe('lacking');
   });
 
+  it('is passed in its own time where one of several targets will do, whatever the run says of the others', async () => {
+    const { checked, tell, answer, ...page } = await pupil(['reach', 'loop']);
+    await startRun(page);
+    await answer(passed);
+    await tell('open', 1_000_000);
+    expect(checked.state.value).toBe('live');
+    await tell('open', 2_100_000);
+    expect(checked.state.value).toBe('passed');
+    await tell('failed', 2_200_000);
+    expect(checked.state.value).toBe('passed');
+  });
+
   it('leaves it to the run to say that it has failed, or that the hand has helped', async () => {
     const { checked, tell, answer, ...page } = await pupil(['goals', 'loop']);
     await startRun(page);

@@ -4,7 +4,6 @@ import type { CheckResult, Reason } from '#check/result';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import { mainReason, visibleTask } from '#check/task/visible';
-import { hasTask } from '#simulation/task/task-brief';
 
 import { CheckRun, type CheckPorts } from '../../run/check-run';
 import type { RunParts } from '../../run/parts';
@@ -42,6 +41,8 @@ export function createChecked(
     const isMore = 'task' in read && read.task.checks.some(({ type }) => type !== 'goals');
     return isMore ? visibleTask(read.task) : null;
   });
+  /** True if the course's own goals count: a task may ask for something else in a course with targets. */
+  const asksGoals = computed(() => task.value?.checks.some(({ type }) => type === 'goals') === true);
   const begin = (): void => void (task.value !== null && check.run(task.value, project.value));
   function clear(): void {
     check.stop();
@@ -60,12 +61,12 @@ export function createChecked(
   const isTime = computed(() => {
     const isEarlier = run.look.isEarlier.value;
     if (live.value === 'passed' || (run.hasEnded.value && !isEarlier)) return true;
-    if (hasTask(work.scene.value) || run.present.value === null) return false;
+    if (asksGoals.value || run.present.value === null) return false;
     const { atMs } = found.value?.worlds[0] ?? { atMs: null };
     return (!run.isActive.value && !isEarlier) || (atMs !== null && run.nowUs.value >= atMs * 1000);
   });
   const state = computed<CheckedState>(() => {
-    const isDecided = live.value === 'failed' || live.value === 'helped';
+    const isDecided = asksGoals.value && (live.value === 'failed' || live.value === 'helped');
     if (task.value === null || isDecided || !isTime.value) return 'live';
     if (found.value === null) return check.isRunning.value ? 'checking' : 'live';
     return found.value.passed ? 'passed' : 'lacking';
