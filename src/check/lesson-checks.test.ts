@@ -2,7 +2,6 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import type { SceneObject } from '#scene/scene';
 import { parseProject } from '#project/file';
-import type { Carried } from '#project/project';
 import { draftOf, taskOf } from './task/read-task';
 import { mostPoints } from './task/task';
 import { projectOfTask } from './task/write-task';
