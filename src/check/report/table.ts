@@ -28,7 +28,7 @@ export function tableOf(
     ...[say('name'), say('result'), say('points'), say('most')],
     ...(task.stars === null ? [] : [say('stars')]),
     ...task.checks.map((check) => checkText(check, language)),
-    ...worlds.flatMap((world) => [world, `${world}: ${say('seconds')}`, `${world}: ${say('touches')}`]),
+    ...worlds.flatMap((world) => [world, filledIn(say('secondsIn'), { world }), filledIn(say('touchesIn'), { world })]),
     ...[say('remarks'), ...(hasNotes ? [say('note')] : [])],
   ];
   const outcome = ({ passed, reason }: Pick<CheckOutcome, 'passed' | 'reason'>): string =>
