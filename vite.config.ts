@@ -18,7 +18,7 @@ import {
   shortForStyles,
 } from './build/chunks.ts';
 import { firmwareAwaited, firmwareMade } from './build/firmware-awaited.ts';
-import { handbook } from './build/handbook.ts';
+import { handbook, handbookPictures } from './build/handbook.ts';
 import { librariesApart } from './build/libraries-apart.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
@@ -366,6 +366,7 @@ export default defineConfig(({ mode, command }) =>
           ...commonPlugins(),
           frameCheck(),
           installable(),
+          handbookPictures(),
           collectModules(),
           licences(),
           offline(),

@@ -30,7 +30,14 @@ describe('a book of the help', () => {
         ...{ id: 'one', title: 'Erstes' },
         sections: [
           ...[
-            { id: 'a', title: 'Anfang', show: 'task', text: 'Drück **Simulieren**.', tip: 'Zu zweit. Oder zu dritt.' },
+            {
+              id: 'a',
+              title: 'Anfang',
+              show: 'task',
+              text: 'Drück **Simulieren**.',
+              tip: 'Zu zweit. Oder zu dritt.',
+              picture: '',
+            },
           ],
         ],
       },

@@ -3,16 +3,19 @@
  *
  * - `# id: Title` begins a chapter, `## id: Title` a section of it; ids are the same in every language.
  * - `show: address` below a section's title names the page it is about; `show: @build` a mode of the arena.
+ * - The first section that shows a place has its picture, taken of the real page by `npm run handbook -- --pictures` into
+ *   `src/web/help/handbook/pictures`.
  * - `> ` begins a piece of advice. All else is text in the small markup of tasks.
  * - `{room:name}` is a word of the page by its place in the words of a room, such as `{kit:bar.run}`: no name of a button is
  *   written by hand. Words that lie in a piece are named with their folder: `{pupil/works/words/notice:title}`.
  *
  * `import book from './texts/de.md'` gives a book with all words in their places.
  */
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { PICTURES, pictureName } from '../scripts/handbook-pictures.mjs';
 import type { Language } from '../src/core/languages.ts';
 import type { Book, Chapter, Section } from '../src/web/help/handbook/book.ts';
 import type { Catalogue } from './words.ts';
@@ -61,8 +64,19 @@ export function wordOf(room: string, name: string, language: Language): string {
   return found.replace(/\s*…$/, '');
 }
 
+/** The addresses of the pictures that sections have: of each place where it is shown first. */
+function createPictures(language: Language, folder: string): (show: string) => string {
+  const shown = new Set<string>();
+  return (show) => {
+    const name = pictureName(show, language);
+    if (show === '' || shown.has(show) || !existsSync(join(folder, name))) return '';
+    shown.add(show);
+    return `handbook/${name}`;
+  };
+}
+
 /** Reads a book. @throws where a line stands outside of a section, or a word is none of the page's */
-export function readBook(source: string, language: Language): Book {
+export function readBook(source: string, language: Language, pictures = PICTURES): Book {
   const chapters: { id: string; title: string; sections: Open[] }[] = [];
   for (const line of withoutNotes(source).split(/\r?\n/)) {
     const [, marks, id = '', title = ''] = HEAD.exec(line) ?? [];
@@ -74,11 +88,13 @@ export function readBook(source: string, language: Language): Book {
   }
   const told = (text: string): string =>
     text.replace(WORD, (_, room: string, name: string) => `**${wordOf(room, name, language)}**`);
+  const picture = createPictures(language, pictures);
   return chapters.map(({ id, title, sections }): Chapter => ({
     ...{ id, title: told(title).replaceAll('**', '') },
     sections: sections.map((one): Section => ({
       ...{ id: one.id, title: told(one.title).replaceAll('**', ''), show: one.show },
       ...{ text: told(one.lines.join('\n').trim()), tip: told(one.tips.join(' ').trim()) },
+      picture: picture(one.show),
     })),
   }));
 }
@@ -88,6 +104,18 @@ function readLine(line: string, section: Open): void {
   if (show !== undefined) section.show = show;
   else if (line.startsWith('> ')) section.tips.push(line.slice(2));
   else section.lines.push(line);
+}
+
+/** Puts the pictures beside the page. They are fetched by who reads the section; the single file has none. */
+export function handbookPictures(): Plugin {
+  return {
+    name: 'handbook-pictures',
+    apply: 'build',
+    generateBundle() {
+      for (const name of existsSync(PICTURES) ? readdirSync(PICTURES) : [])
+        this.emitFile({ type: 'asset', fileName: `handbook/${name}`, source: readFileSync(join(PICTURES, name)) });
+    },
+  };
 }
 
 /** Makes a module of each book. */

@@ -11,10 +11,10 @@ const SOURCE = 'src/web/exchange/offline/sw.ts';
 /** Placeholder for the list of files in the built script. */
 const PLACE = 'self.__WB_MANIFEST';
 /**
- * Not kept: the service worker itself, pages for frames that have no storage, and the boards' MicroPython, which hosts
- * change and the page keeps itself.
+ * Not kept: the service worker itself, pages for frames that have no storage, the boards' MicroPython, which hosts change
+ * and the page keeps itself, and the pictures of the handbook: no pupil needs a megabyte of them.
  */
-const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\//;
+const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\/|^handbook\//;
 
 /**
  * Writes `sw.js` into a folder that holds the built app.

@@ -7,6 +7,8 @@ export interface Section {
   readonly text: string;
   /** A piece of advice below the text; empty: none. */
   readonly tip: string;
+  /** The address of a picture of that place beside the page, 1180 × 700; empty: none. */
+  readonly picture: string;
   /** The place in the program that it is about: a page's address without `#`, or `@` and a mode of the arena. Empty: none. */
   readonly show: string;
 }
