@@ -1,7 +1,10 @@
-import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 import { expect, warmTest as test } from './app';
 import { violationsBy } from './axe';
+import { CREEP, RIGHT } from './class-page';
 import { by } from './parts';
 
 test.use({ locale: 'de-CH' });
@@ -31,4 +34,57 @@ test('a class is opened, kept on request, and is there again after a reload; axe
   await expect(page.locator(by('classes-none'))).toBeVisible();
   await page.locator('.notice').getByRole('button').first().click();
   await expect(rows).toHaveCount(3);
+});
+
+/** Three weeks of a class: the day, the task, and what was handed in. */
+const WEEKS = [
+  { day: '2026-11-02', task: 'closed-line', handIns: { 'Ada Meier': RIGHT, 'Ben Huber': 'x = 1\n' } },
+  { day: '2026-11-09', task: 'closed-line', handIns: { 'Ben Huber': RIGHT, 'Zoe': CREEP } },
+  { day: '2026-11-16', task: 'slalom', handIns: { 'Ada Meier': CREEP } },
+] as const; // prettier-ignore
+
+/** The file of the class as the command line writes it. */
+function writtenByCommandLine(folder: string): string {
+  const file = join(folder, '8b.json');
+  const list = join(folder, 'names.txt');
+  const parcours = (...words: string[]): unknown =>
+    execFileSync('node', ['bin/parcours.mjs', 'class', ...words, '--lang', 'de']);
+  writeFileSync(list, 'Ada Meier\nBen Huber\n');
+  parcours('set', file, '--name', 'Klasse 8b', '--names', list, '--scale', 'ch6');
+  for (const { day, task, handIns } of WEEKS) {
+    const inside = join(folder, day);
+    mkdirSync(inside);
+    for (const [name, text] of Object.entries(handIns)) writeFileSync(join(inside, `${name}.py`), text);
+    parcours('add', file, task, inside, '--date', day);
+  }
+  return readFileSync(file, 'utf8');
+}
+
+test('three weeks of a class give the same file as by the command line', async ({ page }, { outputDir }) => {
+  page.on('dialog', (dialog) => void dialog.accept());
+  await page.clock.setFixedTime(`${WEEKS[0].day}T10:00:00`);
+  await page.goto('./#classes');
+  await page.click(by('classes-begin'));
+  await page.fill(by('class-name'), 'Klasse 8b');
+  await page.fill(by('class-names'), 'Ada Meier\nBen Huber');
+  await page.selectOption(by('class-scale'), 'ch6');
+  await page.click(by('class-dialog-done'));
+  await page.click(by('classes-more'));
+  await page.click(by('classes-keep'));
+  for (const { day, task, handIns } of WEEKS) {
+    await page.clock.setFixedTime(`${day}T10:00:00`);
+    await page.goto('./#class');
+    await page.reload();
+    await page.selectOption(by('class-task'), task);
+    const files = Object.entries(handIns).map(([name, text]) => ({ name: `${name}.py`, mimeType: 'text/x-python', buffer: Buffer.from(text) })); // prettier-ignore
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click(by('class-files'))]);
+    await chooser.setFiles(files);
+    await page.goto('./#classes');
+    await page.click(by('classes-enter'), { timeout: 60_000 });
+    await expect(page.locator(by('classes-checked'))).toBeHidden();
+  }
+  await page.click(by('classes-more'));
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(by('classes-save'))]);
+  mkdirSync(outputDir, { recursive: true });
+  expect(readFileSync(await download.path(), 'utf8')).toBe(writtenByCommandLine(outputDir));
 });
