@@ -141,7 +141,7 @@ test('the telling is switched on by keyboard, says so and is remembered', async 
   await open(page, { language: 'de' satisfies Language, welcomed: true });
   await page.focus(by('menu'));
   await page.keyboard.press('Enter');
-  const item = page.getByRole('menuitemcheckbox', { name: /^Fahrt ansagen/ });
+  const item = page.getByRole('menuitemcheckbox', { name: /^Fahrt beschreiben/ });
   await expect(item).not.toBeChecked();
   for (let i = 0; i < 40 && !(await item.evaluate((it) => it === document.activeElement)); i += 1)
     await page.keyboard.press('ArrowDown');

@@ -163,7 +163,7 @@ export async function undoFiveSteps(pupil: Pupil, undo: () => Promise<void>, red
   for (const { said } of steps) {
     expect(await canRedo(app)).toBe(true);
     await redo();
-    await expect.poll(() => app.text(by('editor-said'))).toContain(`Done again: ${said}`);
+    await expect.poll(() => app.text(by('editor-said'))).toContain(`Redone: ${said}`);
   }
   expect(await canRedo(app)).toBe(false);
   expect(await listOf(app)).toEqual(built);

@@ -28,7 +28,7 @@ test('a side’s handle sizes a block, a corner’s two of its sides', IN_ONE_EN
 
 test('a lasso catches what its line meets, and all of it moves together', async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]), block('b', [400, 500]), block('c', [700, 200]));
-  await chooseOption(hand, 'What catches things on the floor', 1);
+  await chooseOption(hand, 'What catches objects on the floor', 1);
   await hand.drag([[100, 100], [100, 300], [350, 600], [500, 600], [480, 420], [300, 100]]); // prettier-ignore
   await until(app, by('remove'));
   await hand.drag([[200, 200], [200, 250], [200, 300]]); // prettier-ignore

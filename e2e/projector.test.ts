@@ -42,7 +42,7 @@ test(
 
     expect(await app.text(`${by('projector')} h2`)).toBe('Geschlossene Linie');
     expect(await app.text(by('projector-text'))).toContain('Folge der Linie');
-    expect(await app.text(`${by('projector')} .goals`)).toContain('Fahre dann ins Ziel');
+    expect(await app.text(`${by('projector')} .goals`)).toContain('Fahr dann ins Ziel');
     await expect.poll(() => coversCourse(app)).toBe(false);
     expect(await violationsOn(app)).toEqual([]);
 
@@ -64,7 +64,7 @@ test(
     }, by('projector-word'));
     expect(word).toMatchObject({ text: 'Geschafft!', isInSight: true });
     expect(word.px).toBeGreaterThanOrEqual(40);
-    expect(await app.text(`${by('projector')} .goals .ok:last-child`)).toContain('Fahre dann ins Ziel');
+    expect(await app.text(`${by('projector')} .goals .ok:last-child`)).toContain('Fahr dann ins Ziel');
     expect(await coversCourse(app)).toBe(false);
     expect(await violationsOn(app)).toEqual([]);
 

@@ -8,11 +8,11 @@ export const sameWords = {
   fr: new Set(
     (
       'apostrophe auto bot buzzer calli code console csv cyan date distance firmware lidar magenta max menu message messages min missions module modules obstacles page parcours ' +
-      'pause pdf place png point points radio rectangle repl robot servo servos signature simulation slalom suggestions svg variable variables zone'
+      'pause pdf place png point points radio rectangle repl robot servo servos signature simulation slalom suggestions svg variable variables zone zones'
     ).split(' '),
   ),
   it: new Set(
-    'arena auto bot calli console csv display file firmware lidar link magenta max menu min parcours pdf pin png radio repl robot servo slalom svg timer'.split(
+    'arena auto bot calli console csv display file firmware garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg timer'.split(
       ' ',
     ),
   ),

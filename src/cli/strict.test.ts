@@ -30,7 +30,7 @@ describe('parcours run --strict', () => {
     ],
     [
       'it',
-      'nota: Il Calliope mini 3 non sa arrotondare un numero intero a un numero di cifre. Prima fanne un numero con la virgola: round(float(n), -1)',
+      'avviso: Il Calliope mini 3 non sa arrotondare un numero intero a un numero di cifre. Prima fanne un numero con la virgola: round(float(n), -1)',
     ],
   ] as const)('speaks %s too', async (language, sentence) => {
     const { text } = await strictReport(

@@ -133,10 +133,10 @@ describe('what a check asks', () => {
     ];
     const asked = taskWith(sceneWith([]), { checks });
     const html = htmlOf(classResult('t', [{ name: 'A', result: await checked(asked, 'x = 1\n') }], 'de'), asked, 'de');
-    expect(html).toMatch(/Bild auf dem Display <svg class="leds"/);
+    expect(html).toMatch(/Bild auf der Anzeige <svg class="leds"/);
     expect(html.match(/#ff6a58/g)).toHaveLength(2);
     expect(html).toContain('keine Berührung');
-    expect(html).toContain('Das verlangte Bild war nie auf dem Display.');
+    expect(html).toContain('Das verlangte Bild war nie auf der Anzeige.');
   });
 });
 

@@ -41,7 +41,7 @@ export const manual: DialectManual = {
       direction: 'in',
       schema: withData(filesData),
       about:
-        'Replaces the program, stopped; the course stays. Previous work of the pupil is kept under “Earlier work” if the page keeps work.',
+        'Replaces the program, stopped; the course stays. Previous work of the pupil is kept under “My work” if the page keeps work.',
     },
     {
       name: 'settings',

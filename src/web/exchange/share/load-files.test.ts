@@ -149,7 +149,7 @@ describe('a program whose name is taken', () => {
     await asked();
     await answer('Ersetzen');
     expect(texts()).toEqual({ 'main.py': 'theirs = 2\n' });
-    expect(notice()).toBe('main.py ist ersetzt. Das frühere Programm liegt unter «Bisherige Arbeiten».');
+    expect(notice()).toBe('main.py ist ersetzt. Das frühere Programm liegt unter «Meine Arbeiten».');
     expect(kept()).toHaveLength(1);
     page.notices.current.value?.action?.run();
     await nextTick();
@@ -272,7 +272,7 @@ describe('several projects that come together', () => {
   it('leave the last one open and keep the others, each under the name of its file', async () => {
     page.work.setText('main.py', 'mine = 1\n');
     take(...handedIn('Anna', 'Beat', 'Carla'));
-    await saysLast('«Carla – Neuland» ist offen. Die übrigen Dateien (2) liegen unter «Bisherige Arbeiten».');
+    await saysLast('«Carla – Neuland» ist offen. Die übrigen Dateien (2) liegen unter «Meine Arbeiten».');
     expect(texts()).toEqual({ 'main.py': 'Carla = 1\n' });
     expect(kept().slice(0, 2)).toEqual(['Beat – Neuland', 'Anna – Neuland']);
     expect(kept()).toHaveLength(3);
@@ -301,7 +301,7 @@ describe('several projects that come together', () => {
   it('are not opened where they would push each other out of what is kept', async () => {
     const before = page.work.work.value;
     const words = await told(() => take(...handedIn('A', 'B', 'C', 'D', 'E', 'F')));
-    expect(words).toBe('Das sind 6 Dateien. Öffne höchstens 5 auf einmal, damit unter «Bisherige Arbeiten» keine verloren geht.'); // prettier-ignore
+    expect(words).toBe('Das sind 6 Dateien. Öffne höchstens 5 auf einmal, damit unter «Meine Arbeiten» keine verloren geht.'); // prettier-ignore
     expect(page.work.work.value).toBe(before);
   });
 

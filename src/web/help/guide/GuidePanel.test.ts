@@ -115,7 +115,7 @@ describe('the search of the help', () => {
     await help();
     await search('xyzzyx');
     expect(found()).toBe('Nichts gefunden.');
-    expect(textOf(byId('guide'))).toContain('Versuch es mit einem kürzeren oder einem anderen Wort.');
+    expect(textOf(byId('guide'))).toContain('Versuche es mit einem kürzeren oder einem anderen Wort.');
     expect(titles()).toEqual([]);
   });
 
@@ -165,7 +165,7 @@ describe('the commands in the help', () => {
     await search('show');
     const command = document.querySelector<HTMLElement>('.guide .command')!;
     await tap(command);
-    expect(found()).toBe('Der Editor ist noch nicht bereit. Versuch es gleich nochmals.');
+    expect(found()).toBe('Der Editor ist noch nicht bereit. Versuche es gleich nochmals.');
   });
 
   it('each are explained to a screen reader', async () => {

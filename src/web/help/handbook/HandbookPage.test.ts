@@ -42,7 +42,7 @@ describe('the handbook', () => {
     await write(byId('handbook-search'), 'uberträgt');
     expect(isThere('found-robots')).toBe(true);
     await write(byId('handbook-search'), 'xyzzyx');
-    expect(textOf(byId('handbook-found'))).toBe('Nichts gefunden. Versuch es mit einem kürzeren Wort.');
+    expect(textOf(byId('handbook-found'))).toBe('Nichts gefunden. Versuche es mit einem kürzeren Wort.');
     await write(byId('handbook-search'), 'verborgene Welt');
     await tap('found-task.worlds');
     expect(heading()).toBe('Welten: dieselbe Aufgabe, anderer Start');

@@ -11,7 +11,7 @@ import { seen, type Changes } from './testing/drive';
 import { recordedSound } from './testing/recorded-sound';
 
 const ON =
-  'Die Fahrt wird angesagt. In der Arena nennt die Taste N, was im Parcours liegt, und die Taste O, was um den Roboter ist.';
+  'Die Fahrt wird beschrieben. In der Arena nennt die Taste N, was im Parcours liegt, und die Taste O, was um den Roboter ist.';
 
 /** A page whose drive is told. Its clock on the wall is the test's. */
 async function page() {

@@ -48,7 +48,7 @@ describe('the bar at the foot of the arena', () => {
 
   it('tells before the start what there is to do, and starts', async () => {
     const page = await bar([samples.checkpoint, two, samples.target]);
-    expect(page.text()).toBe('BereitFahre der Reihe nach durch die Kontrollpunkte 1 bis 2 · Fahre dann ins Ziel');
+    expect(page.text()).toBe('BereitFahr der Reihe nach durch die Kontrollpunkte 1 bis 2 · Fahr dann ins Ziel');
     expect(byId('verdict').dataset['state']).toBe('open');
     await press('Los geht’s');
     expect(page.run.phase.value).toBe('starting');

@@ -49,7 +49,7 @@ describe('the card of a task', () => {
     expect(texts('.markup p')).toEqual(['Fahr los.']);
     expect(texts('.markup li')).toEqual(['a', 'b']);
     expect([textOf(find('strong').element), textOf(find('code').element)]).toEqual(['los', 'a']);
-    expect(texts('.goals li')).toEqual(['Fahre durch den Kontrollpunkt (offen)', 'Fahre dann ins Ziel (offen)']);
+    expect(texts('.goals li')).toEqual(['Fahr durch den Kontrollpunkt (offen)', 'Fahr dann ins Ziel (offen)']);
     expect(texts('.rules li')).toEqual(['ohne Hilfe der Hand']);
   });
 
@@ -58,7 +58,7 @@ describe('the card of a task', () => {
     await startRun(page);
     page.task.open();
     await page.tell({ checkpoints: { passed: 1, of: 1 } });
-    expect(page.texts('.goals .ok')).toEqual(['Fahre durch den Kontrollpunkt (geschafft)']);
+    expect(page.texts('.goals .ok')).toEqual(['Fahr durch den Kontrollpunkt (geschafft)']);
     await page.tell({ state: 'helped', help: ['hand'], atMs: 9 });
     expect(page.texts('.rules .broken')).toEqual(['ohne Hilfe der Hand (nicht eingehalten)']);
   });
@@ -136,7 +136,7 @@ describe('the card of a task', () => {
     await flushPromises();
     expect(document.activeElement).toBe(find('h2').element);
     expect(textOf(find('[role="status"]').element)).toMatch(
-      /^Parken.*Und jetzt zurück\..*Fahre durch den Kontrollpunkt/,
+      /^Parken.*Und jetzt zurück\..*Fahr durch den Kontrollpunkt/,
     );
   });
 

@@ -43,7 +43,7 @@ describe('the page for teachers', () => {
     await write(byId('desk-search'), 'Rückblick');
     await vi.waitFor(() => expect(textOf(byId('desk-found'))).toContain('Rückblick'), 20_000);
     await write(byId('desk-search'), 'xyzzyx');
-    expect(textOf(byId('desk-found'))).toBe('Nichts gefunden. Versuch es mit einem kürzeren Wort.');
+    expect(textOf(byId('desk-found'))).toBe('Nichts gefunden. Versuche es mit einem kürzeren Wort.');
     await write(byId('desk-search'), '');
     await tap('desk-works');
     expect(page.router.page.value?.name).toBe('works');

@@ -51,7 +51,7 @@ describe('the projector view', () => {
     const { texts } = await projector();
     expect(texts('h2')).toEqual(['Einparken']);
     expect(textOf(byId('projector-text'))).toBe('Fahr los.');
-    expect(texts('.goals li')).toEqual(['Fahre durch den Kontrollpunkt (offen)', 'Fahre dann ins Ziel (offen)']);
+    expect(texts('.goals li')).toEqual(['Fahr durch den Kontrollpunkt (offen)', 'Fahr dann ins Ziel (offen)']);
     expect(texts('.rules li')).toEqual(['ohne Hilfe der Hand']);
   });
 
@@ -65,7 +65,7 @@ describe('the projector view', () => {
     const page = await projector();
     await startRun(page);
     await page.tell({ checkpoints: { passed: 1, of: 1 } }, 62_340_000);
-    expect(page.texts('.goals .ok')).toEqual(['Fahre durch den Kontrollpunkt (geschafft)']);
+    expect(page.texts('.goals .ok')).toEqual(['Fahr durch den Kontrollpunkt (geschafft)']);
     expect(textOf(byId('run-clock'))).toBe('1:02.3');
     expect(isThere('projector-result')).toBe(false);
   });
@@ -91,7 +91,7 @@ describe('the projector view', () => {
     const page = await projector();
     await startRun(page);
     await page.tell({ state: 'failed', reason: 'touched', by: null, atMs: 4000, touches: 1 });
-    expect(textOf(byId('projector-word'))).toBe('Nicht geschafft');
+    expect(textOf(byId('projector-word'))).toBe('Noch nicht geschafft');
     expect(page.texts('.figures li')).toEqual(['4.0 s', '1 Berührung']);
     expect(page.texts('.why')).toEqual([
       'Der Roboter hat den Rand der Arena berührt.',

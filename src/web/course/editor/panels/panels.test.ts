@@ -53,9 +53,9 @@ describe('the settings of a course', () => {
   it('have the whole task in one place: title, hints one after the other, what is allowed, stars', async () => {
     const { scene, mounted } = await settings([], { name: 'Kurve', description: 'Fahr ins Ziel.' });
     await fill('Titel der Aufgabe', 'Um die Ecke');
-    await press('Tipp dazu');
+    await press('Tipp hinzufügen');
     await fill('Tipp 1', 'Langsam.');
-    await press('Tipp dazu');
+    await press('Tipp hinzufügen');
     await fill('Tipp 2', 'Noch langsamer.');
     await mounted.get('[data-testid="allow-hand"]').setValue(true);
     await mounted.get('[data-testid="give-stars"]').setValue(true);
