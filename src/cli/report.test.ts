@@ -1,9 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { rounded } from '#simulation/report';
-import { defaultScene } from '#scene/scene';
-import type { Verdict } from '#simulation/task/verdict';
-import { verdictAtStart } from '#simulation/task/verdict-at-start';
-import { exitCodeOf, jsonLine, verdictLines, type Report } from './report';
+import { exitCodeOf, jsonLine, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceColumns, traceHeader, traceLine } from './trace-csv';
 
@@ -69,73 +66,6 @@ describe('the report', () => {
 
   it('knows no negative zero', () => {
     expect(Object.is(rounded(-0.0001), 0)).toBe(true);
-  });
-});
-
-describe('the line about the task', () => {
-  const open: Verdict = {
-    ...verdictAtStart(defaultScene()),
-    ...{ checkpoints: { passed: 1, of: 3 }, targets: { reached: 0, of: 1 } },
-  };
-  const failed = { ...open, state: 'failed', atMs: 4200 } as const;
-
-  it.each([
-    [{ ...open, state: 'passed', atMs: 12_400 } as const, 'Task: passed after 12.4 s.'],
-    [
-      { ...open, state: 'passed', atMs: 12_400, help: ['hand'] } as const,
-      'Task: passed after 12.4 s, with help by hand.',
-    ],
-    [
-      { ...open, state: 'helped', atMs: 12_400, help: ['hand', 'edits'] } as const,
-      'Task: done after 12.4 s, with help by hand, with a course that was changed: does not count as passed.',
-    ],
-    [
-      { ...open, early: { id: 'c', number: 2, before: 1 } } as const,
-      'Task: not done (1 of 3 checkpoints, 0 of 1 target); checkpoint 2 came before checkpoint 1.',
-    ],
-    [
-      { ...failed, reason: 'time', early: { id: 't', number: 0, before: 3 } } as const,
-      'Task: failed after 4.2 s: the time was over (1 of 3 checkpoints, 0 of 1 target); a target came before checkpoint 3.',
-    ],
-    [{ ...open, state: 'passed', atMs: 12_400, stars: 2 } as const, 'Task: passed after 12.4 s, 2 of 3 stars.'],
-    [open, 'Task: not done (1 of 3 checkpoints, 0 of 1 target).'],
-    [
-      { ...failed, reason: 'time' } as const,
-      'Task: failed after 4.2 s: the time was over (1 of 3 checkpoints, 0 of 1 target).',
-    ],
-    [
-      { ...failed, reason: 'spikes', by: 'spikes-1' } as const,
-      'Task: failed after 4.2 s: the robot touched the spikes "spikes-1".',
-    ],
-    [{ ...failed, reason: 'touched' } as const, 'Task: failed after 4.2 s: the robot touched the edge of the arena.'],
-    [
-      { ...failed, reason: 'forbidden', by: 'no' } as const,
-      'Task: failed after 4.2 s: the robot came into the forbidden zone "no".',
-    ],
-  ])('says how it came out', (verdict, line) => {
-    expect(verdictLines(verdict)).toEqual([line]);
-  });
-
-  it('is followed by a line for each robot that shares the task', () => {
-    const robot = { state: 'failed', atMs: 4200, by: null, place: null, touches: 0 } as const;
-    const progress = { checkpoints: { passed: 1, of: 3 }, targets: { reached: 0, of: 1 } };
-    const robots = [
-      { ...robot, ...progress, device: 'Ada', state: 'passed', reason: null },
-      { ...robot, ...progress, device: 'Ben', reason: 'beaten' },
-      { ...robot, ...progress, device: 'Cem', reason: 'touched', by: 'w' },
-      { ...robot, ...progress, device: 'Dan', state: 'open', atMs: null, reason: null },
-    ] as const;
-    expect(verdictLines({ ...open, state: 'passed', atMs: 4200, robots })).toEqual([
-      'Task: passed after 4.2 s.',
-      '  Ada: passed after 4.2 s',
-      '  Ben: failed after 4.2 s: another one was first',
-      '  Cem: failed after 4.2 s: the robot touched "w"',
-      '  Dan: not done (1 of 3 checkpoints, 0 of 1 target)',
-    ]);
-  });
-
-  it('is left out where there is no task', () => {
-    expect(verdictLines(null)).toEqual([]);
   });
 });
 

@@ -1,9 +1,8 @@
-import type { Help } from '#scene/scene';
 import { displayText, endedWord, robotReport, rounded, type EndedWord, type RobotReport } from '#simulation/report';
 import type { Ended, Simulation } from '#simulation/simulation';
 import type { SentPacket } from './radio-report';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
-import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** End of a run, as a word for programs; `time-limit`: its program was still running. */
 export type RunEndedWord = EndedWord | 'time-limit';
@@ -115,94 +114,3 @@ export const runEnding = ({ ended, devices }: Report): RunEndedWord =>
 export function exitCodeOf(ended: RunEndedWord): 0 | 1 {
   return ended === 'finished' || ended === 'time-limit' ? 0 : 1;
 }
-
-/** The result of the course's task, as lines for people, one more for each robot that shares it; none without a task. */
-export const verdictLines = (verdict: Verdict | null): readonly string[] =>
-  verdict === null ? [] : [verdictLine(verdict), ...verdict.robots.map(robotLine)];
-
-function verdictLine(verdict: Verdict): string {
-  const { state, atMs } = verdict;
-  const seconds = `${((atMs ?? 0) / 1000).toFixed(1)} s`;
-  switch (state) {
-    case 'passed':
-      return `Task: passed after ${seconds}${withStars(verdict)}${withHelp(verdict)}.`;
-    case 'helped':
-      return `Task: done after ${seconds}${withHelp(verdict)}: does not count as passed.`;
-    case 'failed':
-      return `Task: failed after ${seconds}${withHelp(verdict)}: ${failureInWords(verdict)}.`;
-    case 'open':
-      return `Task: not done${progressInWords(verdict)}${earlyInWords(verdict)}${withHelp(verdict)}.`;
-    default:
-      return state satisfies never;
-  }
-}
-
-function robotLine(robot: RobotVerdict): string {
-  const after = `after ${((robot.atMs ?? 0) / 1000).toFixed(1)} s`;
-  if (robot.state === 'passed') return `  ${robot.device}: passed ${after}`;
-  if (robot.state === 'open') return `  ${robot.device}: not done${progressInWords(robot)}`;
-  return `  ${robot.device}: failed ${after}: ${robotFailureInWords(robot)}`;
-}
-
-function robotFailureInWords({ reason, ...robot }: RobotVerdict): string {
-  if (reason === 'caught') return 'it was caught';
-  if (reason === 'beaten') return 'another one was first';
-  if (reason === 'left') return 'it left the ring';
-  return failureInWords({ ...robot, reason, early: null });
-}
-
-function failureInWords(verdict: Progress & Pick<Verdict, 'reason' | 'by' | 'early'>): string {
-  const { reason, by } = verdict;
-  switch (reason) {
-    case 'time':
-      return `the time was over${progressInWords(verdict)}${earlyInWords(verdict)}`;
-    case 'forbidden':
-      return `the robot came into the forbidden zone "${by ?? ''}"`;
-    case 'spikes':
-      return `the robot touched the spikes "${by ?? ''}"`;
-    case 'touched':
-      return by === null ? 'the robot touched the edge of the arena' : `the robot touched "${by}"`;
-    case 'robot':
-      return `the robot touched that of "${by ?? ''}"`;
-    case 'left':
-      return 'nobody was left in the ring';
-    case null:
-      return 'without a reason'; // nothing fails so
-    default:
-      return reason satisfies never;
-  }
-}
-
-/** Goals reached; blocks are left out for one of several robots, as all robots share them. */
-type Progress = Pick<Verdict, 'checkpoints' | 'targets'> & Partial<Pick<Verdict, 'blocks'>>;
-
-const helpWords: Readonly<Record<Help, string>> = {
-  hand: 'with help by hand',
-  edits: 'with a course that was changed',
-};
-
-/** `, 2 of 3 stars`, or nothing where the task gives none. */
-const withStars = ({ stars }: Verdict): string => (stars === null ? '' : `, ${stars} of 3 stars`);
-
-/** `, with help by hand`, or nothing. */
-const withHelp = ({ help }: Verdict): string => help.map((one) => `, ${helpWords[one]}`).join('');
-
-/** `; checkpoint 2 came before 1`, or nothing if all were in their order. */
-function earlyInWords({ early }: Pick<Verdict, 'early'>): string {
-  if (early === null) return '';
-  const what = early.number === 0 ? 'a target' : `checkpoint ${early.number}`;
-  return `; ${what} came before checkpoint ${early.before}`;
-}
-
-/** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing if there is nothing to reach. */
-function progressInWords({ checkpoints, targets, blocks = { delivered: 0, of: 0 } }: Progress): string {
-  const parts = [
-    counted(checkpoints.passed, checkpoints.of, 'checkpoint'),
-    counted(targets.reached, targets.of, 'target'),
-    counted(blocks.delivered, blocks.of, 'block'),
-  ].filter((part) => part !== null);
-  return parts.length > 0 ? ` (${parts.join(', ')})` : '';
-}
-
-const counted = (done: number, of: number, what: string): string | null =>
-  of === 0 ? null : `${done} of ${of} ${what}${of === 1 ? '' : 's'}`;

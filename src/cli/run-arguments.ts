@@ -39,7 +39,7 @@ export interface RunOptions {
   readonly untilVerdict: boolean;
   /** True: a program that the real board would not understand is refused. */
   readonly strict: boolean;
-  /** The language in which errors and what `--strict` finds are explained. */
+  /** The language of explained errors, of what `--strict` finds, and of the result of the task. */
   readonly lang: Language;
   readonly json: boolean;
   readonly quiet: boolean;
@@ -129,7 +129,7 @@ const options = {
     help: 'at the end one line with everything about the run, for other programs; "verdict" tells whether the task of the course is passed, "devices" what became of each device',
   },
   strict: { help: 'refuses to run what the real board would not understand, and says why' },
-  lang: langOption('the language in which errors are explained; default: en'),
+  lang: langOption('language of explained errors and of the result of the task; default: en'),
   log: { value: 'FILE.csv', path: 'writes', help: "the board's data log, for a spreadsheet" },
   trace: {
     value: 'FILE.csv',

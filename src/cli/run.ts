@@ -16,9 +16,10 @@ import { withAdvice } from './explained';
 import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
-import { exitCodeOf, jsonLine, runEnding, verdictLines, type Report } from './report';
+import { exitCodeOf, jsonLine, runEnding, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import { printable, type Terminal } from './terminal';
+import { verdictLines } from './verdict-lines';
 import { closeOutput, openOutput } from './write-output';
 
 /** Default time limit of a run: ten minutes, longer than any lesson's program. */
@@ -76,7 +77,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
     case 'ran': {
       const report = withAdvice(outcome.report, setup.devices, options.lang);
       tellEnd(report, options, terminal);
-      if (!options.json && !options.quiet) tellVerdict(report, terminal);
+      if (!options.json && !options.quiet) tellVerdict(report, options, terminal);
       if (options.json) terminal.line(jsonLine(report, outcome.consoles));
       return options.untilVerdict ? verdictCodeOf(report) : exitCodeOf(runEnding(report));
     }
@@ -272,8 +273,8 @@ function openResults(options: RunOptions): Results | { readonly problem: string 
 }
 
 /** The result of the course's task. */
-function tellVerdict({ verdict }: Report, terminal: Terminal): void {
-  for (const line of verdictLines(verdict)) terminal.message(line);
+function tellVerdict({ verdict }: Report, { lang }: RunOptions, terminal: Terminal): void {
+  for (const line of verdictLines(verdict, lang)) terminal.message(printable(line));
 }
 
 /** A note that the programs' own output does not contain. */

@@ -6,7 +6,11 @@ const [{ passed, points, checks, remarks }] = handIns;
 // What cannot be read has no points: the reporter is told nothing, and the job fails and says why.
 if (points === null || handIns.length > 1) {
   const names = handIns.map(({ name }) => name).join(', ');
-  console.error(handIns.length > 1 ? `Which of these is the program? ${names}. Call it main.py.` : remarks[0]);
+  console.error(
+    handIns.length > 1
+      ? `Which of these is the program? ${names}. Hand in only that one, or call it main.py.`
+      : remarks[0],
+  );
   process.exit(1);
 }
 

@@ -6,7 +6,10 @@ const [{ passed, points, stars, checks, worlds, remarks }] = handIns;
 // Several: it is not known which of them is meant.
 const isUnread = points === null || handIns.length > 1;
 const names = handIns.map(({ name }) => name).join(', ');
-const whyUnread = handIns.length > 1 ? `Which of these is the program? ${names}. Call it main.py.` : remarks[0];
+const whyUnread =
+  handIns.length > 1
+    ? `Which of these is the program? ${names}. Hand in only that one, or call it main.py.`
+    : remarks[0];
 const status = (good) => (good ? 'passed' : 'failed');
 const starsText = stars === undefined ? '' : ` ${'★'.repeat(stars)}${'☆'.repeat(3 - stars)}`;
 
