@@ -3,12 +3,15 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join, posix } from 'node:path';
 import { Failure, main, note, root } from './progress.mjs';
 import { sameWords } from './texts-same.mjs';
+import { refusedIn } from './texts-terms.mjs';
 
 /** The list of languages. */
 const LIST = 'src/core/languages.ts';
 const languagesOf = (list) => Array.from(list.matchAll(/^ {2}(\w+): \{ name: /gm), ([, language]) => language);
 /** The words of a part: a file per language, such as `src/attachments/words/fr.json` or, of a piece that comes late, `words/about/fr.json`. */
 const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;
+/** The handbook and its data protection sheet, a file per language. */
+const BOOK = /^(src\/web\/help\/handbook\/\w+)\/([a-z]+)\.md$/;
 /** Words of programs: their member `program` stands under the English texts, and a test of its own looks after it. */
 const OF_PROGRAMS = /^courses\/|\/(examples|programs)\/words\/$/;
 /** Parts whose texts are told by `t` under their names: folder → what stands before the names. */
@@ -33,6 +36,7 @@ export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
   return [
     ...entries.flatMap((entry) => wrongIn(entry, languages, same)),
     ...parts.flatMap((part) => (part.folder in KEYED ? unusedKeys(part, files) : unusedTexts(part, files))),
+    ...wrongInBooks(files),
     ...textsInSources(files),
   ];
 }
@@ -102,14 +106,32 @@ function wrongIn({ where, texts }, languages, same) {
   if (texts.de?.includes('ß')) wrong.push(`ß in German: ${texts.de}`);
   if (/ [:;?!»]|« /.test(texts.fr ?? ''))
     wrong.push(`a wide space before a sign in French (it is U+202F): ${texts.fr}`);
-  if (/exercice/i.test(texts.fr ?? '')) wrong.push(`a task is a «tâche» everywhere in French: ${texts.fr}`);
+  for (const [language, text] of Object.entries(texts)) wrong.push(...refusedIn(where, language, text));
   return wrong.map((problem) => `${where}: ${problem}`);
+}
+
+/** Lines of the handbook that say a refused word; what is a chapter there is the name of a text elsewhere. */
+function wrongInBooks(files) {
+  return [...files].flatMap(([path, text]) => {
+    const [, folder, language] = BOOK.exec(path) ?? [];
+    if (folder === undefined) return [];
+    let chapter = '';
+    // Notes for translators keep their lines, and with them the numbers of those below.
+    const lines = text.replace(/<!--[^]*?-->/g, (note) => note.replace(/[^\n]/g, '')).split('\n');
+    return lines.flatMap((line, index) => {
+      chapter = /^# ([\w-]+):/.exec(line)?.[1] ?? chapter;
+      const wrong = refusedIn(`${folder}/ ${chapter}`, language, line.replace(/^(##?) [\w-]+: /, '$1 '));
+      if (language === 'de' && line.includes('ß')) wrong.push(`ß in German: ${line}`);
+      if (language === 'fr' && / [:;?!»]|« /.test(line)) wrong.push(`a wide space before a sign in French: ${line}`);
+      return wrong.map((problem) => `${path}:${index + 1}: ${problem}`);
+    });
+  });
 }
 
 /** Texts that stand in a source instead of a file of words. */
 function textsInSources(files) {
   return [...files].flatMap(([path, text]) => {
-    if (path.endsWith('.json')) return [];
+    if (/\.(json|md)$/.test(path)) return [];
     const found = Array.from(text.matchAll(/\bde: *["'`]/g), ({ index }) => text.slice(0, index).split('\n').length);
     return found.map((line) => `${path}:${line}: texts stand in words/<language>.json`);
   });
@@ -118,7 +140,7 @@ function textsInSources(files) {
 /** Names of texts that no source says. `help.${kind}` says all that fit. */
 function unusedKeys({ folder, keys }, files) {
   const before = KEYED[folder];
-  const sources = [...files].filter(([path]) => !path.endsWith('.json'));
+  const sources = [...files].filter(([path]) => !/\.(json|md)$/.test(path));
   const named = new Set();
   const patterns = new Set();
   for (const [, text] of sources) {
@@ -183,7 +205,8 @@ export async function filesWithTexts() {
   /** @type {Map<string, string>} */
   const files = new Map();
   for (const path of paths)
-    if (isSource(path) || WORDS.test(path)) files.set(path, await readFile(join(root, path), 'utf8'));
+    if (isSource(path) || WORDS.test(path) || BOOK.test(path))
+      files.set(path, await readFile(join(root, path), 'utf8'));
   return files;
 }
 

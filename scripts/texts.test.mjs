@@ -52,8 +52,10 @@ describe('a text', () => {
     expect(found({ fr: 'Un mur\u202f?' })).toBe('');
   });
 
-  it('calls a task by one word in French', () => {
-    expect(found({ fr: 'Créer un exercice' })).toContain('«tâche»');
+  it('is told with the right word where it says one that is refused for a thing', () => {
+    expect(found({ fr: 'Créer un exercice' })).toBe(
+      'src/a/words/*.json title: “exercice” is called “tâche” in fr: Créer un exercice',
+    );
     expect(found({ fr: 'Créer une tâche' })).toBe('');
   });
 
@@ -61,6 +63,23 @@ describe('a text', () => {
     const source = "const words = {\n  title: { de: 'Wand', en: 'Wall' },\n};\nsay(words.title);";
     expect(problems({ 'src/web/a.ts': source })).toEqual(['src/web/a.ts:2: texts stand in words/<language>.json']);
     expect(problems({ 'src/a.ts': 'const source = { de: german, en: english };' })).toEqual([]);
+  });
+});
+
+describe('the handbook', () => {
+  const path = 'src/web/help/handbook/texts/fr.md';
+
+  it('says the words of the page, and is told by its lines', () => {
+    const book = `<!-- une note\nsur deux lignes -->\n# draw: Dessiner\n\nPosez une arrivée dans le champ.\n`;
+    expect(problems({ [path]: book })).toEqual([
+      `${path}:5: “champ” is called “zone” in fr: Posez une arrivée dans le champ.`,
+    ]);
+  });
+
+  it('says «vous» to teachers and «tu» to the class', () => {
+    expect(problems({ [path]: '# draw: Dessiner\n\nDessine ta ligne.' })).toHaveLength(1);
+    expect(problems({ [path]: '# draw: Dessiner\n\nDessinez votre ligne.' })).toEqual([]);
+    expect(problems({ [path]: '# class: Pour la classe\n\nDessine ta ligne.' })).toEqual([]);
   });
 });
 
