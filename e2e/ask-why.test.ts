@@ -94,7 +94,9 @@ test('the trail, a line in the console and the list of all name their lines', IN
   await app.click(by('why-all'));
   await expect
     .poll(() => card(app))
-    .toMatch(/ 0\.8 s.*(Wheels|Räder).*(Line|Zeile) 7.*(Lights|Lichter).*(Line|Zeile) 9.*Display.*(Line|Zeile) 8/);
+    .toMatch(
+      / 0\.8 s.*(Wheels|Räder).*(Line|Zeile) 7.*(Lights|Lichter).*(Line|Zeile) 9.*(Display|Anzeige).*(Line|Zeile) 8/,
+    );
   await app.click(by('why-close'));
   await app.draw(await ofRobot(app, 20, 0)); // its display
   await expect.poll(() => card(app)).toMatch(/(Line|Zeile) 8.*display\.show/);
@@ -103,7 +105,7 @@ test('the trail, a line in the console and the list of all name their lines', IN
   await expect
     .poll(() => card(app))
     .toMatch(
-      /(Wheels|Räder).*(Line|Zeile) 15.*(Lights|Lichter).*(Line|Zeile) 9.*Display.*(Line|Zeile) 8.*(Console|Konsole).*(Line|Zeile) 16/,
+      /(Wheels|Räder).*(Line|Zeile) 15.*(Lights|Lichter).*(Line|Zeile) 9.*(Display|Anzeige).*(Line|Zeile) 8.*(Console|Konsole).*(Line|Zeile) 16/,
     );
   expect(await violationsOn(app)).toEqual([]);
 });

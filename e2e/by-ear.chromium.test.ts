@@ -113,7 +113,7 @@ const WALKS: Readonly<Record<'de' | 'en', readonly string[]>> = {
     'Ziel 1, 10 mal 10 cm: 35 cm links.',
   ],
   en: [
-    'The robot is at x 15, y 45 cm, heading 0 degrees. There are 5 things in the course.',
+    'The robot is at x 15, y 45 cm, heading 0 degrees. There are 5 objects in the course.',
     'Checkpoint 1, 10 by 10 cm: 29 cm ahead.',
     'Checkpoint 2, 10 by 10 cm: 47 cm ahead.',
     'Target 1, 10 by 10 cm: 35 cm to the left.',
@@ -147,11 +147,11 @@ test('the telling is switched on by keyboard, says so and is remembered', async 
     await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter'); // which closes the menu
   await expect(item).toHaveCount(0);
-  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird angesagt.' })).toHaveCount(1);
+  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird beschrieben.' })).toHaveCount(1);
   await page.focus(by('menu'));
   await page.keyboard.press('Enter');
   await expect(item).toBeChecked();
   expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
   await page.reload();
-  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird angesagt.' })).toHaveCount(1);
+  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird beschrieben.' })).toHaveCount(1);
 });

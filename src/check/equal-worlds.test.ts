@@ -50,7 +50,7 @@ describe('a hidden world', () => {
 
   it('is told with the way out', () => {
     expect(equalTexts([{ id: '2', other: '1' }], 'en')).toEqual([
-      'World 2 comes out the same as world 1: change start, reality or a thing.',
+      'World 2 comes out the same as world 1: change start, wear or an object.',
     ]);
   });
 });

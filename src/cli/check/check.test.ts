@@ -277,7 +277,7 @@ describe('parcours check', () => {
     const pupil = file('hidden.py', RIGHT);
     const { code, err } = parcours('check', task, pupil, '--lang', 'de');
     expect(code).toBe(0);
-    expect(err).toContain('parcours: Welt 2 ist gleich wie Welt 1: Ändere Start, Realität oder ein Ding.\n');
+    expect(err).toContain('parcours: Welt 2 ist gleich wie Welt 1: Ändere Start, Abnutzung oder ein Ding.\n');
     expect(err).not.toContain('Welt 3');
     expect(parcours('check', task, pupil, '--quiet').err).toBe('');
   });

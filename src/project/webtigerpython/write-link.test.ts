@@ -48,7 +48,7 @@ describe('what a link for WebTigerPython cannot hold', () => {
   const wall = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 } as const;
   it.each<[string, Partial<Linked>, string]>([
     ['lines', scene([{ type: 'stroke', id: 's', points: [[1, 2]], width: 9, color: 'red' }]), 'Lines on the floor are left out (1).'],
-    ['fields', scene([{ ...box, type: 'target', round: true, number: 0, blocks: 0 }, { ...box, type: 'forbidden', round: true, number: 0, blocks: 0 }]), 'Fields (targets, checkpoints, forbidden ones) are left out (2).'],
+    ['fields', scene([{ ...box, type: 'target', round: true, number: 0, blocks: 0 }, { ...box, type: 'forbidden', round: true, number: 0, blocks: 0 }]), 'Zones (targets, checkpoints, forbidden ones) are left out (2).'],
     ['spikes', scene([{ ...box, type: 'spikes' }]), 'Spikes are left out (1).'],
     ['moving blocks', scene([{ ...box, type: 'mover', to: [1, 2], speed: 9, spiked: false }]), 'Moving blocks are left out (1).'],
     ['texts', scene([{ type: 'label', id: 'l', at: [1, 2], text: 'A', height: 9, angle: 0 }]), 'Texts on the floor are left out (1).'],

@@ -38,7 +38,7 @@ describe('the pane of the program', () => {
     const { mounted, view } = await pane({ 'main.py': three });
     expect(mounted.attributes('aria-label')).toBe('Programm');
     expect(view.contentDOM.getAttribute('aria-label')).toBe(
-      'Programm main.py. F1 erklärt ein Wort. Escape, dann Tab führt weiter.',
+      'Programm main.py. F1 erklärt ein Wort. Esc, dann Tab führt weiter.',
     );
     expect(view.contentDOM.getAttribute('spellcheck')).toBe('false');
   });

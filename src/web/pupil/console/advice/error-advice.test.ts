@@ -225,7 +225,7 @@ describe('advice', () => {
       'Text und Zahl lassen sich nicht mit + verbinden. Mach mit str(…) einen Text aus der Zahl oder mit int(…) eine Zahl aus dem Text.',
     );
     expect(sentence(adviceOf('if 3 > 2\n    pass'), 'en')).toBe(
-      'In line 1, a colon (:) is missing at the end, after if. The board only notices it further down.',
+      'In line 1, a colon (:) is missing at the end, after if. The microcomputer only notices it further down.',
     );
   });
 

@@ -50,9 +50,9 @@ describe('a program put onto a board by USB', { timeout: 60_000 }, () => {
 
   it('says what went wrong and the way out, and can be tried again', async () => {
     const { page } = await dialog({ boardId: '9901' });
-    const words = 'Am Kabel ist ein anderes Gerät: ein micro:bit V1. Wähl oben micro:bit V1.';
+    const words = 'Am Kabel ist ein anderes Gerät: ein micro:bit V1. Wähle oben micro:bit V1.';
     await tap('usb-put');
-    await vi.waitFor(() => expect(textOf(byId('usb-problem')).replace('.Wähl', '. Wähl')).toContain(words), { timeout: 30_000 }); // prettier-ignore
+    await vi.waitFor(() => expect(textOf(byId('usb-problem')).replace('.Wähle', '. Wähle')).toContain(words), { timeout: 30_000 }); // prettier-ignore
     expect(textOf(byId('usb-put'))).toBe('Nochmals');
     expect(realBoard(page).value).toBeNull();
   });
