@@ -138,7 +138,7 @@ const links: Readonly<Record<string, readonly [page: string, class_: string, mak
   'series-link': ['#s=1.', 'series', 'series'],
   'series-place': ['#series=http', 'nothing', 'refused'],
   ready: ['Geschlossene Linie: main.py', 'nothing', 'task'],
-  unreadable: ['no link to a project', 'nothing', 'refused'],
+  unreadable: ['not a link to a project', 'nothing', 'refused'],
 };
 
 describe.each(Object.entries(addresses))('an address: %s', (kind, address) => {
