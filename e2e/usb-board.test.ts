@@ -77,7 +77,7 @@ test('each problem at the USB is told with the way out', IN_ONE_ENGINE, async ({
   expect(await problem({ isTaken: true })).toMatch(/anderer Tab[^]*Schliess MakeCode/);
   expect(await problem({ refusal: 'forbidden' })).toMatch(/nicht freigegeben[^]*in einem eigenen Tab/);
   expect(await problem({ boardId: '1234' })).toMatch(/weder ein micro:bit[^]*anderes Gerät/);
-  expect(await problem({ boardId: '9900' })).toMatch(/ein micro:bit V1[^]*Wähl oben micro:bit V1/);
+  expect(await problem({ boardId: '9900' })).toMatch(/ein micro:bit V1[^]*Wähle oben micro:bit V1/);
   expect(await problem({ unplugsAt: 600 })).toMatch(/Kabel[^]*Steck es wieder ein/);
 });
 
