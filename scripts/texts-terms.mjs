@@ -30,7 +30,7 @@ export const terms = [
       ),
       en: exactly('boards?', 'Boards?'),
     },
-    but: /(real-device|teacher)\/.* it|class\/wall|courses\/room|debug\/words\/help.* it|handbook\/.* fr|handbook\/sheet\/.* it/,
+    but: /(real-device|teacher)\/.* it|class\/wall|courses\/room|debug\/words\/help.* it|(handbook|web\/teacher|session\/task)\/.* fr|handbook\/sheet\/.* it/,
   },
   {
     thing: 'a run of the program',
@@ -192,7 +192,7 @@ const FOR_TEACHERS =
   /^src\/web\/teacher\/(class|classes|desk|task-maker|projector)\/|^src\/web\/teacher\/series\/.* make\.|^src\/web\/help\/handbook\/(words|texts|sheet)\//;
 const FOR_BOTH = /^src\/(check|cli|school-class)\/|\/handbook\/texts\/.* class\b/;
 const TU =
-  /(?<![\p{L}’'-])(?:tu|te|toi|ton|ta|tes|t’\p{L}+)(?![\p{L}-])|(?<=^|[.:;!?] |,\s)(?:Choisis|Ajoute|Écris|Ouvre|Prends|Mets|Fais|Essaie|Donne|Touche|Dessine|Vérifie|Recharge|Glisse|Dépose|Colle|Enregistre)(?![\p{L}])/u;
+  /(?<![\p{L}’'-])(?:tu|te|toi|ton|ta|tes|t’\p{L}+)(?![\p{L}-])|(?<=^|[.:;!?] |,\s)(?:Choisis|Écris|Prends|Mets|Fais|Essaie|Glisse|Recharge)(?![\p{L}])/u;
 const VOUS = words('vous', 'votre', 'vos');
 const LEI = words('trascini', 'scelga', 'incolli(?!n)', 'apra', 'prema', 'salvi', 'aggiunga', 'faccia clic');
 
