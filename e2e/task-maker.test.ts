@@ -62,18 +62,52 @@ function checkedByCommandLine(task: string, programs: Readonly<Record<string, st
   }
 }
 
+/** Something in the second world, which is hidden. */
+const inHidden = (id: string): string => `${by('maker-world')}:nth-child(2) ${by(id)}`;
+
+/** The course of the open work, and the start of the hidden world's robot, in mm and degrees. */
+async function startAndCourse(app: App): Promise<{ x: number; y: number; heading: number; course: string }> {
+  type Start = { readonly at: readonly [number, number]; readonly heading: number };
+  const { task, scene } = JSON.parse(await projectOf(app)) as {
+    readonly scene: object;
+    readonly task?: { readonly worlds?: readonly { readonly start?: Start }[] };
+  };
+  const { at, heading } = task?.worlds?.[1]?.start ?? { at: [0, 0], heading: 0 };
+  return { x: at[0], y: at[1], heading, course: JSON.stringify(scene) };
+}
+
+/** A place of the hidden world's arena in the window, from its middle, in px. */
+const placeInHidden = (app: App, dx: number, dy: number): Promise<{ readonly x: number; readonly y: number }> =>
+  app.evaluate(
+    ({ css, by: [x, y] }) => {
+      const box = document.querySelector(css)!.getBoundingClientRect();
+      return { x: box.left + box.width / 2 + x!, y: box.top + box.height / 2 + y! };
+    },
+    { css: `${inHidden('maker-arena')} ${by('maker-frame')}`, by: [dx, dy] },
+  );
+
+/** Writes a model solution: it begins as the start program. */
+async function writeSolution(app: App): Promise<void> {
+  await app.click(by('maker-solution'));
+  await until(app, by('maker-code'));
+  await app.click(by('maker-code'));
+  await app.press('Control', 'End');
+  await app.type('# mine');
+}
+
 test(
   'a task is made of the open course: its solution passes in all worlds, and the class gets neither',
   IN_ONE_ENGINE,
   async ({ app }) => {
     test.setTimeout(90_000);
     await openMaker(app);
-    await app.click(by('maker-take'));
-    await expect.poll(() => app.text(by('maker-verdict')), { timeout: 20_000 }).toMatch(/passes|besteht/);
+    await writeSolution(app);
+    await expect.poll(() => app.text(by('maker-step')), { timeout: 20_000 }).toMatch(/passes|besteht/);
     await addCheck(app, 'loop');
     await app.click(by('maker-add-world'));
-    await expect.poll(() => app.text(by('maker-solution')), { timeout: 20_000 }).toMatch(/ 2 (worlds|Welten)/);
-    await until(app, by('maker-same')); // the class would get the solution: it is told
+    await expect.poll(() => app.text(by('maker-step')), { timeout: 20_000 }).toMatch(/ 2 (worlds|Welten)/);
+    await app.click(by('maker-act')); // nothing is left to do: it is handed out
+    await until(app, by('maker-link'));
     await app.click(by('maker-save-for-class'));
     const link = await app.evaluate(
       () => document.querySelector<HTMLInputElement>('[data-testid=maker-link]')?.value ?? '',
@@ -89,9 +123,25 @@ test(
     await app.goto('./logo.svg');
     await app.goto(`./#${link.split('#')[1] ?? ''}`);
     await expect.poll(() => projectOf(app)).toContain('"loop"');
-    expect(await projectOf(app)).not.toMatch(/"solution"|"hidden"|"worlds"/);
+    expect(await projectOf(app)).not.toMatch(/"solution"|"hidden"|"worlds"|# mine/);
   },
 );
+
+test('the robot of a hidden world is dragged, and moved by keys; the course stays', IN_ONE_ENGINE, async ({ app }) => {
+  await openMaker(app);
+  await app.click(by('maker-add-world'));
+  await until(app, `${inHidden('maker-arena')} ${by('maker-frame')}`); // the new one has the keyboard
+  await expect.poll(async () => (await startAndCourse(app)).x).toBeGreaterThan(0);
+  const before = await startAndCourse(app);
+  await app.press('ArrowUp');
+  await app.press('r');
+  await expect.poll(async () => (await startAndCourse(app)).heading - before.heading).toBe(-5);
+  const moved = await startAndCourse(app);
+  expect(moved.y - before.y).toBe(10);
+  await app.draw([await placeInHidden(app, 0, 0), await placeInHidden(app, 20, 0), await placeInHidden(app, 40, 0)]);
+  await expect.poll(async () => (await startAndCourse(app)).x - moved.x).toBeGreaterThan(50);
+  expect((await startAndCourse(app)).course).toBe(before.course);
+});
 
 test('the page of a task bars no screen reader, and stays over a reload', IN_ONE_ENGINE, async ({ app }) => {
   await openMaker(app);
@@ -99,17 +149,22 @@ test('the page of a task bars no screen reader, and stays over a reload', IN_ONE
   await app.click(by('maker-add-world'));
   await until(app, by('maker-leds'));
   await app.click(`${by('maker-leds')} button`);
+  expect(await violationsOn(app)).toEqual([]);
+  await app.click(inHidden('maker-world-more'));
   for (const [list, chosen] of Object.entries({ object: '', sensor: 'lightLevel', input: 'button a' }))
     await app.evaluate(
       (wish) => {
-        const lists = document.querySelectorAll<HTMLSelectElement>(`[data-testid=maker-add-${wish.list}]`);
-        const select = lists[lists.length - 1]!; // of the hidden world
+        const select = document.querySelector<HTMLSelectElement>(`[data-testid=maker-add-${wish.list}]`)!;
         select.value = wish.chosen === '' ? select.options[1]!.value : wish.chosen;
         select.dispatchEvent(new Event('change', { bubbles: true }));
       },
       { list, chosen },
     );
   await until(app, by('maker-input'));
+  expect(await violationsOn(app)).toEqual([]);
+  await app.click(by('maker-world-close'));
+  await app.click(by('maker-menu'));
+  await app.click(by('maker-locks-open'));
   await app.click(by('maker-lock-tools'));
   await app.click(by('maker-tool-pen'));
   await app.click(by('maker-line-2'));
@@ -123,18 +178,23 @@ test('the page of a task bars no screen reader, and stays over a reload', IN_ONE
 });
 
 test(
-  'the page of a task leads to the text that the class reads, and to the worksheet',
+  'the card that the class reads is written in its place, and the worksheet is behind the three dots',
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openMaker(app);
-    await app.click(by('maker-card'));
-    await until(app, by('task-title'));
-    await app.fill(by('task-title'), 'Einmal rundherum');
+    await app.fill(by('maker-title'), 'Einmal rundherum');
     await app.press('Tab');
     await expect.poll(() => projectOf(app)).toContain('Einmal rundherum');
-    expect(await violationsOn(app)).toEqual([]);
-    await app.press('Escape');
-    await gone(app, by('maker-card-window'));
+    await app.click(by('maker-text'));
+    await until(app, `textarea${by('maker-text')}`);
+    await app.fill(by('maker-text'), 'Folge der Linie.');
+    await app.press('Tab');
+    await app.click(by('maker-add-hint'));
+    await until(app, `textarea${by('maker-hint')}`);
+    await app.type('Langsam.');
+    await app.press('Escape'); // ends the hint, and not the page
+    await expect.poll(() => projectOf(app)).toMatch(/Folge der Linie.*Langsam/);
+    await app.click(by('maker-menu'));
     await app.click(by('maker-sheet'));
     await until(app, `${by('print-sheet')}[aria-pressed=true]`);
     await until(app, by('sheet-page'));

@@ -1,8 +1,8 @@
 import type { Texts } from '#core/languages';
 
-import panelWords from '../../pupil/board/panels/words';
-import { t } from '../../kit/i18n';
-import makerWords from './words';
+import panelWords from '../../../pupil/board/panels/words';
+import { t } from '../../../kit/i18n';
+import makerWords from '../words';
 import type { InputKind } from './world-inputs';
 
 const words = makerWords.more;

@@ -1,4 +1,4 @@
-import { sensorInfos, type RangeInfo } from '../../pupil/board/panels/sensor-list';
+import { sensorInfos, type RangeInfo } from '../../../pupil/board/panels/sensor-list';
 import type { InputAction, InputEvent } from '#simulation/input';
 
 /** Sensors that can be set, besides pins, which are pressed. */

@@ -5,7 +5,7 @@ import { sceneWith, targetAt } from '#check/testing/tasks';
 import { parseEdit } from '#scene/check-edit';
 import { readInputs } from '#tape/read-setup';
 import { freshInput, inputKinds, inputRows, withInput, worldGestures, worldSensors } from './world-inputs';
-import { objectEdit, objectRows } from './world-objects';
+import { objectEdit, objectRows, withObject } from './world-objects';
 
 const wall = { type: 'wall', id: 'w', from: [500, 300], to: [500, 600], thickness: 10 } as const;
 const scene = sceneWith([targetAt(700, 450), wall]);
@@ -13,24 +13,26 @@ const worldWith = (...edits: WorldVariant['edits']): WorldVariant => ({ ...plain
 
 describe('an object in a world', () => {
   it('is left out, or moved, and read again from its edit', () => {
-    const gone = objectEdit(scene, { id: 't', by: null });
-    const moved = objectEdit(scene, { id: 'w', by: [50, -20] });
-    const world = worldWith(gone!, moved!);
+    const moved = { ...wall, from: [550, 280], to: [550, 580] } as const;
+    const world = worldWith(objectEdit('t', null), objectEdit('w', moved));
     for (const edit of world.edits) expect(parseEdit(JSON.parse(JSON.stringify(edit)))).toHaveProperty('edit');
     expect(objectRows(scene, world)).toEqual([
-      { place: 0, id: 't', by: null },
-      { place: 1, id: 'w', by: [50, -20] },
+      { place: 0, id: 't', made: null, by: null },
+      { place: 1, id: 'w', made: moved, by: [50, -20] },
     ]);
-    expect(courseOfWorld(scene, world)).toMatchObject({ scene: { objects: [{ id: 'w', from: [550, 280], to: [550, 580] }] } }); // prettier-ignore
+    expect(courseOfWorld(scene, world)).toMatchObject({ scene: { objects: [moved] } });
   });
 
-  it('is no row if it is changed otherwise, or with others', () => {
-    const other = { type: 'replace', changes: [{ id: 'w', by: [{ ...wall, thickness: 20 }] }] } as const;
-    expect(objectRows(scene, worldWith(other, { type: 'remove', ids: ['t', 'w'] }, { type: 'clear' }))).toEqual([]);
-  });
+  it('is no row if it is changed together with others', () =>
+    expect(objectRows(scene, worldWith({ type: 'remove', ids: ['t', 'w'] }, { type: 'clear' }))).toEqual([]));
 
-  it('cannot be moved if the course no longer has it', () =>
-    expect(objectEdit(scene, { id: 'x', by: [1, 1] })).toBeNull());
+  it('has one edit, however often it is changed, and none once it is as in the course', () => {
+    const other = { ...wall, thickness: 20 };
+    const once = worldWith(...withObject(scene, worldWith({ type: 'clear' }), 'w', null));
+    const twice = worldWith(...withObject(scene, once, 'w', other));
+    expect(twice.edits).toEqual([{ type: 'clear' }, objectEdit('w', other)]);
+    expect(withObject(scene, twice, 'w', wall)).toEqual([{ type: 'clear' }]);
+  });
 });
 
 describe('what happens in a world', () => {

@@ -1,0 +1,79 @@
+import { describe, expect, it } from 'vitest';
+import { plainWorld, type WorldVariant } from '#check/task/task';
+import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
+import { courseOfWorld } from '#check/task/world-course';
+import { applyEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import { facing, frameOf, movedThing, nextThing, thingAt, turnedThing, withEdit } from './world-things';
+
+const wall = { type: 'wall', id: 'w', from: [500, 300], to: [500, 600], thickness: 10 } as const;
+const kept = { ...wall, id: 'k', from: [100, 100], to: [900, 100], lock: true } as const;
+const scene = sceneWith([targetAt(700, 450), wall, kept]);
+const { robot } = scene;
+const at = ([x, y]: readonly [number, number]) => ({ x, y });
+
+describe('a thing of a small arena', () => {
+  it('is found where it lies, the robot first, and nothing that is locked', () => {
+    expect(thingAt(scene, at(robot.at), 0)).toBeNull();
+    expect(thingAt(scene, { x: 503, y: 400 }, 0)).toBe('w');
+    expect(thingAt(scene, { x: 700, y: 450 }, 0)).toBe('t');
+    expect(thingAt(scene, { x: 500, y: 100 }, 0)).toBeUndefined();
+    expect(nextThing(scene, null, 1)).toBe('t');
+    expect(nextThing(scene, 'w', 1)).toBeNull();
+    expect(nextThing(scene, null, -1)).toBe('w');
+  });
+
+  it('has a frame, unless it is gone', () => {
+    expect(frameOf(scene, 'w')).toEqual({ minX: 495, minY: 300, maxX: 505, maxY: 600 });
+    expect(frameOf(scene, 'x')).toBeNull();
+  });
+
+  it('is moved by whole mm, and its middle stays in the arena', () => {
+    const moved = movedThing(scene, 'w', { x: 10.4, y: -20 })!;
+    expect(applyEdit(scene, moved).objects[1]).toMatchObject({ from: [510, 280], to: [510, 580] });
+    const [width] = scene.size;
+    const far = applyEdit(scene, movedThing(scene, null, { x: 1e6, y: 0 })!);
+    expect(far.robot.at).toEqual([width, robot.at[1]]);
+    expect(movedThing(far, null, { x: 10, y: 0 })).toBeNull();
+    expect(movedThing(scene, 'k', { x: 10, y: 0 })).toBeNull();
+    const edge = sceneWith([{ ...wall, from: [0, 0], to: [20_000, 0] }], { size: [20_000, 1000] });
+    expect(movedThing(edge, 'w', { x: 1000, y: 0 })).toBeNull(); // its end would be where no course has anything
+  });
+
+  it('is turned about its middle; the robot faces a place in steps of 5°', () => {
+    expect(applyEdit(scene, turnedThing(scene, 'w', 90)!).objects[1]).toMatchObject({
+      from: [650, 450],
+      to: [350, 450],
+    });
+    expect(applyEdit(scene, turnedThing(scene, null, -5)!).robot).toMatchObject({ at: robot.at, heading: 355 });
+    const [x, y] = robot.at;
+    expect(applyEdit(scene, facing(scene, { x: x + 100, y: y + 3 }, 5)).robot.heading).toBe(0);
+    expect(applyEdit(scene, facing(scene, { x, y: y + 100 }, 5)).robot.heading).toBe(90);
+  });
+});
+
+describe('a hidden world', () => {
+  const task = taskWith(scene);
+  const hidden: WorldVariant = { ...plainWorld, id: '2', hidden: true };
+  const sceneOf = (world: WorldVariant): Scene => {
+    const course = courseOfWorld(task.project.scene, world);
+    if ('problem' in course) throw new Error(course.problem);
+    return course.scene;
+  };
+  const after = (world: WorldVariant, thing: string | null, x: number): WorldVariant => ({
+    ...world,
+    ...withEdit(task, world, sceneOf(world), movedThing(sceneOf(world), thing, { x, y: 0 })!),
+  });
+
+  it('keeps what a drag has moved, and nothing of what is back in its place', () => {
+    const moved = after(after(hidden, null, 30), 'w', 40);
+    expect(moved.start).toEqual({ at: [robot.at[0] + 30, robot.at[1]], heading: robot.heading });
+    expect(moved.edits).toHaveLength(1);
+    expect(sceneOf(moved).objects.find(({ id }) => id === 'w')).toMatchObject({ from: [540, 300] });
+    const back = after(after(moved, null, -30), 'w', -40);
+    expect([back.start, back.edits]).toEqual([null, []]);
+  });
+
+  it('is not changed where only another thing was: the start stays that of the course', () =>
+    expect(after(hidden, 't', 10).start).toBeNull());
+});
