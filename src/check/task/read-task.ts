@@ -12,6 +12,7 @@ import type { ProjectProblem } from '#project/problem';
 import type { Carried, Project, SourceFile } from '#project/project';
 import { readFiles } from '#project/read-files';
 import { lostIn, lostProblem } from './named-objects';
+import { readAbout } from './about';
 import { readChecks } from './read-checks';
 import {
   lockNames,
@@ -64,7 +65,9 @@ export function draftOf(project: Project): ReadTask {
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
     ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
+    'about',
   ]);
+  const about = readAbout(fields['about'], 'task.about', reader);
   const solution = solutionIn(fields, reader);
   const worlds = worldsIn(fields['worlds'], reader);
   const hiddenCount = worlds.filter(({ hidden }) => hidden).length;
@@ -82,6 +85,7 @@ export function draftOf(project: Project): ReadTask {
     stars: fields['stars'] === undefined ? null : starsIn(fields['stars'], reader),
     solution: solution.files,
     locks: locksIn(fields['locks'], reader),
+    ...(about !== undefined && { about }),
   };
   const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
   return problems.length > 0 ? { problem: summaryOf(problems), problems } : { task };

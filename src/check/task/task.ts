@@ -3,6 +3,7 @@ import type { Point, Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
+import type { TaskAbout } from './about';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
 export interface ClassTask {
@@ -23,6 +24,8 @@ export interface ClassTask {
   /** A program that passes; `null`: none is given. */
   readonly solution: readonly SourceFile[] | null;
   readonly locks: Locks;
+  /** Details for teachers; left out: none. */
+  readonly about?: TaskAbout;
 }
 
 /**

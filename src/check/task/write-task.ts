@@ -1,5 +1,6 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
+import { aboutData } from './about';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
 import { noLocks, plainWorld, type Check, type CheckKind, type ClassTask, type Locks, type WorldVariant } from './task';
@@ -35,7 +36,7 @@ export function withoutSecrets(project: Project): Project {
 }
 
 /** A task's own data as a project carries it; what has its usual value is left out. */
-function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: ClassTask): Carried {
+function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, about }: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
     version: checks.some(isNew) ? TASK_VERSION : 1,
@@ -47,6 +48,7 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
     ...(stars !== null && { stars }),
     ...(solution !== null && { solution }),
     ...(!isSame(locks, noLocks) && { locks: lockData(locks) }),
+    ...(about !== undefined && { about: aboutData(about) }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }
