@@ -22,11 +22,9 @@ export type Licence = (typeof licences)[number];
 /** A licence as it is written: CC BY-SA 4.0, CC0 1.0. */
 export const licenceName = (licence: Licence): string => licence.replace(/^CC-/, 'CC ').replace(/-([\d.]+)$/, ' $1');
 
-/** The address of a licence's text in the world's languages. */
-export const licenceAddress = (licence: Licence): string =>
-  licence === 'CC0-1.0'
-    ? 'https://creativecommons.org/publicdomain/zero/1.0/'
-    : `https://creativecommons.org/licenses/${licence.slice(3, -4).toLowerCase()}/4.0/`;
+/** Author and licence as they stand below a work; empty: none are said. */
+export const creditOf = ({ author, licence }: Pick<TaskAbout, 'author' | 'licence'>): string =>
+  [author, licence === '' ? '' : licenceName(licence)].filter((said) => said !== '').join(', ');
 
 /** Nothing is said. */
 export const noAbout: TaskAbout = { level: '', topic: '', minutes: null, language: '', author: '', licence: '' };

@@ -148,7 +148,7 @@ describe('the page with the own tasks', () => {
       file('foto.png', ''),
     ]);
     await flushPromises();
-    expect(rows().map((row) => row.slice(0, 5))).toEqual(['Woche', 'Linie']);
+    expect(rows().map((row) => row.slice(0, 5))).toEqual(['Linie', 'Woche']);
     expect(refusals).toEqual([expect.stringContaining('foto.png')]);
     page.notices.current.value?.action?.run();
     await vi.waitFor(() => expect(rows()).toEqual([]));

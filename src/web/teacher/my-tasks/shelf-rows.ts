@@ -1,4 +1,4 @@
-import { licenceName, type TaskAbout } from '#check/task/about';
+import { creditOf, type TaskAbout } from '#check/task/about';
 import type { Scene } from '#scene/scene';
 
 import { shownLanguage, t } from '../../kit/i18n';
@@ -54,9 +54,8 @@ export const DURATIONS = [20, 45, 90] as const;
 
 /** Level, topic, duration, author and licence in one line. */
 export function detailsOf({ size, about }: Pick<ShelfRow, 'size' | 'about'>): string {
-  const { level, topic, minutes, author, licence } = about;
-  const by = [author, licence === '' ? '' : licenceName(licence)].filter((said) => said !== '').join(', ');
-  return [level, topic, minutes === null ? '' : t(words.minutes, { count: minutes }), size, by]
+  const { level, topic, minutes } = about;
+  return [level, topic, minutes === null ? '' : t(words.minutes, { count: minutes }), size, creditOf(about)]
     .filter((said) => said !== '')
     .join(' · ');
 }

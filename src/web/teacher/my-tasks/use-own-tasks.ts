@@ -86,7 +86,8 @@ export function saveFolder(works: readonly ShelfWork[]): void {
 export async function addFiles(app: TasksApp, files: readonly AddedFile[]): Promise<readonly string[]> {
   const collected = await collectFiles(files);
   const undos: (() => Promise<void>)[] = [];
-  for (const work of worksIn(collected)) {
+  // The newest is first on the shelf: the first file is to be.
+  for (const work of worksIn(collected).toReversed()) {
     const kept = await shelfOf(app).keep(work);
     undos.push(kept.undo);
   }
