@@ -16,13 +16,12 @@ const file = (name: string) => ({
 
 test('tasks of two tabs lie on one shelf, are there after a reload, and come back when deleted; axe finds nothing', async ({
   page,
-  context,
 }) => {
   const rows = page.locator(by('tasks-row'));
   await page.goto('./#tasks');
   await page.setInputFiles(by('tasks-picker'), [file('Linie'), file('Wand')]);
   await expect(rows).toHaveText([/Linie.*Klasse 8 · Ada/, /Wand/]);
-  const other = await context.newPage();
+  const other = await page.context().newPage();
   await other.goto('./#tasks');
   await other.setInputFiles(by('tasks-picker'), [file('Slalom')]);
   await expect(other.locator(by('tasks-row'))).toHaveCount(3);

@@ -2,6 +2,7 @@ import { summaryOf } from '#scene/json-file';
 import { Reader } from '#scene/reader';
 import { defaultScene } from '#scene/scene';
 import type { Carried, Project, SourceFile } from '#project/project';
+import { chosenLevel } from '../task/levels';
 import { locksOf } from '../task/read-task';
 import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
@@ -12,7 +13,8 @@ export function handInOf(
 ): { readonly handIn: HandIn } | { readonly problem: string; readonly isNewer: boolean } {
   const { handIn: data, task, ...plain } = project;
   const mark = task?.['handedOut'] === true ? task['course'] : undefined;
-  const marked = typeof mark === 'string' ? { mark } : {};
+  const level = chosenLevel(task);
+  const marked = { ...(typeof mark === 'string' && { mark }), ...(level !== null && { level }) };
   if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null, ...marked } };
   const { version } = data;
   if (version !== HAND_IN_VERSION) {

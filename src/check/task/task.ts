@@ -4,6 +4,7 @@ import type { InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
 import type { TaskAbout } from './about';
+import type { TaskLevel } from './levels';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
 export interface ClassTask {
@@ -26,6 +27,8 @@ export interface ClassTask {
   readonly locks: Locks;
   /** Details for teachers; left out: none. */
   readonly about?: TaskAbout;
+  /** Start programs to choose from; left out: that of the project alone. */
+  readonly levels?: readonly TaskLevel[];
 }
 
 /**

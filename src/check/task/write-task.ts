@@ -3,6 +3,7 @@ import type { Carried, Project } from '#project/project';
 import { aboutData } from './about';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
+import { chosenLevel, levelsData } from './levels';
 import { noLocks, plainWorld, type Check, type CheckKind, type ClassTask, type Locks, type WorldVariant } from './task';
 import { visibleTask } from './visible';
 
@@ -32,14 +33,19 @@ export function withoutSecrets(project: Project): Project {
   if (handedOut !== true) return { ...others, task };
   // A pupil hands on what was handed out; an earlier version did not say which course that was.
   const { course: _course, ...known } = task;
-  return { ...others, task: course === undefined ? known : { ...known, course } };
+  const level = chosenLevel(project.task);
+  return {
+    ...others,
+    task: { ...known, ...(course !== undefined && { course }), ...(level !== null && { level }) },
+  };
 }
 
 /** A task's own data as a project carries it; what has its usual value is left out. */
-function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, about }: ClassTask): Carried {
+function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, about, levels }: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
-    version: checks.some(isNew) ? TASK_VERSION : 1,
+    // An earlier app says that it is too old, where it would find words it does not know.
+    version: checks.some(isNew) || about !== undefined || levels !== undefined ? TASK_VERSION : 1,
     ...(id !== '' && { id }),
     checks: checks.map(checkData),
     ...(others.length > 0 && { worlds: others.map(worldData) }),
@@ -49,6 +55,7 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, ab
     ...(solution !== null && { solution }),
     ...(!isSame(locks, noLocks) && { locks: lockData(locks) }),
     ...(about !== undefined && { about: aboutData(about) }),
+    ...(levels !== undefined && { levels: levelsData(levels) }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }
