@@ -53,6 +53,7 @@ const task: Carried = {
     { name: 'Lücken', text: 'forward()\n', lines: [1] },
   ],
   level: 1,
+  exam: { minutes: 45 },
   about: { level: 'Klasse 7', topic: 'Linien', minutes: 45, language: 'de', author: 'Ada', licence: 'CC-BY-SA-4.0' },
 };
 

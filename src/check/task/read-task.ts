@@ -13,6 +13,7 @@ import type { Carried, Project, SourceFile } from '#project/project';
 import { readFiles } from '#project/read-files';
 import { lostIn, lostProblem } from './named-objects';
 import { readAbout } from './about';
+import { readExam, type Exam } from './exam';
 import { levelLimits, readLevels, type TaskLevel } from './levels';
 import { readChecks } from './read-checks';
 import {
@@ -66,8 +67,9 @@ export function draftOf(project: Project): ReadTask {
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
     ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
-    ...['about', 'levels', 'level'],
+    ...['about', 'levels', 'level', 'exam'],
   ]);
+  const exam = readExam(fields['exam'], reader);
   const levels = readLevels(fields['levels'], reader, linesIn);
   if (fields['level'] !== undefined)
     reader.whole(fields['level'], 'task.level', { min: 0, max: levelLimits.levels.max - 1 });
@@ -91,6 +93,7 @@ export function draftOf(project: Project): ReadTask {
     locks: locksIn(fields['locks'], reader),
     ...(about !== undefined && { about }),
     ...(levels !== undefined && { levels }),
+    ...(exam !== undefined && { exam }),
   };
   const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
   return problems.length > 0 ? { problem: summaryOf(problems), problems } : { task };
@@ -240,6 +243,13 @@ export function levelsOf(task: Carried | undefined): readonly TaskLevel[] {
   const reader = new Reader();
   const levels = readLevels(task?.['levels'], reader, linesIn) ?? [];
   return reader.problems.length === 0 ? levels : [];
+}
+
+/** The exam of a task; `null`: it is none, or cannot be read. */
+export function examIn(task: Carried | undefined): Exam | null {
+  const reader = new Reader();
+  const exam = readExam(task?.['exam'], reader) ?? null;
+  return reader.problems.length === 0 ? exam : null;
 }
 
 /** `true`: no tool stays. */

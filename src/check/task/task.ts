@@ -4,6 +4,7 @@ import type { InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
 import type { TaskAbout } from './about';
+import type { Exam } from './exam';
 import type { TaskLevel } from './levels';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
@@ -29,6 +30,8 @@ export interface ClassTask {
   readonly about?: TaskAbout;
   /** Start programs to choose from; left out: that of the project alone. */
   readonly levels?: readonly TaskLevel[];
+  /** Left out: it is no exam. */
+  readonly exam?: Exam;
 }
 
 /**

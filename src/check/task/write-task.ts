@@ -30,7 +30,7 @@ export function withoutSecrets(project: Project): Project {
   const task = 'task' in read ? projectForPupils(read.task).task : undefined;
   if (task === undefined) return others;
   const { handedOut, course } = project.task;
-  if (handedOut !== true) return { ...others, task };
+  if (handedOut !== true) return { ...(task['exam'] === undefined ? others : withoutHints(others)), task };
   // A pupil hands on what was handed out; an earlier version did not say which course that was.
   const { course: _course, ...known } = task;
   const level = chosenLevel(project.task);
@@ -40,12 +40,33 @@ export function withoutSecrets(project: Project): Project {
   };
 }
 
+/** A project without the hints of its course, also without those that a ready course brings. */
+function withoutHints(project: Project): Project {
+  const { card } = project.scene.task;
+  if (card === undefined) return { ...project, course: null };
+  const translations = card.translations.map((one) => ({ ...one, hints: [] }));
+  const task = { ...project.scene.task, card: { ...card, hints: [], solution: false, translations } };
+  return { ...project, course: null, scene: { ...project.scene, task } };
+}
+
 /** A task's own data as a project carries it; what has its usual value is left out. */
-function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, about, levels }: ClassTask): Carried {
+function dataOf({
+  id,
+  checks,
+  worlds,
+  least,
+  seconds,
+  stars,
+  solution,
+  locks,
+  about,
+  levels,
+  exam,
+}: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
     // An earlier app says that it is too old, where it would find words it does not know.
-    version: checks.some(isNew) || about !== undefined || levels !== undefined ? TASK_VERSION : 1,
+    version: checks.some(isNew) || [about, levels, exam].some((one) => one !== undefined) ? TASK_VERSION : 1,
     ...(id !== '' && { id }),
     checks: checks.map(checkData),
     ...(others.length > 0 && { worlds: others.map(worldData) }),
@@ -56,6 +77,7 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks, ab
     ...(!isSame(locks, noLocks) && { locks: lockData(locks) }),
     ...(about !== undefined && { about: aboutData(about) }),
     ...(levels !== undefined && { levels: levelsData(levels) }),
+    ...(exam !== undefined && { exam }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }

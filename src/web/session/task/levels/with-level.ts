@@ -8,13 +8,15 @@ export function withLevel(project: Project, place: number): Project | null {
   const level = levelsOf(task)[place];
   if (task === undefined || level === undefined) return null;
   const { lines: _, ...locks } = isRecord(task['locks']) ? task['locks'] : {};
-  const series = project.handIn?.['series'];
-  const { handIn: __, ...plain } = project;
+  const { handIn, ...plain } = project;
+  const { version, series, begunMs } = handIn ?? {};
   return {
     ...plain,
     files: project.files.map((file) => (file.name === MAIN ? { ...file, text: level.text } : file)),
     task: { ...task, level: place, locks: { ...locks, ...(level.lines.length > 0 && { lines: level.lines }) } },
-    // What the page has noticed belongs to the program before; the place in a series stays.
-    ...(series !== undefined && { handIn: { version: project.handIn?.['version'], series } }),
+    // What the page has noticed belongs to the program before; the place in a series and the begin of an exam stay.
+    ...(handIn !== undefined && {
+      handIn: { version, ...(series !== undefined && { series }), ...(begunMs !== undefined && { begunMs }) },
+    }),
   };
 }
