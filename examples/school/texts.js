@@ -13,7 +13,7 @@ export const texts = {
     },
     findings: {
       https: {
-        right: 'Die Adresse beginnt mit https.',
+        right: 'Die Verbindung ist sicher.',
         wrong: 'Die Adresse beginnt nicht mit https.',
         mend: 'Ohne https geht die Seite nicht ohne Netz, und kein Programm kommt per USB auf den Roboter. Richte ein Zertifikat ein, zum Beispiel von Let’s Encrypt.',
       },
@@ -86,7 +86,7 @@ export const texts = {
     },
     findings: {
       https: {
-        right: 'L’adresse commence par https.',
+        right: 'La connexion est sûre.',
         wrong: 'L’adresse ne commence pas par https.',
         mend: 'Sans https, la page ne marche pas sans réseau et aucun programme ne passe par USB vers le robot. Installe un certificat, par exemple de Let’s Encrypt.',
       },
@@ -159,7 +159,7 @@ export const texts = {
     },
     findings: {
       https: {
-        right: 'L’indirizzo comincia con https.',
+        right: 'La connessione è sicura.',
         wrong: 'L’indirizzo non comincia con https.',
         mend: 'Senza https la pagina non va senza rete e nessun programma passa via USB sul robot. Installa un certificato, per esempio di Let’s Encrypt.',
       },
@@ -232,7 +232,7 @@ export const texts = {
     },
     findings: {
       https: {
-        right: 'The address begins with https.',
+        right: 'The connection is secure.',
         wrong: 'The address does not begin with https.',
         mend: 'Without https the page does not work without a network, and no program goes to the robot by USB. Set up a certificate, for example of Let’s Encrypt.',
       },
