@@ -16,14 +16,12 @@ import { lockedText } from '../code/locked-text';
 import type { CourseEditorParts } from '../../course/editor/state/parts';
 import type { PageParts } from '../../kit/parts';
 import { t } from '../../kit/i18n';
-import type { LayoutParts } from '../../session/layout/parts';
 import type { RunParts } from '../../session/run/parts';
-import type { TaskParts } from '../../session/task/parts';
 import { isHandedOut, type TaskLocks } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
 import { filesByDevice } from '../../session/work/programs/own-programs';
 import words from './words';
-import { closedByExam, examRefuses, holdExam } from './hold-exam';
+import { closedByExam, examRefuses, holdExam, type ExamPage } from './hold-exam';
 import { mainText } from './main-text';
 import { holdLockedSettings, OF_THE_ROBOT } from './hold-locked-settings';
 import { lockedLines } from './locked-lines';
@@ -40,8 +38,7 @@ export type LockedPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   Pick<CourseEditorParts, 'editor' | 'panels'> &
-  TaskParts &
-  Pick<LayoutParts, 'router'>;
+  ExamPage;
 
 /**
  * Enforces the locks of a task that was handed out, while it is open; in the teacher's own task, keeps the locks on
