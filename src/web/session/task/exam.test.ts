@@ -9,12 +9,12 @@ import { taskOf } from '#check/task/read-task';
 import { projectOfTask, withoutSecrets } from '#check/task/write-task';
 import { MAIN, type Project } from '#project/project';
 
-import { byId, isThere, tap } from '../../../app/testing/find';
-import { mountOn, textOf } from '../../../app/testing/mount-on';
-import { createPage, type TestPage } from '../../../app/testing/page';
-import { loadTexts } from '../../../kit/i18n';
-import { givenTask } from '../../../pupil/locks/testing/given';
-import TaskChecks from '../TaskChecks.vue';
+import { byId, isThere, tap } from '../../app/testing/find';
+import { mountOn, textOf } from '../../app/testing/mount-on';
+import { createPage, type TestPage } from '../../app/testing/page';
+import { loadTexts } from '../../kit/i18n';
+import { givenTask } from '../../pupil/locks/testing/given';
+import TaskChecks from './TaskChecks.vue';
 
 const START = 'forward()\n';
 const BEGUN = 1_800_000_000_000;

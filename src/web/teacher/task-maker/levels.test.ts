@@ -9,12 +9,12 @@ import { levelsOf, locksOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { MAIN } from '#project/project';
 
-import { byId, fieldById, isThere, tap, write } from '../../../app/testing/find';
-import { mountOn, textOf } from '../../../app/testing/mount-on';
-import { createPage, type TestPage } from '../../../app/testing/page';
-import { loadTexts } from '../../../kit/i18n';
-import TaskChecks from '../../../session/task/TaskChecks.vue';
-import MakerPage from '../MakerPage.vue';
+import { byId, fieldById, isThere, tap, write } from '../../app/testing/find';
+import { mountOn, textOf } from '../../app/testing/mount-on';
+import { createPage, type TestPage } from '../../app/testing/page';
+import { loadTexts } from '../../kit/i18n';
+import TaskChecks from '../../session/task/TaskChecks.vue';
+import MakerPage from './MakerPage.vue';
 
 beforeAll(() => loadTexts('de'));
 beforeEach(() => document.body.replaceChildren());
