@@ -69,8 +69,34 @@ async function answerTo({ file, bytes }, ask) {
   }
 }
 
+const isPage = ({ file }) => endingOf(file) === 'html' && !isSingle({ file });
+const isSingle = ({ file }) => /\.single\.html$/.test(file);
+const isWorker = ({ file }) => /^assets\/worker-.*\.js$/.test(file);
+const policyOf = ({ headers }) => headers.get('content-security-policy') ?? '';
+const isForEver = ({ file }) => FOR_EVER.test(file);
+const isSaid = ({ headers }) => !Number.isNaN(longestS(headers)) || isAsked(headers);
+
+/** The things that can be wrong with an answer: how bad it is, and whether it is so. */
+const FAULTS = {
+  length: ['bad', ({ got, bytes }) => got !== bytes],
+  types: ['bad', ({ file, headers }) => TYPES[endingOf(file)]?.includes(typeOf(headers)) === false],
+  compression: [
+    'warn',
+    (one) => COMPRESSIBLE.test(one.file) && one.bytes > SMALL && !isSingle(one) && !one.headers.get('content-encoding'),
+  ],
+  stale: ['bad', (one) => !isForEver(one) && longestS(one.headers) > 0],
+  fresh: ['warn', (one) => !isForEver(one) && endingOf(one.file) !== 'txt' && !isSaid(one)],
+  kept: ['warn', (one) => isForEver(one) && !(longestS(one.headers) >= DAY_S)],
+  blocked: ['bad', (one, policies) => policyOf(one) !== '' && isBlocked(one, policies)],
+  policy: [
+    'warn',
+    (one) => (isPage(one) && policyOf(one) === '') || (isWorker(one) && !/connect-src 'none'/.test(policyOf(one))),
+  ],
+  boards: ['bad', (one) => isPage(one) && /(?:usb|serial)=\(\)/.test(one.headers.get('permissions-policy') ?? '')],
+};
+
 /**
- * What is right and wrong with a server. What only matters where files have come is left out where none has.
+ * Judges a server by its answers. A fault that only a file that has come can have is not looked for in others.
  *
  * @param {readonly Answer[]} answers
  * @param {List['policies']} policies
@@ -83,69 +109,24 @@ export function findingsIn(answers, policies) {
     state: wrong.length === 0 ? 'ok' : state,
     files: wrong.slice(0, NAMED).map(({ file }) => file),
   });
-  const isSingle = ({ file }) => /\.single\.html$/.test(file);
-  const isWorker = ({ file }) => /^assets\/worker-.*\.js$/.test(file);
-  const policyOf = ({ headers }) => headers.get('content-security-policy') ?? '';
-  const pages = there.filter((one) => endingOf(one.file) === 'html' && !isSingle(one));
+  const missing = answers.filter(({ status }) => status !== 200);
   return [
-    finding(
-      'missing',
-      'bad',
-      answers.filter(({ status }) => status !== 200),
-    ),
-    finding(
-      'length',
-      'bad',
-      there.filter(({ got, bytes }) => got !== bytes),
-    ),
-    finding(
-      'types',
-      'bad',
-      there.filter(({ file, headers }) => TYPES[endingOf(file)]?.includes(typeOf(headers)) === false),
-    ),
-    finding(
-      'compression',
-      'warn',
-      there.filter(
-        ({ file, bytes, headers }) =>
-          COMPRESSIBLE.test(file) && bytes > SMALL && !/\.single\./.test(file) && !headers.get('content-encoding'),
+    finding('missing', 'bad', missing),
+    ...Object.entries(FAULTS).map(([id, [state, is]]) =>
+      finding(
+        id,
+        state,
+        there.filter((one) => is(one, policies)),
       ),
-    ),
-    finding(
-      'stale',
-      'bad',
-      there.filter(({ file, headers }) => !FOR_EVER.test(file) && longestS(headers) > 0),
-    ),
-    finding(
-      'fresh',
-      'warn',
-      there.filter(
-        ({ file, headers }) =>
-          !FOR_EVER.test(file) && endingOf(file) !== 'txt' && Number.isNaN(longestS(headers)) && !isAsked(headers),
-      ),
-    ),
-    finding(
-      'kept',
-      'warn',
-      there.filter(({ file, headers }) => FOR_EVER.test(file) && !(longestS(headers) >= DAY_S)),
-    ),
-    finding('blocked', 'bad', [
-      ...pages.filter((one) => policyOf(one) !== '' && !allows(policyOf(one), policies.page)),
-      ...there.filter((one) => isSingle(one) && policyOf(one) !== ''),
-      ...there.filter(
-        (one) => isWorker(one) && policyOf(one) !== '' && !/'wasm-unsafe-eval'|'unsafe-eval'/.test(policyOf(one)),
-      ),
-    ]),
-    finding('policy', 'warn', [
-      ...pages.filter((one) => policyOf(one) === ''),
-      ...there.filter((one) => isWorker(one) && !/connect-src 'none'/.test(policyOf(one))),
-    ]),
-    finding(
-      'boards',
-      'bad',
-      pages.filter(({ headers }) => /(?:usb|serial)=\(\)/.test(headers.get('permissions-policy') ?? '')),
     ),
   ];
+}
+
+/** True if the policy of an answer keeps it from working. */
+function isBlocked(one, policies) {
+  if (isSingle(one)) return true; // it has a stricter one of its own
+  if (isPage(one)) return !allows(policyOf(one), policies.page);
+  return isWorker(one) && !/'(?:wasm-)?unsafe-eval'/.test(policyOf(one));
 }
 
 /** True if a policy allows all that the page needs: each source of the directives that it has. */

@@ -34,7 +34,7 @@ beforeAll(async () => {
 });
 afterAll(() => rm(folder, { recursive: true }));
 
-/** What is found on a server whose answers are changed. @param change (name, answer) → another answer */
+/** The faults that are found on a server whose answers are changed. @param change (name, answer) → another answer */
 async function found(change = (_, answer) => answer) {
   const server = createServer((request, response) => {
     const name = request.url.slice(1).replace(/\?.*/, '');
@@ -125,14 +125,14 @@ describe('the check of a server', () => {
       'it has a policy for all its pages',
       withHeaders({ 'Content-Security-Policy': "default-src 'self'" }),
       {
-        blocked: ['bad', 'index.html', 'check.html', 'parcours.single.html', 'assets/worker-DEADbeef.js'],
+        blocked: ['bad', 'assets/worker-DEADbeef.js', 'index.html', 'parcours.single.html', 'check.html'],
         policy: ['warn', 'assets/worker-DEADbeef.js'],
       },
     ],
     [
       'it sends no policy',
       (_, { headers: { 'Content-Security-Policy': _gone, ...headers }, ...answer }) => ({ ...answer, headers }),
-      { policy: ['warn', 'index.html', 'check.html', 'assets/worker-DEADbeef.js'] },
+      { policy: ['warn', 'assets/worker-DEADbeef.js', 'index.html', 'check.html'] },
     ],
     [
       'it forbids USB',

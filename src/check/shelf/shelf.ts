@@ -1,5 +1,5 @@
 import { draftOf } from '../task/read-task';
-import { projectOfTask } from '../task/write-task';
+import { projectOfTask, withoutPart } from '../task/write-task';
 import { noAbout, type TaskAbout } from '../task/about';
 import type { Series } from '../series/series';
 import { isSame } from '#core/same';
@@ -54,6 +54,5 @@ export function withAbout(work: ShelfWork, about: TaskAbout): ShelfWork {
   }
   const read = draftOf(work.project);
   if ('problem' in read) return work;
-  const { about: _, ...task } = read.task;
-  return { ...work, project: projectOfTask({ ...task, ...said }) };
+  return { ...work, project: projectOfTask({ ...withoutPart(read.task, 'about'), ...said }) };
 }

@@ -10,6 +10,12 @@ import { visibleTask } from './visible';
 /** The project of a task, with everything: for the teacher. */
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
 
+/** A task without one of its parts that it need not have. */
+export function withoutPart(task: ClassTask, part: 'about' | 'levels' | 'exam'): ClassTask {
+  const { [part]: _, ...others } = task;
+  return others;
+}
+
 /**
  * The same without the solution and without hidden worlds: what pupils get. On their page the locks hold, and it knows
  * whether the course is still the one handed out.
