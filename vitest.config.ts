@@ -34,7 +34,7 @@ export default defineConfig({
             'scripts/**/*.test.mjs',
             'build/**/*.test.ts',
             'examples/dev/*.test.ts',
-            'examples/{scale,autograders,container}/*.test.mjs',
+            'examples/{scale,autograders,container,school}/*.test.mjs',
           ],
           exclude: [PAGE],
           isolate: false, // they leave nothing behind, and loading each module once saves a third of the time

@@ -48,6 +48,13 @@ const task: Carried = {
   stars: [1, 3],
   solution: [{ name: 'main.py', text: ahead(1500) }],
   locks: { course: true, lines: [1] },
+  levels: [
+    { name: 'leer', text: '' },
+    { name: 'Lücken', text: 'forward()\n', lines: [1] },
+  ],
+  level: 1,
+  exam: { minutes: 45 },
+  about: { level: 'Klasse 7', topic: 'Linien', minutes: 45, language: 'de', author: 'Ada', licence: 'CC-BY-SA-4.0' },
 };
 
 const handIn: Carried = {

@@ -10,6 +10,7 @@ import { programsOf } from './run/programs';
 import { notRun, runWorld } from './run/run-world';
 import { isSameCourse } from './task/course-mark';
 import { keptLines } from './task/kept-lines';
+import type { TaskLevel } from './task/levels';
 import { isUnlocked } from './task/unlocked';
 import { isFact, type Check, type ClassTask, type Fact } from './task/task';
 
@@ -64,7 +65,7 @@ function resultOf(
     0,
   );
   const programs = programsOf(task.project, handIn.project);
-  const unchanged = isUnchanged(task, programs, starts);
+  const unchanged = isUnchanged(task, programs, [...starts, ...(task.levels ?? []).map(({ text }) => text)]);
   return {
     passed,
     points,
@@ -151,7 +152,7 @@ function remarksOn(
   if ((hasCourse && !isSameCourse(task.project.scene, project.scene)) || said?.remarks.includes('course') === true)
     tell('course');
   if (said?.remarks.includes('hand') === true) tell('hand');
-  if (said?.remarks.includes('outside') === true || lacksLines(task, project)) tell('outside');
+  if (said?.remarks.includes('outside') === true || lacksLines(task, handIn)) tell('outside');
   if (said !== null && locks !== undefined && isUnlocked(task.locks, locks)) tell('unlocked');
   if (said?.verdict === 'passed' && visible?.passed === false) tell('verdict');
   else if (said !== null && visible !== undefined && said.hash !== visible.hash) {
@@ -166,7 +167,17 @@ function remarksOn(
 }
 
 /** True if a line that is locked in the editor was changed: then the program was written elsewhere. */
-function lacksLines({ project, locks }: ClassTask, theirs: HandIn['project']): boolean {
-  const mainOf = (of: HandIn['project']): string => runFilesOf(of, 0)[MAIN] ?? '';
-  return locks.lines.length > 0 && keptLines(mainOf(project), mainOf(theirs), locks.lines) === null;
+function lacksLines(task: ClassTask, { project, level }: HandIn): boolean {
+  const main = runFilesOf(project, 0)[MAIN] ?? '';
+  return startsOf(task, level).every(({ text, lines }) => lines.length > 0 && keptLines(text, main, lines) === null);
+}
+
+/** The start programs that a hand-in may come from: of a task with levels the chosen one, else any of them. */
+function startsOf(
+  { project, locks, levels = [] }: ClassTask,
+  level: number | undefined,
+): readonly Pick<TaskLevel, 'text' | 'lines'>[] {
+  const chosen = level === undefined ? undefined : levels[level];
+  if (chosen !== undefined) return [chosen];
+  return [{ text: runFilesOf(project, 0)[MAIN] ?? '', lines: locks.lines }, ...levels];
 }

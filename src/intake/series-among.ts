@@ -1,6 +1,7 @@
 import { unread, type Unread } from '#check/hand-in/unread';
 import { looksLikeSeries } from '#check/series/read-series';
 import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
+import { looksLikeShelf } from '#check/shelf/read-shelf';
 import { SERIES_FILE } from '#check/series/write-series';
 import type { ReadyCourses } from '#project/link/link';
 import { unreadable, type SeriesDocument, type Unreadable } from './document';
@@ -65,7 +66,8 @@ export async function tasksAmong(all: readonly Opened[], courses: ReadyCourses):
     else refused.push({ file: path, document });
   }
   for (const [path, text] of texts) {
-    if (looksLikeSeries(text) || isUsed.has(lastOf(path))) continue;
+    // The list of a shelf tells of the files beside it.
+    if (looksLikeSeries(text) || looksLikeShelf(text) || isUsed.has(lastOf(path))) continue;
     const task = taskIn(documentOfText(text, courses));
     if (!('project' in task)) refused.push({ file: path, document: task });
     else {

@@ -14,6 +14,8 @@ export interface HandIn {
   readonly locks?: Locks;
   /** Identifies the course that was handed out (`courseMark`); left out: unknown. */
   readonly mark?: string;
+  /** The place of the level that was chosen; left out: none, or unknown. */
+  readonly level?: number;
   /** True for a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
   readonly isEdited?: true;
   /** The coding of a program's file; left out: UTF-8, as boards want it. */

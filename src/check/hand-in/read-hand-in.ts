@@ -2,6 +2,7 @@ import { summaryOf } from '#scene/json-file';
 import { Reader } from '#scene/reader';
 import { defaultScene } from '#scene/scene';
 import type { Carried, Project, SourceFile } from '#project/project';
+import { chosenLevel } from '../task/levels';
 import { locksOf } from '../task/read-task';
 import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
@@ -12,7 +13,8 @@ export function handInOf(
 ): { readonly handIn: HandIn } | { readonly problem: string; readonly isNewer: boolean } {
   const { handIn: data, task, ...plain } = project;
   const mark = task?.['handedOut'] === true ? task['course'] : undefined;
-  const marked = typeof mark === 'string' ? { mark } : {};
+  const level = chosenLevel(task);
+  const marked = { ...(typeof mark === 'string' && { mark }), ...(level !== null && { level }) };
   if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null, ...marked } };
   const { version } = data;
   if (version !== HAND_IN_VERSION) {
@@ -35,9 +37,9 @@ export const handInOfFiles = (files: readonly SourceFile[]): HandIn => ({
 });
 
 function saidIn(data: Carried, reader: Reader): Said {
-  // The series of a task is for the page's navigation only; it has no part in the check.
+  // The series of a task and the begin of an exam are for the pupil's page; they have no part in the check.
   const { task, alias, verdict, tries, hash, remarks } = reader.fields(data, 'handIn', [
-    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series'],
+    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series', 'begunMs'],
   ]);
   const listed =
     remarks === undefined ? [] : reader.list(remarks, 'handIn.remarks', { min: 0, max: saidRemarks.length });

@@ -10,6 +10,7 @@ import { Reader, type Fields } from '#scene/reader';
 import { formatOf, parseProjectValue } from '#project/file';
 import { projectOfLink, type ReadyCourses, type Room } from '#project/link/link';
 import type { ProjectProblem } from '#project/problem';
+import { readAbout } from '../task/about';
 import { freeTaskId, seriesLimits, type Series, type SeriesTask, type TaskSource, type Unread } from './series';
 
 /** The name of the format in a file. */
@@ -51,18 +52,20 @@ export function parseSeriesValue(value: unknown, courses: ReadyCourses): ReadSer
   const { version } = value;
   if (version !== SERIES_VERSION) return refused([versionProblem('Series', version, SERIES_VERSION)]);
   const reader = new Reader();
-  const fields = reader.fields(value, '', ['format', 'version', 'id', 'title', 'text', 'tasks']);
+  const fields = reader.fields(value, '', ['format', 'version', 'id', 'title', 'text', 'tasks', 'about']);
   const title = reader.text(fields['title'], 'title', seriesLimits.titleCharacters, '');
   const entries = reader.list(fields['tasks'], 'tasks', seriesLimits.tasks);
   const given = reader.text(fields['id'], 'id', seriesLimits.idCharacters, '');
   if (!/^[\w-]*$/.test(given))
     reader.report('unknown-value', 'id', given, `${shown(given)} may have letters, digits, "_" and "-" only.`, {});
   const text = reader.text(fields['text'], 'text', seriesLimits.textCharacters, '');
+  const about = readAbout(fields['about'], 'about', reader);
   if (reader.problems.length > 0) return refused(reader.problems);
   const tasks: SeriesTask[] = [];
   const links: Links = { courses, room: roomForLinks() };
   for (const [index, entry] of entries.entries()) tasks.push(taskIn(entry, index, tasks, links));
-  return { series: { id: given || idOf(title, entries), title, text, tasks } };
+  const series = { id: given || idOf(title, entries), title, text, tasks };
+  return { series: about === undefined ? series : { ...series, about } };
 }
 
 const refused = (problems: readonly SeriesProblem[]): ReadSeries => ({ problem: summaryOf(problems), problems });

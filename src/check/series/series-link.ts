@@ -10,6 +10,7 @@
 import { packed, unpacked } from '#core/deflate';
 import { sealed, unsealed } from '#core/sealed';
 import { LINK_CHARACTERS, linkOf, projectOfLink, type ReadyCourses } from '#project/link/link';
+import { aboutData } from '../task/about';
 import { parseSeries, roomForLinks, SERIES_FORMAT, SERIES_VERSION, type ReadSeries } from './read-series';
 import type { Series } from './series';
 
@@ -34,7 +35,7 @@ export type ReadSeriesLink = ReadSeries | { readonly fault: 'damaged' | 'newer' 
 export const isSeriesLink = (fragment: string): boolean => /^#?s=\d/.test(fragment);
 
 /** Makes the link of a series whose files are all read; `null`: it would be too long, hold too much, or is not whole. */
-export function seriesLinkOf({ id, title, text, tasks }: Series, courses: ReadyCourses): MadeSeriesLink | null {
+export function seriesLinkOf({ id, title, text, tasks, about }: Series, courses: ReadyCourses): MadeSeriesLink | null {
   const withoutPictures: number[] = [];
   const entries: object[] = [];
   const room = roomForLinks();
@@ -56,6 +57,7 @@ export function seriesLinkOf({ id, title, text, tasks }: Series, courses: ReadyC
     id,
     title,
     ...(text !== '' && { text }),
+    ...(about !== undefined && { about: aboutData(about) }),
     tasks: entries,
   };
   const bytes = new TextEncoder().encode(JSON.stringify(file));

@@ -86,7 +86,7 @@ describe('what is no series', () => {
     [{ ...head, tasks: [], id: '../a' }, 'id: "../a" may have letters, digits, "_" and "-" only.'],
     [
       { ...head, tasks: [], colour: 'red' },
-      'colour: unknown property. Known here: format, version, id, title, text, tasks.',
+      'colour: unknown property. Known here: format, version, id, title, text, tasks, about.',
     ],
   ])('%# says why', (value, message) => expect(refusal(value)).toContain(message));
 

@@ -1,5 +1,6 @@
 import type { ProjectProblem } from '#project/problem';
 import type { Project } from '#project/project';
+import type { TaskAbout } from '../task/about';
 
 /** Tasks in an order, which a teacher hands out together. */
 export interface Series {
@@ -9,6 +10,8 @@ export interface Series {
   /** Description; empty: none. */
   readonly text: string;
   readonly tasks: readonly SeriesTask[];
+  /** Details for teachers; left out: none. */
+  readonly about?: TaskAbout;
 }
 
 /** A task of a series. */

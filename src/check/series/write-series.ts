@@ -1,18 +1,20 @@
 import { plainFileName } from '#core/plain-file-name';
 import { projectToText } from '#project/file';
 import type { Project } from '#project/project';
+import { aboutData } from '../task/about';
 import { withoutSecrets } from '../task/write-task';
 import { SERIES_FORMAT, SERIES_VERSION } from './read-series';
 import type { Series, SeriesTask, TaskSource } from './series';
 
 /** A series as its file: readable JSON that ends in a newline. Reading it back gives an equal series. */
-export function seriesToText({ id, title, text, tasks }: Series): string {
+export function seriesToText({ id, title, text, tasks, about }: Series): string {
   const lines = [
     `"format": ${JSON.stringify(SERIES_FORMAT)}`,
     `"version": ${String(SERIES_VERSION)}`,
     `"id": ${JSON.stringify(id)}`,
     `"title": ${JSON.stringify(title)}`,
     ...(text === '' ? [] : [`"text": ${JSON.stringify(text)}`]),
+    ...(about === undefined ? [] : [`"about": ${JSON.stringify(aboutData(about))}`]),
     tasks.length === 0 ? '"tasks": []' : `"tasks": [\n    ${tasks.map(taskText).join(',\n    ')}\n  ]`,
   ];
   return `{\n  ${lines.join(',\n  ')}\n}\n`;

@@ -12,6 +12,9 @@ import type { ProjectProblem } from '#project/problem';
 import type { Carried, Project, SourceFile } from '#project/project';
 import { readFiles } from '#project/read-files';
 import { lostIn, lostProblem } from './named-objects';
+import { readAbout } from './about';
+import { readExam, type Exam } from './exam';
+import { levelLimits, readLevels, type TaskLevel } from './levels';
 import { readChecks } from './read-checks';
 import {
   lockNames,
@@ -64,7 +67,13 @@ export function draftOf(project: Project): ReadTask {
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
     ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
+    ...['about', 'levels', 'level', 'exam'],
   ]);
+  const exam = readExam(fields['exam'], reader);
+  const levels = readLevels(fields['levels'], reader, linesIn);
+  if (fields['level'] !== undefined)
+    reader.whole(fields['level'], 'task.level', { min: 0, max: levelLimits.levels.max - 1 });
+  const about = readAbout(fields['about'], 'task.about', reader);
   const solution = solutionIn(fields, reader);
   const worlds = worldsIn(fields['worlds'], reader);
   const hiddenCount = worlds.filter(({ hidden }) => hidden).length;
@@ -82,6 +91,9 @@ export function draftOf(project: Project): ReadTask {
     stars: fields['stars'] === undefined ? null : starsIn(fields['stars'], reader),
     solution: solution.files,
     locks: locksIn(fields['locks'], reader),
+    ...(about !== undefined && { about }),
+    ...(levels !== undefined && { levels }),
+    ...(exam !== undefined && { exam }),
   };
   const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
   return problems.length > 0 ? { problem: summaryOf(problems), problems } : { task };
@@ -226,6 +238,20 @@ export function locksOf(task: Carried): Locks {
   return reader.problems.length === 0 ? locks : noLocks;
 }
 
+/** The levels of a task; none if they cannot be read. */
+export function levelsOf(task: Carried | undefined): readonly TaskLevel[] {
+  const reader = new Reader();
+  const levels = readLevels(task?.['levels'], reader, linesIn) ?? [];
+  return reader.problems.length === 0 ? levels : [];
+}
+
+/** The exam of a task; `null`: it is none, or cannot be read. */
+export function examIn(task: Carried | undefined): Exam | null {
+  const reader = new Reader();
+  const exam = readExam(task?.['exam'], reader) ?? null;
+  return reader.problems.length === 0 ? exam : null;
+}
+
 /** `true`: no tool stays. */
 function toolsIn(value: unknown, reader: Reader): Locks['tools'] {
   if (value === undefined || value === false) return null;
@@ -249,15 +275,16 @@ function locksIn(value: unknown, reader: Reader): Locks {
   const flags = lockNames.flatMap((name) =>
     name === 'speed' ? [] : [[name, reader.flag(fields[name], `task.locks.${name}`, false)] as const],
   );
-  const { lines } = fields;
-  const numbers =
-    lines === undefined ? [] : reader.list(lines, 'task.locks.lines', { min: 0, max: taskLimits.lockedLines });
   return {
     ...(Object.fromEntries(flags) as Omit<Locks, 'speed' | 'tools' | 'lines'>),
     speed: speedIn(fields['speed'], reader),
     tools: toolsIn(fields['tools'], reader),
-    lines: numbers.map((line, index) =>
-      reader.whole(line, `task.locks.lines[${String(index)}]`, { min: 1, max: 100_000 }),
-    ),
+    lines: linesIn(fields['lines'], 'task.locks.lines', reader),
   };
+}
+
+/** Numbers of locked lines. */
+function linesIn(value: unknown, path: string, reader: Reader): readonly number[] {
+  const numbers = value === undefined ? [] : reader.list(value, path, { min: 0, max: taskLimits.lockedLines });
+  return numbers.map((line, index) => reader.whole(line, `${path}[${String(index)}]`, { min: 1, max: 100_000 }));
 }

@@ -3,6 +3,9 @@ import type { Point, Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
+import type { TaskAbout } from './about';
+import type { Exam } from './exam';
+import type { TaskLevel } from './levels';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
 export interface ClassTask {
@@ -23,6 +26,12 @@ export interface ClassTask {
   /** A program that passes; `null`: none is given. */
   readonly solution: readonly SourceFile[] | null;
   readonly locks: Locks;
+  /** Details for teachers; left out: none. */
+  readonly about?: TaskAbout;
+  /** Start programs to choose from; left out: that of the project alone. */
+  readonly levels?: readonly TaskLevel[];
+  /** Left out: it is no exam. */
+  readonly exam?: Exam;
 }
 
 /**

@@ -1,12 +1,20 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
+import { aboutData } from './about';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
+import { chosenLevel, levelsData } from './levels';
 import { noLocks, plainWorld, type Check, type CheckKind, type ClassTask, type Locks, type WorldVariant } from './task';
 import { visibleTask } from './visible';
 
 /** The project of a task, with everything: for the teacher. */
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
+
+/** A task without one of its parts that it need not have. */
+export function withoutPart(task: ClassTask, part: 'about' | 'levels' | 'exam'): ClassTask {
+  const { [part]: _, ...others } = task;
+  return others;
+}
 
 /**
  * The same without the solution and without hidden worlds: what pupils get. On their page the locks hold, and it knows
@@ -28,17 +36,43 @@ export function withoutSecrets(project: Project): Project {
   const task = 'task' in read ? projectForPupils(read.task).task : undefined;
   if (task === undefined) return others;
   const { handedOut, course } = project.task;
-  if (handedOut !== true) return { ...others, task };
+  if (handedOut !== true) return { ...(task['exam'] === undefined ? others : withoutHints(others)), task };
   // A pupil hands on what was handed out; an earlier version did not say which course that was.
   const { course: _course, ...known } = task;
-  return { ...others, task: course === undefined ? known : { ...known, course } };
+  const level = chosenLevel(project.task);
+  return {
+    ...others,
+    task: { ...known, ...(course !== undefined && { course }), ...(level !== null && { level }) },
+  };
+}
+
+/** A project without the hints of its course, also without those that a ready course brings. */
+function withoutHints(project: Project): Project {
+  const { card } = project.scene.task;
+  if (card === undefined) return { ...project, course: null };
+  const translations = card.translations.map((one) => ({ ...one, hints: [] }));
+  const task = { ...project.scene.task, card: { ...card, hints: [], solution: false, translations } };
+  return { ...project, course: null, scene: { ...project.scene, task } };
 }
 
 /** A task's own data as a project carries it; what has its usual value is left out. */
-function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: ClassTask): Carried {
+function dataOf({
+  id,
+  checks,
+  worlds,
+  least,
+  seconds,
+  stars,
+  solution,
+  locks,
+  about,
+  levels,
+  exam,
+}: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
-    version: checks.some(isNew) ? TASK_VERSION : 1,
+    // An earlier app says that it is too old, where it would find words it does not know.
+    version: checks.some(isNew) || [about, levels, exam].some((one) => one !== undefined) ? TASK_VERSION : 1,
     ...(id !== '' && { id }),
     checks: checks.map(checkData),
     ...(others.length > 0 && { worlds: others.map(worldData) }),
@@ -47,6 +81,9 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
     ...(stars !== null && { stars }),
     ...(solution !== null && { solution }),
     ...(!isSame(locks, noLocks) && { locks: lockData(locks) }),
+    ...(about !== undefined && { about: aboutData(about) }),
+    ...(levels !== undefined && { levels: levelsData(levels) }),
+    ...(exam !== undefined && { exam }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }

@@ -40,6 +40,8 @@ export interface DeskCard {
   readonly title: () => string;
   /** One sentence on what it is for. */
   readonly about: () => string;
+  /** The number of things behind it, beside its title; left out, or 0: none is shown. */
+  readonly count?: () => number;
   /** The work that was left there; it stands above the cards. `null`: none. */
   readonly left?: () => DeskLeft | null;
   /** Everything behind it that fits the words of the search, the best first. */

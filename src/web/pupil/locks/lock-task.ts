@@ -19,7 +19,9 @@ import { t } from '../../kit/i18n';
 import type { RunParts } from '../../session/run/parts';
 import { isHandedOut, type TaskLocks } from '../../session/work/model/task-locks';
 import type { WorkParts } from '../../session/work/model/parts';
+import { filesByDevice } from '../../session/work/programs/own-programs';
 import words from './words';
+import { closedByExam, examRefuses, holdExam, type ExamPage } from './hold-exam';
 import { mainText } from './main-text';
 import { holdLockedSettings, OF_THE_ROBOT } from './hold-locked-settings';
 import { lockedLines } from './locked-lines';
@@ -35,7 +37,8 @@ import { isMadeWith } from './with-tools';
 export type LockedPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
-  Pick<CourseEditorParts, 'editor' | 'panels'>;
+  Pick<CourseEditorParts, 'editor' | 'panels'> &
+  ExamPage;
 
 /**
  * Enforces the locks of a task that was handed out, while it is open; in the teacher's own task, keeps the locks on
@@ -52,6 +55,7 @@ function lockGiven(app: LockedPage, opened: Project): Stop {
     app.work.locks.task.value = task;
     lockedText(app).value = (file) => task.inEditor(file);
     beginWith(app, task);
+    holdExam(app);
   });
   return () => {
     app.work.locks.task.value = null;
@@ -162,6 +166,11 @@ class OpenTaskLocks implements TaskLocks {
       if (wished.task !== undefined) this.tell(t(words.given));
       return wished.task === undefined ? wished : null;
     }
+    const closed = isSame(filesByDevice(before), filesByDevice(wished)) ? null : examRefuses(this.app);
+    if (closed !== null) {
+      this.tell(closed);
+      return null;
+    }
     const after = !isTyped && bringsText(before, wished) ? withOutsideRemark(wished) : wished;
     if (!isSame(hardwareOf(before), hardwareOf(after)) && this.refuses('robot')) return null;
     return this.withLines(before, after);
@@ -173,10 +182,11 @@ class OpenTaskLocks implements TaskLocks {
       const { handIn } = withOutsideRemark(work.work.value.project);
       if (handIn !== undefined) work.setHandIn(handIn);
     });
+    const closed = closedByExam(this.app, (text) => this.tell(text));
     const isStart = file === MAIN && work.place.value === 0;
-    if (!isStart || this.locks.lines.length === 0) return pasted;
+    if (!isStart || this.locks.lines.length === 0) return [pasted, closed];
     const refuse = (): void => this.tell(t(words.lines));
-    return [pasted, lockedLines(() => this.locks.lines, t(words.line), refuse)];
+    return [pasted, closed, lockedLines(() => this.locks.lines, t(words.line), refuse)];
   }
 
   /** Stores the places of the locked lines with the work, so that they survive a reload. */

@@ -6,6 +6,7 @@ import { byId, isThere, tap, write } from '../../app/testing/find';
 import { mountOn, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
+import { shelfOf } from '../shelf/use-shelf';
 import { seriesDraft } from '../series/series-draft';
 import DeskPage from './DeskPage.vue';
 
@@ -31,21 +32,27 @@ describe('the page for teachers', () => {
     expect(page.router.page.value?.name).toBe('task');
   });
 
-  it('searches cards, works and the help, and leads to each of them', async () => {
+  it('searches cards, own tasks and the help, and leads to each of them', async () => {
     const page = createPage();
+    const { files, scene } = page.work.work.value.project;
+    await shelfOf(page).keep({
+      kind: 'task',
+      project: { files, scene: { ...scene, name: 'Um die Säule' }, course: null },
+    });
     mountOn(page, DeskPage);
     await flushPromises();
     await write(byId('desk-search'), 'Arbeitsblatt');
     await vi.waitFor(() => expect(isThere('found-menu-worksheet')).toBe(true));
     expect(isThere('menu-task')).toBe(false);
-    await write(byId('desk-search'), 'Eine Sekunde vorwärts');
-    await vi.waitFor(() => expect(textOf(byId('desk-found'))).toContain('Eine Sekunde vorwärts'), 20_000);
+    await write(byId('desk-search'), 'säule');
+    expect(textOf(byId('desk-found'))).toContain('Um die Säule');
     await write(byId('desk-search'), 'Rückblick');
     await vi.waitFor(() => expect(textOf(byId('desk-found'))).toContain('Rückblick'), 20_000);
     await write(byId('desk-search'), 'xyzzyx');
     expect(textOf(byId('desk-found'))).toBe('Nichts gefunden. Versuche es mit einem kürzeren Wort.');
     await write(byId('desk-search'), '');
-    await tap('desk-works');
-    expect(page.router.page.value?.name).toBe('works');
+    expect(textOf(byId('desk-tasks'))).toContain('Meine Aufgaben1');
+    await tap('desk-tasks');
+    expect(page.router.page.value?.name).toBe('tasks');
   });
 });

@@ -1,6 +1,7 @@
 import { computed, shallowRef, watch, type Ref } from 'vue';
 
 import { isSame } from '#core/same';
+import { creditOf, noAbout } from '#check/task/about';
 import { draftOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 
@@ -45,7 +46,9 @@ export function useSheet(print: Print) {
   }
   watch([() => wish.value.hints, print.scene], () => void fetchTask(), { immediate: true });
 
-  const content = computed((): SheetContent | null => task.value && contentOf(task.value, print, code.qr.value, wish));
+  const content = computed(
+    (): SheetContent | null => task.value && contentOf(task.value, print, code.qr.value, wish, code.credit.value),
+  );
   const options = (scale: number): PictureOptions => ({
     ...print.optionsFor({ grid: true, rulers: false, robot: true, path: false, task: false }),
     leastTypeMm: SIDE_MM * scale,
@@ -79,8 +82,10 @@ const contentOf = (
   { scene }: Pick<Print, 'scene'>,
   qr: SheetContent['qr'],
   wish: Readonly<Ref<SheetWish>>,
+  credit: string,
 ): SheetContent => ({
   task,
+  credit,
   courseMm: scene.value.size,
   qr,
   space: wish.value.space,
@@ -103,11 +108,11 @@ function useCode(isWanted: () => boolean) {
   const app = useWork();
   const present = computed(() => presentProject(app));
   const { program, link, omitted } = useShareLink(() => withoutSecrets(present.value));
-  const solution = computed(() => {
+  const task = computed(() => {
     const read = present.value.task === undefined ? null : draftOf(present.value);
-    return read !== null && 'task' in read ? read.task.solution : null;
+    return read !== null && 'task' in read ? read.task : null;
   });
-  const isSolution = computed(() => isSame(solution.value, present.value.files));
+  const isSolution = computed(() => isSame(task.value?.solution ?? null, present.value.files));
   // The program of a task is what pupils begin with. Elsewhere it may be the teacher's own solution.
   program.value = present.value.task !== undefined && !isSolution.value;
   const made = computed(() => (link.value === null || !isAddress(link.value) ? null : paperQr(link.value)));
@@ -116,6 +121,8 @@ function useCode(isWanted: () => boolean) {
   return {
     program,
     qr,
+    /** Author and licence of the task; empty: none are said. */
+    credit: computed(() => creditOf(task.value?.about ?? noAbout)),
     link: computed(() => (qr.value === null ? null : link.value)),
     /** The reason why there is no code, and the way out; empty: there is one, or none is wanted. */
     why: computed(() => (isWanted() ? why.value : '')),

@@ -7,6 +7,7 @@ import { seriesDocument } from '#intake/text';
 
 import { t } from '../../kit/i18n';
 import type { WithLate } from '../../kit/state/late-models';
+import { decodedAddress, fetchOwn, pageAddress, type Fetched } from '../../exchange/share/own-server';
 import { shownAndKept, type FoundSeries } from '../../exchange/share/open-series';
 import shareWords from '../../exchange/share/words';
 import { reopenSeries, storedSeriesAt } from '../../session/task/series/kept-series';
@@ -22,53 +23,31 @@ import words from './words';
  */
 export async function findSeries(app: WithLate, from: string): Promise<FoundSeries> {
   if (isSeriesLink(from)) return shownAndKept(app, documentOfSeriesLink(from, readyScene));
-  if (from.startsWith('series=')) return fetchSeries(app, decoded(from.slice('series='.length)));
+  if (from.startsWith('series=')) return fetchSeries(app, decodedAddress(from.slice('series='.length)));
   const series = await reopenSeries(app, from.slice('series/'.length));
   return series === null ? { problem: t(words.notKept) } : { series };
 }
 
 /**
- * Fetches a series from the page's own web server alone: its content policy lets it reach no other. If that fails, the
- * series that was stored from this address takes its place.
+ * Fetches a series from the page's own web server. If that fails, the series that was stored from this address takes its
+ * place.
  */
 async function fetchSeries(app: WithLate, given: string): Promise<FoundSeries> {
-  const url = urlOf(given, location.href.replace(/#.*/, ''));
-  if (url === null) return { problem: t(words.badAddress, { address: given }) };
-  if (!/^https?:$/.test(location.protocol)) return { problem: t(words.noServer) };
-  if (url.origin !== location.origin) return { problem: t(words.foreign, { host: url.host || given }) };
-  const loaded = await textAt(url);
-  if ('problem' in loaded) {
-    const series = await storedSeriesAt(url.href);
-    return series === null ? { problem: loaded.problem } : { series, isOld: true };
+  const loaded = await fetchOwn(given, pageAddress(), seriesLimits.characters);
+  if ('fault' in loaded) {
+    const url = urlOf(given, pageAddress());
+    const isAway = loaded.fault === 'notThere' || loaded.fault === 'notReached' || loaded.fault === 'tooLarge';
+    const series = isAway && url !== null ? await storedSeriesAt(url.href) : null;
+    return series === null ? { problem: faultText(loaded) } : { series, isOld: true };
   }
   const document = seriesDocument(parseSeries(loaded.text, readyScene));
   if (document.kind === 'unreadable') return shownAndKept(app, document);
   const series = await readTasks(document.series, async (file) => {
-    const place = urlOf(file, url.href);
-    if (place === null || place.origin !== url.origin)
-      return { problem: t(words.foreign, { host: place?.host ?? file }) };
-    return textAt(place);
+    const beside = await fetchOwn(file, loaded.url, seriesLimits.characters);
+    return 'fault' in beside ? { problem: faultText(beside) } : beside;
   });
-  return shownAndKept(app, { ...document, series }, url.href);
+  return shownAndKept(app, { ...document, series }, loaded.url);
 }
 
-async function textAt(url: URL): Promise<{ readonly text: string } | { readonly problem: string }> {
-  const address = url.pathname;
-  try {
-    const response = await fetch(url, { cache: 'no-cache' });
-    if (!response.ok) return { problem: t(words.notThere, { address, status: response.status }) };
-    const text = await response.text();
-    return text.length > seriesLimits.characters ? { problem: t(shareWords.series.faults['too-large']) } : { text };
-  } catch {
-    return { problem: t(words.notReached, { address }) };
-  }
-}
-
-/** Decodes an address; one that was written plainly may have a `%` of its own. */
-function decoded(text: string): string {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return text;
-  }
-}
+const faultText = ({ fault, values }: Exclude<Fetched, { readonly text: string }>): string =>
+  fault === 'tooLarge' ? t(shareWords.series.faults['too-large']) : t(words[fault], values);

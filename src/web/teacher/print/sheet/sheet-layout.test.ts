@@ -25,6 +25,7 @@ const plain: SheetContent = {
   courseMm: [1200, 900],
   qr: paperQr('https://parcours.example/#p=9.abc'),
   space: 'some',
+  credit: '',
   words: {
     ...{ name: 'Name', class: 'Klasse', date: 'Datum', open: 'Aufgabe öffnen', questions: ['Mein Plan', 'Gesehen'] },
     scale: (scale) => `Massstab 1:${String(scale)}`,
@@ -120,6 +121,13 @@ describe('a worksheet', () => {
     expect(pages[0]!.some(({ kind }) => kind === 'course')).toBe(true);
     expect(course.size[1]).toBeGreaterThan(70);
     expect(wordsOf(pages[1]!)).toEqual(['Mein Plan', 'Gesehen', 'Der Slalom', '2/2']);
+  });
+
+  it('says at its foot who made the task, and under which licence', () => {
+    expect(wordsOf(lastOf(sheet({ credit: 'Ada Keller, CC BY 4.0' }))).at(-1)).toBe('Ada Keller, CC BY 4.0');
+    const [first] = sheet({ task: rich, credit: 'Ada Keller, CC BY 4.0' }).pages;
+    expect(wordsOf(first!).slice(-2)).toEqual(['Der Slalom · Ada Keller, CC BY 4.0', '1/2']);
+    expect(allWords(sheet())).not.toContain('·');
   });
 
   it('draws the course larger where nobody needs room to write', () => {

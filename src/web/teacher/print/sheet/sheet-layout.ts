@@ -23,6 +23,8 @@ export interface SheetContent {
   /** The code that opens the task; `null`: none. */
   readonly qr: PaperQr | null;
   readonly space: Space;
+  /** Author and licence, at the foot; empty: none are said. */
+  readonly credit: string;
   readonly words: SheetWords;
 }
 
@@ -104,7 +106,7 @@ export function layOutSheet(content: SheetContent, clean = (block: PaperBlock): 
   placeTask(draft, content.task, set);
   const course = placeCourse(draft, content, set);
   placeSpace(draft, content, set);
-  if (draft.pages.length > 1) placeFeet(draft, content.task.title, set);
+  placeFeet(draft, content, set);
   return { pages: draft.pages, course };
 }
 
@@ -246,17 +248,19 @@ function placeSpace(draft: Draft, content: SheetContent, set: SetRows): void {
   }
 }
 
-/** On each of several pages: of which sheet it is, and which page. */
-function placeFeet({ pages }: Draft, title: string, set: SetRows): void {
+/** Author and licence at the foot of each page; on each of several also of which sheet it is, and which page. */
+function placeFeet({ pages }: Draft, { task, credit }: SheetContent, set: SetRows): void {
   const y = SHEET_MM[1] - MARGIN.foot + 4;
+  const several = pages.length > 1;
+  const said = [several ? task.title : '', credit].filter((text) => text !== '').join(' · ');
   pages.forEach((page, index) => {
-    const number = `${String(index + 1)}/${String(pages.length)}`;
+    const number = several ? `${String(index + 1)}/${String(pages.length)}` : '';
     const numberMm = emsOf(number, 'text') * SIDE_MM;
     const foot = (text: string, x: number, widthMm: number): void => {
-      const [row] = set([plain(text, SIDE_MM)], widthMm);
+      const [row] = text === '' ? [] : set([plain(text, SIDE_MM)], widthMm);
       if (row !== undefined) page.push({ kind: 'row', row: { row, topMm: 0 }, at: [MARGIN.side + x, y] });
     };
-    foot(title, 0, WIDTH - 20);
+    foot(said, 0, WIDTH - 20);
     foot(number, WIDTH - numberMm, 20);
   });
 }
