@@ -125,11 +125,11 @@ export const wings = {
     class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk'],
     classes: ['session', 'pupil/galleries', 'teacher/class', 'teacher/desk'],
     'task-maker': [
-      'session', 'course/editor', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share', 'teacher/class',
-      'teacher/print', 'teacher/desk', 'teacher/shelf',
+      'session', 'course/editor', 'pupil/code', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share',
+      'teacher/class', 'teacher/print', 'teacher/desk', 'teacher/shelf',
     ], // prettier-ignore
     shelf: ['session'],
-    series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/task-maker', 'teacher/desk', 'teacher/shelf'],
+    series: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk', 'teacher/shelf'],
     'my-tasks': ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk', 'teacher/series', 'teacher/shelf'],
   },
   help: ['session', 'course/editor', 'pupil/galleries', 'teacher/desk'],

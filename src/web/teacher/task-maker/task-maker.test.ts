@@ -6,7 +6,8 @@ import { withoutSecrets } from '#check/task/write-task';
 import { createPage } from '../../app/testing/page';
 import { isHandedOut } from '../../session/work/model/task-locks';
 import { freshCheck } from './check-fields';
-import { freshWorld, startOf, useTaskMaker } from './use-task-maker';
+import { useTaskMaker } from './use-task-maker';
+import { freshWorld, startOf } from './worlds/fresh-world';
 
 const FILES = [{ name: 'main.py', text: 'forward()\n' }];
 
