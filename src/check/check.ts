@@ -12,6 +12,7 @@ import { isSameCourse } from './task/course-mark';
 import { keptLines } from './task/kept-lines';
 import type { TaskLevel } from './task/levels';
 import { isUnlocked } from './task/unlocked';
+import { coursesOf } from './task/world-course';
 import { isFact, type Check, type ClassTask, type Fact } from './task/task';
 
 /** Settings for running hand-ins. */
@@ -149,8 +150,8 @@ function remarksOn(
   const other = otherTask(task, handIn);
   // Differences from this task are correct in the other one: they raise no suspicion.
   if (other !== null) return [{ code: 'other-task', params: { task: other } }];
-  if ((hasCourse && !isSameCourse(task.project.scene, project.scene)) || said?.remarks.includes('course') === true)
-    tell('course');
+  const isOfTask = !hasCourse || coursesOf(task).some((course) => isSameCourse(course, project.scene));
+  if (!isOfTask || said?.remarks.includes('course') === true) tell('course');
   if (said?.remarks.includes('hand') === true) tell('hand');
   if (said?.remarks.includes('outside') === true || lacksLines(task, handIn)) tell('outside');
   if (said !== null && locks !== undefined && isUnlocked(task.locks, locks)) tell('unlocked');

@@ -37,9 +37,9 @@ export const handInOfFiles = (files: readonly SourceFile[]): HandIn => ({
 });
 
 function saidIn(data: Carried, reader: Reader): Said {
-  // The series of a task and the begin of an exam are for the pupil's page; they have no part in the check.
+  // The series of a task, the begin of an exam and a teacher's feedback are for the pupil's page; they have no part in the check.
   const { task, alias, verdict, tries, hash, remarks } = reader.fields(data, 'handIn', [
-    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series', 'begunMs'],
+    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series', 'begunMs', 'feedback'],
   ]);
   const listed =
     remarks === undefined ? [] : reader.list(remarks, 'handIn.remarks', { min: 0, max: saidRemarks.length });

@@ -15,13 +15,22 @@ import { isUnread, reasonsAgainst, secondsText } from './texts';
 /**
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
  * each sheet is a page. Of one hand-in it is the sheet alone.
+ *
+ * @param codeOf the drawing of a code that leads to the feedback on a hand-in, below its note; empty: none
  */
-export function htmlOf(found: ClassResult, task: ClassTask, language: Language): string {
+export function htmlOf(
+  found: ClassResult,
+  task: ClassTask,
+  language: Language,
+  codeOf: (one: NamedResult) => string = () => '',
+): string {
   const { handIns } = found;
   const drawings = new Drawings(task);
   const title = escaped(found.task);
   const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language });
-  const sheets = handIns.map((one, place) => sheetOf(one, place, { drawings, title, task, language })).join('\n');
+  const sheets = handIns
+    .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one) }))
+    .join('\n');
   return `<!doctype html>
 <html lang="${language}">
 <head>
@@ -118,7 +127,13 @@ function askedOf({ checks }: ClassTask, id: string, language: Language): string 
 function sheetOf(
   { name, shown = name, result, note = '' }: NamedResult,
   place: number,
-  { drawings, title, task, language }: Sheet & { readonly title: string; readonly task: ClassTask },
+  {
+    drawings,
+    title,
+    task,
+    language,
+    code,
+  }: Sheet & { readonly title: string; readonly task: ClassTask; readonly code: string },
 ): string {
   const words = reportWords.report;
   const facts = (isUnread(result) ? [] : result.checks).map(
@@ -134,7 +149,7 @@ function sheetOf(
   return `<section id="hand-in-${place}">
 <h2>${escaped(shown)}</h2>
 <p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${result.points}`}</p>
-<ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}
+<ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}${code === '' ? '' : `\n<p class="code">${code}<span>${escaped(words.again[language])}</span></p>`}
 <div class="ways">${figures.join('')}</div>
 </section>`;
 }

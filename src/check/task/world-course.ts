@@ -1,7 +1,7 @@
 import { editProblem } from '#scene/check-edit';
 import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import type { WorldVariant } from './task';
+import type { ClassTask, WorldVariant } from './task';
 
 /** The course of a world, or why it cannot be made: a sentence that names the edit. */
 export function courseOfWorld(
@@ -16,3 +16,12 @@ export function courseOfWorld(
   }
   return { scene: start === null ? scene : { ...scene, robot: { ...scene.robot, ...start } } };
 }
+
+/** The courses in which work on a task may be done: the one that was set, and that of each of its worlds. */
+export const coursesOf = ({ project: { scene }, worlds }: ClassTask): readonly Scene[] => [
+  scene,
+  ...worlds.flatMap((world) => {
+    const course = courseOfWorld(scene, world);
+    return 'scene' in course ? [course.scene] : [];
+  }),
+];

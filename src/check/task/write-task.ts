@@ -1,5 +1,6 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
+import { withoutFeedback } from '../feedback/feedback';
 import { aboutData } from './about';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
@@ -26,10 +27,11 @@ export const projectForPupils = (task: ClassTask): Project => {
 };
 
 /**
- * A project as it may be handed out: of its task neither the solution nor hidden worlds. What cannot be read as a task
+ * A project as it may be handed on: without a teacher's feedback, and of its task neither the solution nor hidden worlds. What cannot be read as a task
  * stays behind, for it may hold them.
  */
-export function withoutSecrets(project: Project): Project {
+export function withoutSecrets(given: Project): Project {
+  const project = withoutFeedback(given);
   if (project.task === undefined) return project;
   const read = draftOf(project);
   const { task: _, ...others } = project;

@@ -1,3 +1,4 @@
+import { hasFeedback } from '#check/feedback/feedback';
 import { documentOfAddress } from '#intake/address';
 import { documentOfText } from '#intake/text';
 import type { CourseDocument, ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';
@@ -16,7 +17,7 @@ import { courseName } from '../../session/work/catalogue/first-course';
 import { isSameWork } from '../../session/work/storage/history';
 import { elsewhereOf } from '../elsewhere/parts';
 import { tellOfCourse } from '../elsewhere/tell-of-course';
-import { openRun } from './open-run';
+import { lookAtFeedback, openRun } from './open-run';
 import { linkReason, reasonOf } from './problem-words';
 import { presentProject } from '../../session/work/save-work';
 import words from './words';
@@ -91,6 +92,7 @@ function openLinked(app: Workplace, { project, isCourseChanged }: ProjectDocumen
     const text = t(words.courseChanged, { name });
     app.notices.show({ ...current.value, kind: 'info', key: 'notice.text', values: { text } });
   }
+  if (hasFeedback(project)) void lookAtFeedback(app, name);
   return null;
 }
 

@@ -71,6 +71,9 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       const { project } = document;
       const name = courseName(project.scene, project.course);
       useOpenings(app).open(project, name, !isFromFile && hasNothingOwn(before), plainStem(file));
+      if (project.handIn?.['feedback'] === undefined) return null;
+      const { lookAtFeedback } = await import('./open-run');
+      void lookAtFeedback(app, file);
       return null;
     }
     case 'course': {

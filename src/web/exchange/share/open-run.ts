@@ -1,5 +1,3 @@
-import { watch } from 'vue';
-
 import { projectOfRun } from '#intake/project-of-run';
 import { isSameCourse } from '#check/task/course-mark';
 import { withFiles } from '#project/devices';
@@ -14,7 +12,6 @@ import { version } from '../../../../package.json';
 
 import { t } from '../../kit/i18n';
 import { repeatShown } from '../../session/run/repeat-shown';
-import { showAgain, type RunAgain } from '../../session/run/run-again';
 import { clockText } from '../../session/run/use-run-text';
 import type { Workplace } from '../../session/work/model/parts';
 import type { Course } from '#catalogue/course';
@@ -24,7 +21,10 @@ import { readyCourses } from '../../session/work/catalogue/ready-courses';
 import { hasNothingOwn } from '../../session/work/use-courses';
 import { useOpenings } from '../../session/work/use-openings';
 import { reasonOf } from './problem-words';
+import { showRun, tell, watchLate } from './show-run';
 import shareWords from './words';
+
+export { lookAtFeedback } from './look-at-feedback';
 
 const words = shareWords.run;
 
@@ -113,12 +113,12 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
     if (repeated === null) tell(app, 'info', t(words.givenUp, { file }), action);
     else if (differences(result, repeated.result).length === 0) {
       const { simulatedUs: untilUs } = result;
-      await show(app, repeated, { kept: setup, untilUs, ends, atUs });
+      await showRun(app, repeated, { kept: setup, untilUs, ends, atUs });
       const at = clockText(Math.min(atUs, untilUs), true);
       tell(app, 'ok', t(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
     } else if (physics !== PHYSICS) {
       const untilUs = Math.min(result.simulatedUs, repeated.result.simulatedUs);
-      await show(app, repeated, { kept: setup, untilUs, ends, atUs });
+      await showRun(app, repeated, { kept: setup, untilUs, ends, atUs });
       tell(app, 'warn', t(physics < PHYSICS ? words.olderPhysics : words.newerPhysics, { file }), action);
     } else {
       const text = madeBy === version ? words.differs : words.differsSince;
@@ -129,38 +129,4 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
   } finally {
     isLate.end();
   }
-}
-
-/** Shows a run that was repeated. */
-async function show(
-  app: Workplace,
-  { first, pieces }: Pick<RunAgain, 'first' | 'pieces'>,
-  run: Omit<RunAgain, 'first' | 'pieces'>,
-): Promise<void> {
-  if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
-  await showAgain(app.run, { ...run, first, pieces });
-}
-
-/** Notices when somebody opens something else, or runs the program: then nobody wants to see this run any more. */
-function watchLate({ work, run }: Workplace, act: () => void): { (): boolean; readonly end: () => void } {
-  let isLate = false;
-  const end = watch(
-    [() => work.openings.value, () => run.phase.value === 'starting'],
-    () => {
-      isLate = true;
-      act();
-    },
-    { flush: 'sync' },
-  );
-  return Object.assign(() => isLate, { end });
-}
-
-/** Shows a message in place of the one about the opening, and keeps its way back to the earlier work. */
-function tell(
-  { notices }: Workplace,
-  kind: 'ok' | 'info' | 'warn',
-  text: string,
-  action = notices.current.value?.action,
-): void {
-  notices.show({ kind, key: 'notice.text', values: { text }, ...(action && { action }) });
 }

@@ -129,6 +129,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
     'save-run-link',
     'save-run-pictures',
     'go-on',
+    'feedback-time',
     'time-play',
     'time-rail',
   ),

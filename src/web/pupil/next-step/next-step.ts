@@ -163,7 +163,7 @@ function decidedStep(task: StepTask): NextStep | null {
 
 function afterwards({ kind, next, isHandedIn }: StepTask): StepButton | null {
   if (kind === 'given')
-    return isHandedIn ? action('hand-in', t(words.handInAgain)) : action('hand-in', t(words.handIn), true);
+    return isHandedIn ? action('hand-in', t('bar.handInAgain')) : action('hand-in', t(words.handIn), true);
   if (kind === 'own') return action('again', t('verdict.again'));
   return next === null ? null : action(next, t(words.next[next]), next !== 'missions');
 }

@@ -56,7 +56,7 @@ export function usePaneGrid(
     const [kind, shown, card] = [layout.arrangement.value, layout.isShown.value, layout.card.value];
     const mode = layout.mode.value;
     const panes =
-      card === null || mode !== 'drive'
+      card === null
         ? gridOfMode(mode, kind, shown, sizes.value, free)
         : cardGrid(kind === 'wide' && isArenaFirst(shown.board) ? 'medium' : kind, shown, sizes.value, free, card);
     return hasRow() ? withDeviceRow(panes) : panes;

@@ -4,10 +4,15 @@ import type { SessionParts } from './session';
 
 type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'>;
 
-/** Gives the card its place in the layout: beside the program while the robot drives, not in the other modes. */
+/**
+ * Gives the card its place in the layout: beside the program while the robot drives. A teacher's feedback is about the past:
+ * there its card stays.
+ */
 export function placeCard({ task, layout, mode, settings, work }: Parts): void {
   const card = computed(() => {
-    if (mode.current.value !== 'drive' || !layout.parts.value.includes('arena')) return null;
+    const { handIn } = work.work.value.project;
+    const isPlace = mode.current.value === 'drive' || (mode.current.value === 'lookBack' && handIn?.['feedback']);
+    if (!isPlace || !layout.parts.value.includes('arena')) return null;
     if (layout.isGreeting.value) return task.isUnfolded.value ? 'open' : 'folded';
     return task.card.value;
   });

@@ -132,7 +132,11 @@ function useWay(run: RunParts['run']) {
   const isWanted = shallowRef(false);
   watch(run.isActive, () => (isWanted.value = false));
   const isTiny = useFirstMatch([[true, '(max-height: 439px)']], false);
-  return { givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value), isWanted, isTiny };
+  return {
+    givesWay: computed(() => run.isActive.value && !run.isOver.value && !isWanted.value && run.past.value === null),
+    isWanted,
+    isTiny,
+  };
 }
 
 /** Name and description of a course, as far as they are not those of the one that it was drawn on. */
