@@ -45,7 +45,7 @@ export function addResults(given: SchoolClass, { task, found, day }: CheckedTask
     results.push(resultOf(one, { pupil: pupil.id, task: id, day }));
   }
   const tasks = withTask(given.tasks, { ...setTask(task, found.task, day), id });
-  const all = withoutDoubles([...given.results, ...results]);
+  const all = withoutDoubles([...markedAnew(given.results, results), ...results]);
   return {
     schoolClass: { ...given, pupils, tasks, results: all },
     count: all.length - given.results.length,
@@ -69,16 +69,28 @@ function withTask(tasks: readonly SetTask[], task: SetTask): readonly SetTask[] 
 }
 
 function resultOf(
-  { result, note = '' }: NamedResult,
+  { result, note = '', marked }: NamedResult,
   { pupil, task, day }: Pick<Result, 'pupil' | 'task' | 'day'>,
 ): Result {
   const outcome = isUnread(result) ? 'unread' : result.passed ? 'passed' : 'failed';
   const { points, stars, twin } = result;
-  return { pupil, task, day, outcome, points, stars, work: twin, note: note.slice(0, classLimits.noteCharacters) };
+  return {
+    ...{ pupil, task, day, outcome, points, stars, work: twin, note: note.slice(0, classLimits.noteCharacters) },
+    ...(marked !== undefined && outcome !== 'unread' && { marked }),
+  };
+}
+
+/** Results, of which those that are added once more have the newest points set by hand. */
+function markedAnew(given: readonly Result[], added: readonly Result[]): readonly Result[] {
+  const marks = new Map(added.flatMap((one) => (one.marked === undefined ? [] : [[identityOf(one), one.marked]])));
+  return given.map((one) => {
+    const marked = marks.get(identityOf(one));
+    return marked === undefined ? one : { ...one, marked };
+  });
 }
 
 /** A text that two results share if they are the same one. */
-const identityOf = ({ day: _, note: __, ...result }: Result): string =>
+const identityOf = (result: Omit<Result, 'day' | 'note' | 'marked'>): string =>
   [result.pupil, result.task, result.outcome, result.points, result.stars ?? '', result.work].join('\n');
 
 /** Each result once, by its first day, with all notes on it, in the order of their days. */
@@ -95,5 +107,6 @@ export function withoutDoubles(results: readonly Result[]): readonly Result[] {
 function joined(one: Result, other: Result): Result {
   const notes = [...new Set([...one.note.split('\n'), ...other.note.split('\n')])].filter((line) => line !== '');
   const note = notes.join('\n').slice(0, classLimits.noteCharacters);
-  return { ...one, day: one.day < other.day ? one.day : other.day, note };
+  const marked = one.marked ?? other.marked;
+  return { ...one, day: one.day < other.day ? one.day : other.day, note, ...(marked !== undefined && { marked }) };
 }

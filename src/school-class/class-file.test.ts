@@ -36,8 +36,8 @@ describe('the file of a class', () => {
       'This is not the file of a class: "format" must be "parcours-class".',
     ],
     ['null', 'null', 'This is not the file of a class: "format" must be "parcours-class".'],
-    ['a newer file', changed({ version: 2 }), 'Class version 2 is newer than this app (1). Reload the page to update.'],
-    ['no version', changed({ version: 'one' }), 'Class version "one" is unknown; this app reads version 1.'],
+    ['a newer file', changed({ version: 3 }), 'Class version 3 is newer than this app (2). Reload the page to update.'],
+    ['no version', changed({ version: 'one' }), 'Class version "one" is unknown; this app reads version 2.'],
     ['no name', changed({ name: undefined }), 'name: is missing; it must be a text in quotes.'],
     ['a day that there is not', changed({ tasks: [{ id: 'a', title: '', points: 1, since: '2026-02-30' }], results: [] }), 'tasks[0].since: "2026-02-30" is no day such as "2026-11-30".'], // prettier-ignore
     ['somebody unknown', changed({ pupils: [] }), /^results\[0\]\.pupil: nobody in the class has the id "meier-ada"\. \(and \d+ more\)$/], // prettier-ignore

@@ -2,21 +2,21 @@ import { dayNumber, type Day } from '#core/day';
 import { isRecord } from '#core/record';
 import { readJsonFile, summaryOf } from '#scene/json-file';
 import { shown, type SceneProblem, versionProblem } from '#scene/problem';
-import { Reader, type Fields, type Range } from '#scene/reader';
+import { Reader, type Fields } from '#scene/reader';
 import { gradeSteps, passPercents, systemIds, usualScale, type Scale } from './grades';
 import { classLimits, outcomes, type Pupil, type Result, type SchoolClass, type SetTask } from './school-class';
 
 /** The name of the format in the file of a class. */
 export const CLASS_FORMAT = 'parcours-class';
 
-/** The newest version that this app writes and reads. */
-export const CLASS_VERSION = 1;
+/** The newest version that this app writes and reads: 2 for points set by hand, 1 for all others. */
+export const CLASS_VERSION = 2;
 
 /** A class as its file: readable JSON, a line for each pupil, task and result, that ends in a newline. Reading it back gives an equal class. */
 export function classToText({ name, scale, pupils, tasks, results }: SchoolClass): string {
   const lines = [
     `"format": ${JSON.stringify(CLASS_FORMAT)}`,
-    `"version": ${String(CLASS_VERSION)}`,
+    `"version": ${results.some(({ marked }) => marked !== undefined) ? '2' : '1'}`,
     `"name": ${JSON.stringify(name)}`,
     ...(scale === null ? [] : [`"scale": ${JSON.stringify(scale)}`]),
     listText('pupils', pupils.map(pupilValue)),
@@ -42,9 +42,10 @@ const taskValue = ({ id, title, points, hasStars, since, due }: SetTask): unknow
   ...(due !== null && { due }),
 });
 
-const resultValue = ({ pupil, task, day, outcome, points, stars, work, note }: Result): unknown => ({
+const resultValue = ({ pupil, task, day, outcome, points, marked, stars, work, note }: Result): unknown => ({
   ...{ pupil, task, day, outcome },
   ...(outcome !== 'unread' && { points }),
+  ...(marked !== undefined && { marked }),
   ...(stars !== null && { stars }),
   ...(work !== '' && { work }),
   ...(note !== '' && { note }),
@@ -76,7 +77,7 @@ export function parseClassValue(value: unknown): ParsedClass {
     return failed([{ code: 'not-a-class', path: 'format', value: shown(given), params: {}, message }]);
   }
   const { version } = value;
-  if (version !== CLASS_VERSION) return failed([versionProblem('Class', version, CLASS_VERSION)]);
+  if (version !== 1 && version !== CLASS_VERSION) return failed([versionProblem('Class', version, CLASS_VERSION)]);
   const reader = new Reader();
   const fields = reader.fields(value, '', ['format', 'version', 'name', 'scale', 'pupils', 'tasks', 'results']);
   const name = reader.text(fields['name'], 'name', classLimits.nameCharacters);
@@ -145,7 +146,7 @@ function taskIn(value: unknown, path: string, reader: Reader): SetTask {
   return {
     id: idIn(fields['id'], `${path}.id`, reader),
     title: reader.text(fields['title'], `${path}.title`, classLimits.titleCharacters),
-    points: reader.whole(fields['points'], `${path}.points`, classLimits.points),
+    points: reader.number(fields['points'], `${path}.points`, classLimits.points),
     hasStars: reader.flag(fields['stars'], `${path}.stars`, false),
     since: dayIn(fields['since'], `${path}.since`, reader),
     due: fields['due'] === undefined ? null : dayIn(fields['due'], `${path}.due`, reader),
@@ -154,17 +155,19 @@ function taskIn(value: unknown, path: string, reader: Reader): SetTask {
 
 function resultIn(value: unknown, path: string, reader: Reader): Result {
   const fields = reader.fields(value, path, [
-    ...['pupil', 'task', 'day', 'outcome', 'points', 'stars', 'work', 'note'],
+    ...['pupil', 'task', 'day', 'outcome', 'points', 'marked', 'stars', 'work', 'note'],
   ]);
   const outcome = reader.word(fields['outcome'], `${path}.outcome`, outcomes, 'unread');
-  const limit = (name: string, range: Range): number => reader.whole(fields[name], `${path}.${name}`, range);
   return {
     pupil: idIn(fields['pupil'], `${path}.pupil`, reader),
     task: idIn(fields['task'], `${path}.task`, reader),
     day: dayIn(fields['day'], `${path}.day`, reader),
     outcome,
-    points: outcome === 'unread' ? 0 : limit('points', classLimits.points),
-    stars: fields['stars'] === undefined ? null : limit('stars', classLimits.stars),
+    points: outcome === 'unread' ? 0 : reader.number(fields['points'], `${path}.points`, classLimits.points),
+    ...(fields['marked'] !== undefined && {
+      marked: reader.number(fields['marked'], `${path}.marked`, classLimits.points),
+    }),
+    stars: fields['stars'] === undefined ? null : reader.whole(fields['stars'], `${path}.stars`, classLimits.stars),
     work: reader.text(fields['work'], `${path}.work`, classLimits.idCharacters, ''),
     note: reader.text(fields['note'], `${path}.note`, classLimits.noteCharacters, ''),
   };

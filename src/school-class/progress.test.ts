@@ -2,10 +2,12 @@ import { describe, expect, it } from 'vitest';
 
 import type { CheckResult } from '#check/result';
 import { addResults } from './add-results';
+import { classToText, parseClass } from './class-file';
 import { withList } from './class-list';
 import { usualScale } from './grades';
 import { mergeClasses } from './merge';
 import { missingIn, rowsOf } from './progress';
+import { classReport } from './report/html';
 import { newClass, type SchoolClass } from './school-class';
 import { aResult, aTask, found } from './testing/class';
 
@@ -54,6 +56,23 @@ describe('the progress of a class', () => {
     expect(twice.count).toBe(0);
     expect(twice.schoolClass.results).toEqual(second.results);
     expect(twice.schoolClass.tasks[0]).toMatchObject({ id: 'bend', title: 'The sharp bend', since: '2026-11-02' });
+  });
+
+  it('counts points set by hand instead, also for a hand-in that it has, and a file of version 2 keeps them', () => {
+    const marked = (points: number) =>
+      found('Bend', { ben: aResult(2) }).handIns.map((one) => ({ ...one, marked: points }));
+    const mark = (to: SchoolClass, points: number): SchoolClass =>
+      addResults(to, { task: aTask('bend'), found: { task: 'Bend', handIns: marked(points) }, day: '2026-11-20' })
+        .schoolClass;
+    const changed = mark(mark(first, 3.5), 2.5);
+    expect(table(changed)[1]).toBe('Ben Huber · partly 2.5 (1) · 2.5/4 · 4');
+    const text = classToText(changed);
+    expect(text).toContain('"version": 2');
+    expect(parseClass(text)).toEqual({ schoolClass: changed });
+    expect(classReport(changed, '2026-11-30', 'de')).toContain('◐ 2.5 / 4 ✎');
+    // Checked once more on the command line, which knows of no points by hand.
+    expect(table(add(changed, 'bend', '2026-11-21', { ben: aResult(2) }))[1]).toContain('partly 2.5 (1)');
+    expect(classToText(first)).toContain('"version": 1');
   });
 
   it('says who is not on the list; without a list all are', () => {

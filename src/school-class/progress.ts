@@ -38,7 +38,8 @@ export function rowsOf(schoolClass: SchoolClass, day: Day): readonly Row[] {
   return pupils.map((pupil) => {
     const cells = tasks.map((task) => cellOf(task, results.get(keyOf(pupil.id, task.id)) ?? [], day));
     const counted = cells.map(({ state }) => state !== 'open' && state !== 'unread');
-    const points = cells.reduce((sum, cell, place) => (counted[place] === true ? sum + cell.points : sum), 0);
+    const sum = cells.reduce((so, cell, place) => (counted[place] === true ? so + cell.points : so), 0);
+    const points = Math.round(sum * 100) / 100; // those set by hand have decimals
     const most = tasks.reduce((sum, task, place) => (counted[place] === true ? sum + task.points : sum), 0);
     return { pupil, cells, points, most, grade: scale && gradeOf(scale, points, most) };
   });
@@ -67,16 +68,20 @@ function cellOf({ due }: SetTask, results: readonly Result[], day: Day): Cell {
     const state = due !== null && day <= due ? 'open' : 'missing';
     return { state, points: 0, stars: null, tries: 0, result: null };
   }
-  const { outcome, points, stars } = best;
+  const { outcome, stars } = best;
+  const points = countedIn(best);
   const state = outcome === 'failed' && points > 0 ? 'partly' : outcome;
   return { state, points, stars, tries: results.length, result: best };
 }
+
+/** The points of a result that count. */
+const countedIn = ({ points, marked }: Result): number => marked ?? points;
 
 const RANKS = { passed: 2, failed: 1, unread: 0 } as const;
 
 /** True if the first of two results is the better one. */
 function isBetter(one: Result, other: Result): boolean {
-  const figures = (result: Result): readonly number[] => [RANKS[result.outcome], result.points, result.stars ?? 0];
+  const figures = (result: Result): readonly number[] => [RANKS[result.outcome], countedIn(result), result.stars ?? 0];
   const [own, theirs] = [figures(one), figures(other)];
   const at = own.findIndex((figure, place) => figure !== theirs[place]);
   return at >= 0 && (own[at] ?? 0) > (theirs[at] ?? 0);

@@ -53,7 +53,10 @@ export interface Result {
   /** Day on which it was added first. */
   readonly day: Day;
   readonly outcome: Outcome;
+  /** Points of the checks. */
   readonly points: number;
+  /** Points that the teacher has set by hand, which count instead; left out: none. */
+  readonly marked?: number;
   /** `null`: the task gives none. */
   readonly stars: number | null;
   /** Fingerprint of the program; empty: it has none. */

@@ -9,7 +9,7 @@ import { setupOf } from '../run/setup';
 import { isSameCourse } from '../task/course-mark';
 import { keptLines } from '../task/kept-lines';
 import { taskOf } from '../task/read-task';
-import { plainWorld, secondsOf, type ClassTask, type WorldVariant } from '../task/task';
+import { mostPoints, plainWorld, secondsOf, type ClassTask, type WorldVariant } from '../task/task';
 import { courseOfWorld } from '../task/world-course';
 import { projectForPupils } from '../task/write-task';
 import { readFeedback, withFeedback } from './feedback';
@@ -56,7 +56,7 @@ export function feedbackProject({ task, handIn, result, points, note }: Marked, 
   if (variant === undefined || course === undefined || !('scene' in course)) return null;
   const isAsSet = isSameCourse(course.scene, task.project.scene) && !variant.hidden;
   const given = projectForPupils(isAsSet ? task : inWorld(task, variant, course.scene));
-  const most = task.checks.reduce((sum, check) => sum + check.points, 0);
+  const most = mostPoints(task);
   const outside = handIn.said?.remarks.filter((remark) => remark === 'outside') ?? [];
   return withPrograms(task, handIn, {
     ...given,

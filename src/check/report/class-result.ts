@@ -11,6 +11,8 @@ export interface NamedResult {
   readonly result: CheckResult;
   /** The teacher's note on it; left out: none. */
   readonly note?: string;
+  /** Points that the teacher has set by hand; left out: those of the checks count. */
+  readonly marked?: number;
 }
 
 /** Results of a class. */
@@ -20,6 +22,15 @@ export interface ClassResult {
   /** In the order of their shown names. */
   readonly handIns: readonly NamedResult[];
 }
+
+/** A result, and the points that the teacher has set by hand. */
+export interface Counted {
+  readonly result: CheckResult;
+  readonly marked?: number | undefined;
+}
+
+/** The points that count: those set by hand, else those of the checks. */
+export const countedPoints = ({ result, marked }: Counted): number => marked ?? result.points;
 
 /** The name of a hand-in as people read it. */
 export const shownName = ({ name, shown }: Pick<NamedResult, 'name' | 'shown'>): string => shown ?? name;

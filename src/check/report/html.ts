@@ -4,7 +4,7 @@ import type { CheckResult, WorldResult } from '../result';
 import { checkText } from '../task/check-text';
 import { ledDrawing } from '../task/led-drawing';
 import { worldName, type Check, type ClassTask } from '../task/task';
-import { passedOf, type ClassResult, type NamedResult } from './class-result';
+import { countedPoints, passedOf, type ClassResult, type Counted, type NamedResult } from './class-result';
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
 import { otherTaskTexts, remarkText } from './say';
@@ -71,6 +71,13 @@ ${rows}
 </table>`;
 }
 
+/** The points that count; a pencil tells those that were set by hand. */
+function pointsText(one: Counted, language: Language): string {
+  const sign =
+    one.marked === undefined ? '' : ` <span title="${escaped(reportWords.report.byHand[language])}">✎</span>`;
+  return `${String(countedPoints(one))}${sign}`;
+}
+
 /** Columns of figures. */
 const numbers: readonly string[] = ['points', 'time', 'touches'];
 
@@ -91,7 +98,7 @@ function verdictOf(result: CheckResult, language: Language): string {
 const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
 
 function rowOf(
-  { name, shown = name, result, note = '' }: NamedResult,
+  { name, shown = name, result, note = '', marked }: NamedResult,
   place: number,
   { drawings, hasStars, language }: Sheet & { readonly hasStars: boolean },
 ): string {
@@ -108,7 +115,7 @@ function rowOf(
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
     `<th scope="row"><a href="#hand-in-${place}">${escaped(shown)}</a></th>`,
-    `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : result.points)}`,
+    `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : pointsText({ result, marked }, language))}`,
     hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',
     figure('time', first === undefined ? '' : secondsOf(first)),
     figure('touches', isUnread(result) ? '' : touches),
@@ -125,7 +132,7 @@ function askedOf({ checks }: ClassTask, id: string, language: Language): string 
 }
 
 function sheetOf(
-  { name, shown = name, result, note = '' }: NamedResult,
+  { name, shown = name, result, note = '', marked }: NamedResult,
   place: number,
   {
     drawings,
@@ -148,7 +155,7 @@ function sheetOf(
   });
   return `<section id="hand-in-${place}">
 <h2>${escaped(shown)}</h2>
-<p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${result.points}`}</p>
+<p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${pointsText({ result, marked }, language)}${marked === undefined ? '' : ` (${escaped(words.byHand[language])})`}`}</p>
 <ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}${code === '' ? '' : `\n<p class="code">${code}<span>${escaped(words.again[language])}</span></p>`}
 <div class="ways">${figures.join('')}</div>
 </section>`;

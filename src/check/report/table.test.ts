@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { unreadable } from '../result';
 import { ahead, checked, sceneWith, targetAt, taskWith } from '../testing/tasks';
 import { classResult } from './class-result';
+import { htmlOf } from './html';
 import { tableOf } from './table';
 
 /** A task with half points, of which the second check asks for a loop. */
@@ -41,6 +42,21 @@ describe('the table of a class for a spreadsheet', () => {
     expect(bonnet).toEqual(['Bonnet', 'nicht bestanden', '0', '4', '0', 'Der Roboter hat sich nie bewegt.', 'Das Programm hat keine Schleife.', 'Der Roboter hat sich nie bewegt.', '', '0', '', `'=1+1; "gut"`]); // prettier-ignore
     expect(weiss?.slice(0, 10)).toEqual(['Weiss Tim', 'nicht lesbar', '', '', '', '', '', '', '', '']);
     expect(weiss?.[10]).toContain('nicht lesbar: ');
+  });
+
+  it('has points set by hand in the place of those of the checks, and says which they are', async () => {
+    const marked = (await rows()).map((one) => (one.name === 'Bonnet' ? { ...one, marked: 2.5 } : one));
+    const found = classResult('t', marked, 'de');
+    const [head, berard, bonnet, weiss] = cellsOf(tableOf(found, task, 'de'), ';');
+    expect(head?.slice(2, 6)).toEqual(['Punkte', 'von', 'von Hand gesetzt', 'Sterne']);
+    expect(berard?.slice(2, 5)).toEqual(['1,5', '4', '']);
+    expect(bonnet?.slice(2, 5)).toEqual(['2,5', '4', 'ja']);
+    expect(weiss?.length).toBe(head?.length);
+    expect(htmlOf(found, task, 'de')).toContain(
+      'Punkte: 2.5 <span title="von Hand gesetzt">✎</span> (von Hand gesetzt)',
+    );
+    // A code stands below the note of those who have one.
+    expect(htmlOf(found, task, 'de', ({ name }) => (name === 'Bonnet' ? '<svg id="code"/>' : ''))).toMatch(/class="note">=1\+1.*\n.*<svg id="code"\/><span>Das führt zu deinem Programm/); // prettier-ignore
   });
 
   it('has the same cells in every language, in English between commas', async () => {

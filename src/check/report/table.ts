@@ -4,7 +4,7 @@ import { filledIn } from '#core/words';
 import type { CheckOutcome } from '../result';
 import { checkText } from '../task/check-text';
 import { mostPoints, worldName, type ClassTask } from '../task/task';
-import { shownName, type ClassResult, type NamedResult } from './class-result';
+import { countedPoints, shownName, type ClassResult, type NamedResult } from './class-result';
 import { reasonText, remarkText } from './say';
 import { isUnread } from './texts';
 import reportWords from './words';
@@ -23,9 +23,10 @@ export function tableOf(
   const say = (name: keyof typeof words): string => words[name][language];
   const most = mostPoints(task);
   const hasNotes = handIns.some(({ note = '' }) => note !== '');
+  const hasMarks = handIns.some(({ marked }) => marked !== undefined);
   const worlds = task.worlds.map((world) => filledIn(say('world'), { id: worldName(world) }));
   const headings = [
-    ...[say('name'), say('result'), say('points'), say('most')],
+    ...[say('name'), say('result'), say('points'), say('most'), ...(hasMarks ? [say('byHand')] : [])],
     ...(task.stars === null ? [] : [say('stars')]),
     ...task.checks.map((check) => checkText(check, language)),
     ...worlds.flatMap((world) => [world, filledIn(say('secondsIn'), { world }), filledIn(say('touchesIn'), { world })]),
@@ -33,8 +34,9 @@ export function tableOf(
   ];
   const outcome = ({ passed, reason }: Pick<CheckOutcome, 'passed' | 'reason'>): string =>
     passed ? say('passed') : reason === null ? say('missed') : reasonText(reason, language);
-  const figures = ({ result }: NamedResult): readonly Cell[] => [
-    ...[outcome({ passed: result.passed, reason: null }), result.points, most],
+  const figures = ({ result, marked }: NamedResult): readonly Cell[] => [
+    ...[outcome({ passed: result.passed, reason: null }), countedPoints({ result, marked }), most],
+    ...(hasMarks ? [marked === undefined ? null : say('yes')] : []),
     ...(task.stars === null ? [] : [result.stars]),
     ...task.checks.map(({ id }) => {
       const check = result.checks.find((one) => one.id === id);

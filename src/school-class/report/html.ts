@@ -7,7 +7,18 @@ import { rowsOf, type Cell, type Row } from '../progress';
 import type { SchoolClass, SetTask } from '../school-class';
 import words from '../words';
 import styles from './class-report.css?raw';
-import { dayText, gradeText, hasPoints, scaleText, SIGNS, stateText, weeksOf } from './say';
+import {
+  BY_HAND_SIGN,
+  byHandText,
+  dayText,
+  gradeText,
+  hasPoints,
+  isByHand,
+  scaleText,
+  SIGNS,
+  stateText,
+  weeksOf,
+} from './say';
 
 /** The report of a class on a day as one HTML file that needs nothing else: pupils × tasks by weeks, on A4 across. */
 export function classReport(schoolClass: SchoolClass, day: Day, language: Language): string {
@@ -28,7 +39,7 @@ export function classReport(schoolClass: SchoolClass, day: Day, language: Langua
 <h1>${title}</h1>
 <p>${[filledIn(words.day[language], { day: dayText(day, language) }), ...about].map(escaped).join(' · ')}</p>
 ${rows.length === 0 ? `<p>${escaped(words.nobody[language])}</p>` : tableOf(schoolClass, rows, language)}
-<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(stateText({ state }, language))}</span>`).join(' ')}</p>
+<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(stateText({ state }, language))}</span>`).join(' ')}${rows.some(({ cells }) => cells.some(isByHand)) ? ` <span>${BY_HAND_SIGN} ${escaped(byHandText(language))}</span>` : ''}</p>
 </body>
 </html>
 `;
@@ -69,5 +80,6 @@ function cellText(cell: Cell, task: SetTask | undefined, language: Language): st
   const { state, points, stars } = cell;
   if (!hasPoints(cell)) return `${SIGNS[state]} ${escaped(stateText(cell, language))}`;
   const rest = stars === null || stars === 0 ? '' : ` ${'★'.repeat(stars)}`;
-  return `${SIGNS[state]} ${String(points)} / ${String(task?.points ?? 0)}${rest}`;
+  const sign = isByHand(cell) ? ` ${BY_HAND_SIGN}` : '';
+  return `${SIGNS[state]} ${String(points)} / ${String(task?.points ?? 0)}${sign}${rest}`;
 }

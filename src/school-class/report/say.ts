@@ -63,6 +63,13 @@ export const SIGNS: Readonly<Record<Cell['state'], string>> = {
 /** True if a cell has points; else its word says why not. */
 export const hasPoints = ({ state }: Cell): boolean => state === 'passed' || state === 'partly' || state === 'failed';
 
+/** True if the points of a cell were set by hand; a pencil tells so. */
+export const isByHand = ({ result }: Cell): boolean => result?.marked !== undefined;
+export const BY_HAND_SIGN = '✎';
+
+/** The words for that. */
+export const byHandText = (language: Language): string => words.byHand[language];
+
 /** The word for the state of a cell. */
 export const stateText = ({ state }: Pick<Cell, 'state'>, language: Language): string => words.states[state][language];
 

@@ -44,6 +44,21 @@ describe('one hand-in', () => {
     expect(alone.findAll('.lines .unlike')).toHaveLength(0);
   });
 
+  it('takes points by hand within those of the task, and says what is wrong without losing it', async () => {
+    const handIn = handInOfFiles([{ name: 'main.py', text: '' }]);
+    const result = { ...unreadable(task.checks, { code: 'zip', params: {} }), remarks: [] };
+    const row: Row = { name: 'Tim', shown: 'Tim', handIn, note: '', result };
+    const shown = mountOn(createPage(), HandInView, { row, task, drawings: new Drawings(task) });
+    const field = shown.get<HTMLInputElement>('[data-testid=class-mark]');
+    await field.setValue('2');
+    expect(shown.get('[data-testid=mark-wrong]').text()).toContain('«2» geht nicht');
+    expect(field.element.value).toBe('2');
+    expect(shown.emitted('mark')).toBeUndefined();
+    for (const typed of ['0,5', '']) await field.setValue(typed);
+    expect(shown.emitted('mark')).toEqual([[0.5], [null]]);
+    expect(shown.find('[data-testid=mark-wrong]').exists()).toBe(false);
+  });
+
   it('closes with Escape, before the page does', () => {
     const shown = view(null);
     window.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape', cancelable: true }));

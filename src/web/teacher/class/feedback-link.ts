@@ -20,12 +20,12 @@ export interface GivenFeedback {
  * world cannot be made.
  */
 export function feedbackOfRow(
-  { handIn, result, note }: Row,
+  { handIn, result, note, marked }: Row,
   task: ClassTask,
   world: WorldResult,
 ): GivenFeedback | null {
   if (handIn === null || result === null || note.length > feedbackLimits.noteCharacters) return null;
-  const project = feedbackProject({ task, handIn, result, points: result.points, note }, world);
+  const project = feedbackProject({ task, handIn, result, points: marked ?? result.points, note }, world);
   if (project === null) return null;
   const made = linkOf(project, { courses: readyScene, program: true });
   return { project, link: made && `${location.origin}${location.pathname}#${made.fragment}` };

@@ -31,6 +31,21 @@ describe('a class', () => {
     expect(asked).toHaveLength(4);
   });
 
+  it('has points set by hand until they are taken back, or another task is chosen', async () => {
+    const { model } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    const marks = () => model.found.value.handIns.map(({ marked }) => marked);
+    model.mark('Ben', 0.5);
+    model.mark('Ada', 0);
+    expect(marks()).toEqual([0, 0.5]);
+    expect(await model.keptRow(model.rows.value[1]!)).toMatchObject({ name: 'Ben', marked: 0.5 });
+    model.mark('Ada', null);
+    expect(marks()).toEqual([undefined, 0.5]);
+    await model.choose({ name: 'U', from: 'open', task });
+    expect(marks()).toEqual([undefined, undefined]);
+  });
+
   it('gives each of several with one name its own, tells of twins and of what cannot be read', async () => {
     const { model } = classWith();
     await model.choose({ name: 'T', from: 'open', task });

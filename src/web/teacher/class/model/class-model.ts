@@ -41,6 +41,8 @@ export interface Row {
   readonly result: CheckResult | null;
   /** The teacher's note; empty: none. */
   readonly note: string;
+  /** Points that the teacher has set by hand; left out: those of the checks count. */
+  readonly marked?: number;
   /** The files of which one is the program; left out: it is known which. */
   readonly choices?: readonly Choice[];
 }
@@ -85,8 +87,8 @@ export class ClassModel {
     this.found = computed(() =>
       classResult(
         this.task.value?.name ?? '',
-        this.rows.value.flatMap(({ name, shown, result, note }) =>
-          result === null ? [] : [{ ...{ name, result, note }, ...(shown !== name && { shown }) }],
+        this.rows.value.flatMap(({ name, shown, result, note, marked }) =>
+          result === null ? [] : [{ ...{ name, result, note, ...markedIn(marked) }, ...(shown !== name && { shown }) }],
         ),
         ports.language(),
       ),
@@ -96,7 +98,8 @@ export class ClassModel {
   /** Sets another task: everything is checked again. */
   async choose(task: OpenTask): Promise<void> {
     this.task.value = task;
-    this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
+    // Points set by hand were for the task before.
+    this.rows.value = this.rows.value.map(({ marked: _, ...row }) => ({ ...row, result: null }));
     await this.check();
   }
 
@@ -133,10 +136,17 @@ export class ClassModel {
     this.rows.value = this.rows.value.map((row) => (row.name === name ? { ...row, note } : row));
   }
 
+  /** Sets the points of a hand-in by hand. @param marked `null`: those of the checks count again */
+  mark(name: string, marked: number | null): void {
+    this.rows.value = this.rows.value.map(({ marked: before, ...row }) =>
+      row.name === name ? { ...row, ...markedIn(marked ?? undefined) } : { ...row, ...markedIn(before) },
+    );
+  }
+
   /** A hand-in with its content, which may have to be read first. */
-  async keptRow({ name, result, note }: Row): Promise<KeptRow> {
+  async keptRow({ name, result, note, marked }: Row): Promise<KeptRow> {
     const source = this.sources.find((one) => one.name === name) ?? brokenSource(name, unread('gone').problem);
-    return { name, result, note, content: await contentOf(source) };
+    return { name, result, note, ...markedIn(marked), content: await contentOf(source) };
   }
 
   /** Puts a stored class in the place of this one. Nothing is checked. */
@@ -230,6 +240,8 @@ const readOf = (content: Content): Pick<Row, 'handIn' | 'choices'> =>
   'handIn' in content
     ? { handIn: content.handIn }
     : { handIn: null, ...(content.choices !== undefined && { choices: content.choices }) };
+
+const markedIn = (marked: number | undefined): Pick<Row, 'marked'> => (marked === undefined ? {} : { marked });
 
 function withShown(rows: readonly Omit<Row, 'shown'>[]): readonly Row[] {
   const shown = shownNames(rows.map(({ name }) => name));

@@ -51,7 +51,7 @@ const keys: Readonly<Record<Exclude<Column, 'name'>, (row: Row) => number>> = {
   // What never came to an end comes last.
   time: (row) => timeOf(row) ?? Infinity,
   touches: touchesOf,
-  points: ({ result }) => -(result?.points ?? -1),
+  points: ({ result, marked }) => -(marked ?? result?.points ?? -1),
 };
 
 /** The hand-ins that pass a filter, in an order; those that are equal are in the order of their names. */
