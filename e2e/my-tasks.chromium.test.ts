@@ -39,6 +39,7 @@ test('tasks of two tabs lie on one shelf, are there after a reload, and come bac
   await expect(rows).toHaveText([/Turm/]);
   await page.click(by('tasks-open'));
   await expect(page.locator(by('maker'))).toBeVisible();
+  await page.click(by('maker-menu'));
   await page.click(by('maker-keep'));
   await expect(page.locator('.notice')).toContainText('«Turm» ist in «Meine Aufgaben» erneuert.');
 });

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { flushPromises } from '@vue/test-utils';
-import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { defineComponent, h } from 'vue';
 
@@ -14,20 +14,28 @@ import { mountOn, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
 import TaskChecks from '../../session/task/TaskChecks.vue';
-import MakerPage from './MakerPage.vue';
+import { useWork } from '../../session/work/model/parts';
+import LevelFields from './levels/LevelFields.vue';
+import { useTaskMaker } from './use-task-maker';
 
 beforeAll(() => loadTexts('de'));
-beforeEach(() => document.body.replaceChildren());
 
 const projectOn = ({ work }: TestPage) => work.work.value.project;
 const textOn = (page: TestPage): string | undefined => page.work.find(MAIN)?.text;
 const levelsOn = (page: TestPage) => levelsOf(projectOn(page).task);
 
+/** The levels of the task that is open. */
+const Levels = defineComponent({
+  setup() {
+    const { task } = useTaskMaker(useWork());
+    return () => task.value && h(LevelFields, { task: task.value });
+  },
+});
+
 async function make(): Promise<TestPage> {
   const page = createPage();
   page.work.setText(MAIN, '', true);
-  mountOn(page, MakerPage);
-  await flushPromises();
+  mountOn(page, Levels);
   await tap('maker-level-add');
   page.work.setText(MAIN, '# oben\n\nstop()\n', true);
   page.work.setTask({ ...projectOn(page).task, version: 1, locks: { lines: [1] } });
@@ -67,7 +75,6 @@ describe('levels on the page that makes a task', () => {
 describe('levels on the card of a pupil', () => {
   async function given(): Promise<TestPage> {
     const project = withoutSecrets(projectOn(await make()));
-    document.body.replaceChildren();
     const page = createPage();
     page.work.openProject(project, null);
     await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
