@@ -5,8 +5,8 @@ import type { ClassTask } from '#check/task/task';
 import { linkOf } from '#project/link/link';
 import type { Project } from '#project/project';
 
-import { readyScene } from '../../session/work/catalogue/ready-courses';
-import type { Row } from './model/class-model';
+import { readyScene } from '../../../session/work/catalogue/ready-courses';
+import type { Row } from '../model/class-model';
 
 /** A feedback as it is given: as a project for a file, and as an address. */
 export interface GivenFeedback {
