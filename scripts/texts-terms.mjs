@@ -77,7 +77,10 @@ export const terms = [
   {
     thing: 'a hint of a task',
     say: { de: 'Tipp', fr: 'indice', it: 'suggerimento', en: 'hint' },
-    not: { fr: words('conseils?'), it: words('consigli~', 'gli aiuti', '(?:un|l’)aiuto (?:\\d|\\{)') },
+    not: {
+      fr: words('conseils?'),
+      it: words('consigli~', 'gli aiuti', '(?:un|l’)aiuto (?:\\d|\\{)', '(?:scrivi|aggiungi|guarda) (?:un |l’)aiuto'),
+    },
   },
   {
     thing: 'what a class gets to do',
