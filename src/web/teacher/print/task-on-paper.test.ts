@@ -27,7 +27,9 @@ describe('the task of a course for paper', () => {
 
   it('has the hints only on request', async () => {
     showLanguage('it');
-    expect((await taskOnPaper(course, text, [], true)).hints).toEqual([{ title: 'Suggerimento 1', text: 'Essaie left().' }]);
+    expect((await taskOnPaper(course, text, [], true)).hints).toEqual([
+      { title: 'Suggerimento 1', text: 'Essaie left().' },
+    ]);
   });
 
   it('has no stars where the task gives none', async () => {
