@@ -25,7 +25,11 @@ describe('parcours class', () => {
     const own = join(folder, '8b.json');
     const list = file('list.csv', 'Vorname;Name\nAda;Meier\nBen;Huber\nCleo;Roth\n');
     const set = classAct('set', own, '--name', 'Klasse 8b', '--names', list, '--scale', 'ch6', '--lang', 'de');
-    expect(set).toEqual({ code: 0, out: 'Klasse 8b · Schülerinnen und Schüler: 3 · Aufgaben: 0 · Abgaben: 0\n', err: '' });
+    expect(set).toEqual({
+      code: 0,
+      out: 'Klasse 8b · Schülerinnen und Schüler: 3 · Aufgaben: 0 · Abgaben: 0\n',
+      err: '',
+    });
 
     const first = handIns('first', { 'meier_ada.py': RIGHT, 'ben.py': NOTHING, 'cleo roth.docx': 'PK' });
     const added = classAct('add', own, 'closed-line', first, '--date', '2026-11-02', '--lang', 'de');
@@ -39,7 +43,9 @@ describe('parcours class', () => {
     ]);
     const copy = classAct('add', join(folder, 'copy.json'), 'slalom', handIns('third', { 'Ben Huber.py': NOTHING }), '--date', '2026-11-16'); // prettier-ignore
     expect(copy.out).toContain('No hand-in yet: Ada Meier, Cleo Roth');
-    expect(classAct('merge', own, join(folder, 'copy.json')).out).toBe('Klasse 8b · Pupils: 4 · Tasks: 2 · Hand-ins: 6\n');
+    expect(classAct('merge', own, join(folder, 'copy.json')).out).toBe(
+      'Klasse 8b · Pupils: 4 · Tasks: 2 · Hand-ins: 6\n',
+    );
     const once = readFileSync(own, 'utf8');
     classAct('merge', own, join(folder, 'copy.json'));
     expect(readFileSync(own, 'utf8')).toBe(once);
