@@ -34,6 +34,38 @@ const packed = (png) => `(async () => {
   return canvas.toDataURL('image/webp', 0.72).split(',')[1];
 })()`;
 
+/**
+ * Fills the pages for a class, which say little without one: three hand-ins of the open course, and the class of a kept file.
+ *
+ * @type {Record<string, (page: import('@playwright/test').Page) => Promise<void>>}
+ */
+const FILLED = {
+  class: async (page) => {
+    await page.selectOption('[data-testid="class-task"]', 'closed-line');
+    const solution = await readFile(join(root, 'courses/closed-line/main.py'));
+    const programs = {
+      'Ada Meier': solution,
+      'Elif Kaya': Buffer.from('from mbrobot import *\nsetSpeed(40)\nforward()\ndelay(3000)\nstop()\n'),
+      'Noah Frei': Buffer.from('from mbrobot import *\n'),
+    };
+    const files = Object.entries(programs).map(([name, buffer]) => ({
+      name: `${name}.py`,
+      mimeType: 'text/x-python',
+      buffer,
+    }));
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.click('[data-testid="class-files"]')]);
+    await chooser.setFiles(files);
+    await page.waitForSelector('text="Noah Frei"');
+    await page.waitForTimeout(CHECKED_MS);
+    await page.click('text="Elif Kaya"');
+  },
+  classes: async (page) => {
+    await page.setInputFiles('[data-testid="classes-file"]', join(root, 'src/school-class/kept/v1.json'));
+  },
+};
+/** Long enough for three hand-ins to be checked. */
+const CHECKED_MS = 10_000;
+
 /** The places that the handbook shows; they are the same in every language. */
 async function places() {
   const text = await readFile(join(FOLDER, 'texts/de.md'), 'utf8');
@@ -55,6 +87,7 @@ async function takeIn(context, url, language) {
     await page.goto(place.startsWith('@') ? `${url}${OPEN}` : `${url}${OPEN}#${place}`);
     await page.waitForLoadState('networkidle');
     if (place.startsWith('@')) await page.click(`[data-testid="mode-${place.slice(1)}"]`);
+    await FILLED[place]?.(page);
     await page.waitForTimeout(DRAWN_MS);
     const picture = await blank.evaluate(packed((await page.screenshot()).toString('base64')));
     await page.close();

@@ -69,7 +69,7 @@ export const APP_SOURCES = [
   ...['src', 'courses', 'build', ...VM_SOURCES],
   ...['vite.config.ts', 'package.json', 'LICENSE'],
   ...['frame-check', 'licences', 'oldest', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
-  ...['fingerprint', 'named-by-content', 'progress'].map((name) => `scripts/${name}.mjs`),
+  ...['fingerprint', 'handbook-pictures', 'named-by-content', 'progress'].map((name) => `scripts/${name}.mjs`),
 ];
 
 /**
