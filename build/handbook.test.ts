@@ -36,12 +36,19 @@ describe('a book of the help', () => {
               show: 'task',
               text: 'Drück **Simulieren**.',
               tip: 'Zu zweit. Oder zu dritt.',
-              picture: '',
+              picture: 'handbook/de-task.webp',
             },
           ],
         ],
       },
     ]);
+  });
+
+  it('shows a picture of a place in the first section of a chapter about it, in its language, if there is one', () => {
+    const section = (id: string, show: string): string => `## ${id}: S\nshow: ${show}\n\nText\n\n`;
+    const source = `# one: A\n\n${section('a', '@build')}${section('b', '@build')}# two: B\n\n${section('c', '@build')}${section('d', 'nowhere')}`;
+    const pictures = readBook(source, 'fr').flatMap(({ sections }) => sections.map(({ picture }) => picture));
+    expect(pictures).toEqual(['handbook/fr-build.webp', '', 'handbook/fr-build.webp', '']);
   });
 
   it('leaves away the dots of a button that opens something', () =>

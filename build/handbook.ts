@@ -3,7 +3,7 @@
  *
  * - `# id: Title` begins a chapter, `## id: Title` a section of it; ids are the same in every language.
  * - `show: address` below a section's title names the page it is about; `show: @build` a mode of the arena.
- * - The first section that shows a place has its picture, taken of the real page by `npm run handbook -- --pictures` into
+ * - The first section of a chapter that shows a place has its picture, taken of the real page by `npm run handbook -- --pictures` into
  *   `src/web/help/handbook/pictures`.
  * - `> ` begins a piece of advice. All else is text in the small markup of tasks.
  * - `{room:name}` is a word of the page by its place in the words of a room, such as `{kit:bar.run}`: no name of a button is
@@ -64,7 +64,7 @@ export function wordOf(room: string, name: string, language: Language): string {
   return found.replace(/\s*…$/, '');
 }
 
-/** The addresses of the pictures that sections have: of each place where it is shown first. */
+/** The addresses of the pictures that the sections of a chapter have: of each place where it is shown first. */
 function createPictures(language: Language, folder: string): (show: string) => string {
   const shown = new Set<string>();
   return (show) => {
@@ -88,15 +88,17 @@ export function readBook(source: string, language: Language, pictures = PICTURES
   }
   const told = (text: string): string =>
     text.replace(WORD, (_, room: string, name: string) => `**${wordOf(room, name, language)}**`);
-  const picture = createPictures(language, pictures);
-  return chapters.map(({ id, title, sections }): Chapter => ({
-    ...{ id, title: told(title).replaceAll('**', '') },
-    sections: sections.map((one): Section => ({
-      ...{ id: one.id, title: told(one.title).replaceAll('**', ''), show: one.show },
-      ...{ text: told(one.lines.join('\n').trim()), tip: told(one.tips.join(' ').trim()) },
-      picture: picture(one.show),
-    })),
-  }));
+  return chapters.map(({ id, title, sections }): Chapter => {
+    const picture = createPictures(language, pictures);
+    return {
+      ...{ id, title: told(title).replaceAll('**', '') },
+      sections: sections.map((one): Section => ({
+        ...{ id: one.id, title: told(one.title).replaceAll('**', ''), show: one.show },
+        ...{ text: told(one.lines.join('\n').trim()), tip: told(one.tips.join(' ').trim()) },
+        picture: picture(one.show),
+      })),
+    };
+  });
 }
 
 function readLine(line: string, section: Open): void {

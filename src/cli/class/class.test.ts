@@ -90,7 +90,7 @@ describe('parcours class', () => {
     const broken = file('broken.json', '{"format": "parcours-class", "version": 9}');
     expect(classAct('report', broken)).toMatchObject({
       code: 2,
-      err: `parcours: ${broken}: Class version 9 is newer than this app (1). Update Parcours.\n`,
+      err: `parcours: ${broken}: Class version 9 is newer than this app (2). Update Parcours.\n`,
     });
     expect(classAct('add', broken, 'closed-line', folder).code).toBe(2);
     expect(readFileSync(broken, 'utf8')).toBe('{"format": "parcours-class", "version": 9}');
