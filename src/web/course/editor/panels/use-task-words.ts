@@ -20,6 +20,8 @@ export interface TaskWords {
   readonly hints: ComputedRef<readonly string[]>;
   /** The name of the course; empty if it has none: what the page calls such a course is not its name. */
   nameNow(): string;
+  /** Gives the course a name of its own: a ready one becomes the author's own course, with the words that are shown. */
+  rename(name: string): void;
   choose(language: string): void;
   change(changes: CourseChanges): void;
   write(part: WordsPart): void;
@@ -52,6 +54,7 @@ export function useTaskWords(): TaskWords {
   return {
     ...{ scene, language, now, hints, nameNow, change, write },
     card: computed(() => cardOf(scene.value)),
+    rename: (name) => change(courseId.value === null ? { name } : { name, description: shown.value }),
     choose(next) {
       chosen.value = next;
       hasBlank.value = false;

@@ -20,6 +20,8 @@ const rich: PaperTask = {
   checks: ['nutzt eine Schleife (2 Punkte)'],
   stars: ['geschafft', 'unter 15 s', 'unter 9 s'],
 };
+/** A task with a long text. */
+const long: PaperTask = { ...rich, text: `${rich.text}\n\n${'Langsam ist auch gut. '.repeat(24)}` };
 const plain: SheetContent = {
   task,
   courseMm: [1200, 900],
@@ -114,8 +116,14 @@ describe('a worksheet', () => {
     ]);
   });
 
-  it('leaves the questions to a second page before the course becomes too small to see anything', () => {
+  it('is one sheet for a task of a few lines, with a smaller course', () => {
     const { pages, course } = sheet({ task: rich });
+    expect(pages).toHaveLength(1);
+    expect(course.size[1]).toBeGreaterThan(40);
+  });
+
+  it('leaves the questions to a second page before the course becomes too small to see anything', () => {
+    const { pages, course } = sheet({ task: long });
     expect(pages).toHaveLength(2);
     expect(wordsOf(pages[0]!)).toContain('nutzt eine Schleife (2 Punkte)');
     expect(pages[0]!.some(({ kind }) => kind === 'course')).toBe(true);
@@ -125,7 +133,7 @@ describe('a worksheet', () => {
 
   it('says at its foot who made the task, and under which licence', () => {
     expect(wordsOf(lastOf(sheet({ credit: 'Ada Keller, CC BY 4.0' }))).at(-1)).toBe('Ada Keller, CC BY 4.0');
-    const [first] = sheet({ task: rich, credit: 'Ada Keller, CC BY 4.0' }).pages;
+    const [first] = sheet({ task: long, credit: 'Ada Keller, CC BY 4.0' }).pages;
     expect(wordsOf(first!).slice(-2)).toEqual(['Der Slalom · Ada Keller, CC BY 4.0', '1/2']);
     expect(allWords(sheet())).not.toContain('·');
   });

@@ -80,8 +80,11 @@ const QUESTION_MM = ABOVE_MM + 1.15 * LEADING * TEXT_MM;
 /** Lines of a question where only some are wanted. */
 const SOME = 3;
 
-/** Less high than this a drawing goes on to the next page, unless the course itself is flat. */
-const LEAST_DRAWING_MM = 60;
+/**
+ * Less high than this a drawing goes on to the next page, unless the course itself is flat; a sheet that has room for everything
+ * is worth a smaller one. Chosen: a course of 120 × 90 cm then is 60 mm wide.
+ */
+const [LEAST_DRAWING_MM, LEAST_ON_ONE_SHEET_MM] = [60, 45];
 
 /** Room between the text and the drawing, and what stands below the drawing. */
 const GAP_MM = 5;
@@ -195,8 +198,10 @@ function placeCourse(draft: Draft, content: SheetContent, set: SetRows): DrawnCo
   const { courseMm, words } = content;
   const drawn = (roomMm: number): DrawnCourse => drawnCourse(courseMm, [WIDTH, roomMm]);
   const roomFor = (belowMm: number): number => HEIGHT - draft.endMm - GAP_MM - CAPTION_MM - belowMm;
-  const least = Math.min(LEAST_DRAWING_MM, drawn(HEIGHT - CAPTION_MM).size[1]);
-  const room = [roomFor(spaceMm(content)), roomFor(0)].find((mm) => mm >= least);
+  const wholeMm = drawn(HEIGHT - CAPTION_MM).size[1];
+  const [withSpace, alone] = [roomFor(spaceMm(content)), roomFor(0)];
+  const isOneSheet = withSpace >= Math.min(LEAST_ON_ONE_SHEET_MM, wholeMm);
+  const room = isOneSheet ? withSpace : alone >= Math.min(LEAST_DRAWING_MM, wholeMm) ? alone : undefined;
   if (room === undefined) newPage(draft);
   const course = drawn(room ?? HEIGHT - CAPTION_MM - spaceMm(content));
   const top = room === undefined ? 0 : draft.endMm + GAP_MM;

@@ -1,0 +1,39 @@
+// @vitest-environment happy-dom
+import { defineComponent, h, nextTick } from 'vue';
+import { beforeEach, describe, expect, it } from 'vitest';
+
+import { createPage } from '../../../app/testing/page';
+import { mountOn } from '../../../app/testing/mount-on';
+import { nameToSave } from '../../../session/work/work-name';
+import CardInPlace from './CardInPlace.vue';
+
+/** A page with the card of its course. */
+function cardPage() {
+  const page = createPage();
+  mountOn(page, defineComponent({ setup: () => () => h(CardInPlace, { checks: [] }) }));
+  const field = document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!;
+  async function entitle(title: string): Promise<void> {
+    field.value = title;
+    field.dispatchEvent(new Event('input'));
+    field.dispatchEvent(new Event('change'));
+    await nextTick();
+  }
+  return { ...page, entitle };
+}
+
+beforeEach(() => {
+  document.body.innerHTML = '';
+  sessionStorage.clear();
+});
+
+describe('the title of a card', () => {
+  it('names a ready course that it is written over, so that files are called by it, and keeps its text', async () => {
+    const { entitle, work } = cardPage();
+    expect(work.work.value.project.course).not.toBeNull();
+    const told = document.querySelector('[data-testid=maker-text]')!.textContent;
+    await entitle('Ab in die Garage');
+    expect([work.work.value.project.course, work.scene.value.name]).toEqual([null, 'Ab in die Garage']);
+    expect(nameToSave({ work })).toBe('Ab in die Garage');
+    expect(document.querySelector('[data-testid=maker-text]')!.textContent).toBe(told);
+  });
+});
