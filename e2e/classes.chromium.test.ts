@@ -2,6 +2,8 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
+import type { Page } from '@playwright/test';
+
 import { expect, warmTest as test } from './app';
 import { violationsBy } from './axe';
 import { CREEP, RIGHT } from './class-page';
@@ -60,6 +62,20 @@ function writtenByCommandLine(folder: string): string {
   return readFileSync(file, 'utf8');
 }
 
+/** True if the browser's database has a text somewhere. */
+const isStored = (page: Page, text: string): Promise<boolean> =>
+  page.evaluate(async (wanted) => {
+    const done = <T>(request: IDBRequest<T>): Promise<T> =>
+      new Promise((resolve) => request.addEventListener('success', () => resolve(request.result)));
+    for (const { name = '' } of await indexedDB.databases()) {
+      const database = await done(indexedDB.open(name));
+      for (const store of database.objectStoreNames)
+        if (JSON.stringify(await done(database.transaction(store).objectStore(store).getAll())).includes(wanted))
+          return true;
+    }
+    return false;
+  }, text);
+
 test('three weeks of a class give the same file as by the command line', async ({ page }, { outputDir }) => {
   page.on('dialog', (dialog) => void dialog.accept());
   await page.clock.setFixedTime(`${WEEKS[0].day}T10:00:00`);
@@ -82,6 +98,7 @@ test('three weeks of a class give the same file as by the command line', async (
     await page.goto('./#classes');
     await page.click(by('classes-enter'), { timeout: 60_000 });
     await expect(page.locator(by('classes-checked'))).toBeHidden();
+    await expect.poll(() => isStored(page, day)).toBe(true);
   }
   await page.click(by('classes-more'));
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(by('classes-save'))]);

@@ -11,6 +11,8 @@ export interface OpenClass {
   readonly schoolClass: SchoolClass;
   /** True if this browser stores it. */
   readonly isKept: boolean;
+  /** The class as the browser has it; `null`: it has none. */
+  readonly stored: SchoolClass | null;
   /** As it is in a file; `null`: in none. */
   readonly inFile: SchoolClass | null;
 }
@@ -35,7 +37,7 @@ export class ClassBook {
   );
   /** True if a change would be lost with the page. */
   readonly isUnsaved = computed(() =>
-    this.classes.value.some(({ isKept, inFile, schoolClass }) => !isKept && inFile !== schoolClass),
+    this.classes.value.some(({ isKept, stored, inFile, schoolClass }) => (isKept ? stored : inFile) !== schoolClass),
   );
   private working: Promise<void> = Promise.resolve();
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -56,7 +58,7 @@ export class ClassBook {
   add(schoolClass: SchoolClass, isInFile: boolean): void {
     // Another tab may begin one at the same time.
     const key = `${String(Date.now())}${String(Math.floor(Math.random() * 1000)).padStart(3, '0')}`;
-    const one = { key, schoolClass, isKept: false, inFile: isInFile ? schoolClass : null };
+    const one = { key, schoolClass, isKept: false, stored: null, inFile: isInFile ? schoolClass : null };
     this.classes.value = [...this.classes.value, one];
     this.chosenKey.value = key;
   }
@@ -108,7 +110,7 @@ export class ClassBook {
     try {
       const found = await this.kept.read();
       this.classes.value = [
-        ...found.map(({ key, schoolClass }) => ({ key, schoolClass, isKept: true, inFile: null })),
+        ...found.map(({ key, schoolClass }) => ({ key, schoolClass, isKept: true, stored: schoolClass, inFile: null })),
         ...this.classes.value,
       ];
     } catch {
@@ -124,7 +126,9 @@ export class ClassBook {
         if (!isKept) continue;
         const written = await this.kept.write(key, schoolClass);
         const now = this.classes.value.find((one) => one.key === key);
-        if (written !== schoolClass && now?.schoolClass === schoolClass) this.replace(key, { schoolClass: written });
+        // What has changed meanwhile is written next.
+        if (now?.schoolClass === schoolClass && now.stored !== written)
+          this.replace(key, { schoolClass: written, stored: written });
       }
       this.hasFailed.value = false;
     });

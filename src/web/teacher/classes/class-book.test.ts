@@ -1,0 +1,48 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+
+import type { SchoolClass } from '#school-class/school-class';
+
+import { ClassBook } from './class-book';
+import type { KeptClasses } from './kept-classes';
+
+const named = (name: string): SchoolClass => ({ name, scale: null, pupils: [], tasks: [], results: [] });
+
+/** A book whose browser writes when it is told to. */
+function slowBook() {
+  const writes: { readonly name: string; readonly end: () => void }[] = [];
+  const kept: Pick<KeptClasses, 'read' | 'write' | 'forget'> = {
+    read: () => Promise.resolve([]),
+    write: (_, schoolClass) =>
+      writes.at(-1)?.name === schoolClass.name
+        ? Promise.resolve(schoolClass) // it is there already
+        : new Promise((resolve) => writes.push({ name: schoolClass.name, end: () => resolve(schoolClass) })),
+    forget: () => Promise.resolve(),
+  };
+  return { book: new ClassBook(kept as KeptClasses), writes };
+}
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+describe('a class that the browser stores', () => {
+  it('would be lost with the page until its last change is written', async () => {
+    const { book, writes } = slowBook();
+    book.add(named('8b'), false);
+    void book.keep(true);
+    await vi.advanceTimersByTimeAsync(0);
+    expect([writes.length, book.isUnsaved.value]).toEqual([1, true]);
+    writes[0]!.end();
+    await vi.advanceTimersByTimeAsync(0);
+    expect(book.isUnsaved.value).toBe(false);
+
+    book.change(() => named('8c'));
+    expect(book.isUnsaved.value).toBe(true);
+    await vi.advanceTimersByTimeAsync(5_000);
+    expect(writes.map(({ name }) => name)).toEqual(['8b', '8c']);
+    expect(book.isUnsaved.value).toBe(true);
+    writes[1]!.end();
+    await vi.advanceTimersByTimeAsync(5_000);
+    expect([book.isUnsaved.value, writes.length]).toEqual([false, 2]);
+  });
+});
