@@ -21,7 +21,7 @@ const rich: PaperTask = {
   stars: ['geschafft', 'unter 15 s', 'unter 9 s'],
 };
 /** A task with a long text. */
-const long: PaperTask = { ...rich, text: `${rich.text}\n\n${'Langsam ist auch gut. '.repeat(24)}` };
+const wordy: PaperTask = { ...rich, text: `${rich.text}\n\n${'Langsam ist auch gut. '.repeat(24)}` };
 const plain: SheetContent = {
   task,
   courseMm: [1200, 900],
@@ -123,7 +123,7 @@ describe('a worksheet', () => {
   });
 
   it('leaves the questions to a second page before the course becomes too small to see anything', () => {
-    const { pages, course } = sheet({ task: long });
+    const { pages, course } = sheet({ task: wordy });
     expect(pages).toHaveLength(2);
     expect(wordsOf(pages[0]!)).toContain('nutzt eine Schleife (2 Punkte)');
     expect(pages[0]!.some(({ kind }) => kind === 'course')).toBe(true);
@@ -133,7 +133,7 @@ describe('a worksheet', () => {
 
   it('says at its foot who made the task, and under which licence', () => {
     expect(wordsOf(lastOf(sheet({ credit: 'Ada Keller, CC BY 4.0' }))).at(-1)).toBe('Ada Keller, CC BY 4.0');
-    const [first] = sheet({ task: long, credit: 'Ada Keller, CC BY 4.0' }).pages;
+    const [first] = sheet({ task: wordy, credit: 'Ada Keller, CC BY 4.0' }).pages;
     expect(wordsOf(first!).slice(-2)).toEqual(['Der Slalom · Ada Keller, CC BY 4.0', '1/2']);
     expect(allWords(sheet())).not.toContain('·');
   });
