@@ -74,6 +74,11 @@ describe('standing in a field', () => {
 });
 
 describe('time in a field', () => {
+  it('goes on while the robot stands there after the end of its program', async () => {
+    const field = [bay(420, 300, 'a')];
+    expect(await resultOf(field, { type: 'stay', seconds: 4, zone: 'a' }, ahead(1400))).toMatchObject({ passed: true });
+  });
+
   it('is that of all visits together', async () => {
     const stay = { type: 'stay', seconds: 1, zone: 'a' };
     const there =

@@ -101,6 +101,9 @@ function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, 
   }
 }
 
-/** A run ends after being still for this time: the usual one, or the longest stop that a check waits for. */
+/** A run ends after being still for this time: the usual one, or the longest that a robot has to be somewhere for a check. */
 const stillUs = (checks: readonly RunCheck[]): number =>
-  Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? usOf(check.seconds) + SLICE_US : 0)));
+  Math.max(
+    STILL_US,
+    ...checks.map((check) => (check.type === 'stop' || check.type === 'stay' ? usOf(check.seconds) + SLICE_US : 0)),
+  );

@@ -19,8 +19,8 @@ export function lostIn({ checks, project: { scene } }: Pick<ClassTask, 'checks' 
     const path = `checks[${String(place)}]`;
     const lacking = (names: readonly string[], field: string, known: readonly string[]): readonly Lost[] =>
       names.filter((id) => !known.includes(id)).map((id) => ({ path: `${path}.${field}`, id, known }));
-    const isThere = check.type === 'belongs' ? lacking([check.object], 'object', blocks) : [];
-    return [...isThere, ...lacking(zonesIn(check), check.type === 'reach' ? 'zones' : 'zone', zones)];
+    const lostBlocks = check.type === 'belongs' ? lacking([check.object], 'object', blocks) : [];
+    return [...lostBlocks, ...lacking(zonesIn(check), check.type === 'reach' ? 'zones' : 'zone', zones)];
   });
 }
 

@@ -28,8 +28,8 @@ import {
 } from './task';
 
 /**
- * The newest version of a task's own data that this app reads. Version 2 has more kinds of checks; what an older app knows
- * is written as version 1.
+ * The newest version of a task's own data that this app reads. Version 2 has more kinds of checks, levels, exams and details for
+ * teachers; what an older app knows is written as version 1.
  */
 export const TASK_VERSION = 2;
 
