@@ -9,7 +9,8 @@ import { ahead, checkedProject, projectWith, sceneWith, targetAt } from '../test
 import { taskOf } from '../task/read-task';
 import type { ClassTask } from '../task/task';
 import { withoutSecrets } from '../task/write-task';
-import { feedbackLimits, hasFeedback, isAtMoment, readFeedback, type Feedback } from './feedback';
+import { feedbackLimits, isAtMoment, readFeedback, type Feedback } from './feedback';
+import { hasFeedback } from './has-feedback';
 import { feedbackProject, momentOf, runOfFeedback } from './feedback-project';
 
 const goal = sceneWith([targetAt(600, 450)], { name: 'Two starts', task: { seconds: 4, noTouch: false } });

@@ -3,6 +3,7 @@ import { Reader } from '#scene/reader';
 import type { Carried, Project } from '#project/project';
 import { HAND_IN_VERSION } from '../hand-in/hand-in';
 import { taskLimits } from '../task/task';
+import { FEEDBACK, hasFeedback } from './has-feedback';
 
 /**
  * A teacher's feedback on a hand-in. It travels in the pupil's own project, among what belongs to handing in, and goes
@@ -37,22 +38,16 @@ export const feedbackLimits = {
 /** The feedback in a project: none, one, or one that cannot be read. */
 export type ReadFeedback = Feedback | null | 'damaged' | 'newer';
 
-/** The name of the feedback among what belongs to handing in. */
-const NAME = 'feedback';
-
-/** True if a project brings a feedback, whether it can be read or not. */
-export const hasFeedback = ({ handIn }: Pick<Project, 'handIn'>): boolean => handIn?.[NAME] !== undefined;
-
 /** Reads the feedback in a project. Never throws. */
 export function readFeedback({ handIn }: Pick<Project, 'handIn'>): ReadFeedback {
-  const value = handIn?.[NAME];
+  const value = handIn?.[FEEDBACK];
   if (value === undefined) return null;
   if (!isRecord(value)) return 'damaged';
   const { version } = value;
   if (version !== FEEDBACK_VERSION)
     return typeof version === 'number' && version > FEEDBACK_VERSION ? 'newer' : 'damaged';
   const reader = new Reader();
-  const { note, world, atMs, failed, missed, points } = reader.fields(value, NAME, [
+  const { note, world, atMs, failed, missed, points } = reader.fields(value, FEEDBACK, [
     ...['version', 'note', 'world', 'atMs', 'failed', 'missed', 'points'],
   ]);
   const ids = missed === undefined ? [] : reader.list(missed, 'missed', { min: 0, max: taskLimits.checks });
@@ -77,7 +72,7 @@ function pointsIn(value: unknown, reader: Reader): Feedback['points'] {
 export const withFeedback = (handIn: Carried, { note, world, atMs, failed, missed, points }: Feedback): Carried => ({
   version: HAND_IN_VERSION,
   ...handIn,
-  [NAME]: {
+  [FEEDBACK]: {
     version: FEEDBACK_VERSION,
     ...(note !== '' && { note }),
     world,
@@ -92,7 +87,7 @@ export const withFeedback = (handIn: Carried, { note, world, atMs, failed, misse
 export function withoutFeedback(project: Project): Project {
   if (!hasFeedback(project)) return project;
   const { handIn, ...others } = project;
-  const { [NAME]: _, version, ...rest } = handIn ?? {};
+  const { [FEEDBACK]: _, version, ...rest } = handIn ?? {};
   return Object.keys(rest).length === 0 ? others : { ...others, handIn: { version, ...rest } };
 }
 

@@ -1,4 +1,4 @@
-import { hasFeedback } from '#check/feedback/feedback';
+import { hasFeedback } from '#check/feedback/has-feedback';
 import { documentOfAddress } from '#intake/address';
 import { documentOfText } from '#intake/text';
 import type { CourseDocument, ProgramDocument, ProjectDocument, ReadyDocument } from '#intake/document';

@@ -1,3 +1,4 @@
+import { hasFeedback } from '#check/feedback/has-feedback';
 import { unreadText } from '#check/report/say';
 import type { Document, HexDocument, Unreadable } from '#intake/document';
 import { inMB, mostBytes, stemOf } from '#intake/formats';
@@ -71,7 +72,7 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       const { project } = document;
       const name = courseName(project.scene, project.course);
       useOpenings(app).open(project, name, !isFromFile && hasNothingOwn(before), plainStem(file));
-      if (project.handIn?.['feedback'] === undefined) return null;
+      if (!hasFeedback(project)) return null;
       const { lookAtFeedback } = await import('./open-run');
       void lookAtFeedback(app, file);
       return null;

@@ -1,5 +1,7 @@
 import { computed, watch } from 'vue';
 
+import { hasFeedback } from '#check/feedback/has-feedback';
+
 import type { SessionParts } from './session';
 
 type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'>;
@@ -10,8 +12,8 @@ type Parts = Pick<SessionParts, 'task' | 'layout' | 'mode' | 'settings' | 'work'
  */
 export function placeCard({ task, layout, mode, settings, work }: Parts): void {
   const card = computed(() => {
-    const { handIn } = work.work.value.project;
-    const isPlace = mode.current.value === 'drive' || (mode.current.value === 'lookBack' && handIn?.['feedback']);
+    const { project } = work.work.value;
+    const isPlace = mode.current.value === 'drive' || (mode.current.value === 'lookBack' && hasFeedback(project));
     if (!isPlace || !layout.parts.value.includes('arena')) return null;
     if (layout.isGreeting.value) return task.isUnfolded.value ? 'open' : 'folded';
     return task.card.value;

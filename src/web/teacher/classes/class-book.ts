@@ -2,6 +2,7 @@ import { computed, shallowRef, watch } from 'vue';
 
 import type { SchoolClass } from '#school-class/school-class';
 
+import { newKey } from '../../session/work/storage/new-key';
 import type { KeptClasses } from './kept-classes';
 
 /** A class that is open on this page. */
@@ -56,8 +57,7 @@ export class ClassBook {
 
   /** Adds a class and shows it. @param isInFile true if it came from a file */
   add(schoolClass: SchoolClass, isInFile: boolean): void {
-    // Another tab may begin one at the same time.
-    const key = `${String(Date.now())}${String(Math.floor(Math.random() * 1000)).padStart(3, '0')}`;
+    const key = newKey(this.classes.value);
     const one = { key, schoolClass, isKept: false, stored: null, inFile: isInFile ? schoolClass : null };
     this.classes.value = [...this.classes.value, one];
     this.chosenKey.value = key;

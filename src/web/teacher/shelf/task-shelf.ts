@@ -5,6 +5,7 @@ import { workToText } from '#check/shelf/write-shelf';
 import { noAbout, type TaskAbout } from '#check/task/about';
 import { isSame } from '#core/same';
 
+import { newKey } from '../../session/work/storage/new-key';
 import { changeStored, forgetWorks, storeWork, storedWorks } from './kept-shelf';
 import { workNameOf } from './work-name-of';
 
@@ -135,11 +136,3 @@ export class TaskShelf {
 }
 
 const nameOf = ({ work }: Pick<ShelfItem, 'work'>): string => workNameOf(work);
-
-/** A key that orders works by the time at which they came; another tab may put one at the same time. */
-function newKey(items: readonly ShelfItem[]): string {
-  for (;;) {
-    const key = `${String(Date.now())}${String(Math.floor(Math.random() * 1000)).padStart(3, '0')}`;
-    if (items.every((one) => one.key !== key)) return key;
-  }
-}
