@@ -17,6 +17,8 @@ export class LineWatch {
   private onSinceUs: number | null = null;
   private lastOnUs: number | null = null;
   private offUs: number | null = null;
+  /** The last place at which it was measured, and how far from there it cannot have come on or off the line. */
+  private measured = { x: 0, y: 0, distanceMm: 0, roomMm: -1 };
 
   constructor({ objects }: Scene) {
     const lines = objects.filter((one): one is Stroke => one.type === 'stroke');
@@ -34,7 +36,7 @@ export class LineWatch {
 
   look(nowUs: number, at: Vec): void {
     if (this.lines.length === 0) return;
-    const distance = distanceMm(this.lines, at);
+    const distance = this.roughDistanceMm(at);
     if (distance <= ON_MM) {
       this.onSinceUs ??= nowUs;
       this.lastOnUs = nowUs;
@@ -44,6 +46,21 @@ export class LineWatch {
       if (onSinceUs !== null && lastOnUs !== null && lastOnUs - onSinceUs >= FOLLOWED_US) this.offUs = lastOnUs;
       this.onSinceUs = null;
     }
+  }
+
+  /**
+   * Distance from the line: that of a place nearby as long as both are on the same side of `ON_MM` and of `OFF_MM`. A step
+   * takes the robot a millimetre on, and a line has hundreds of pieces.
+   */
+  private roughDistanceMm(at: Vec): number {
+    const { x, y, roomMm } = this.measured;
+    const moved = Math.sqrt((at.x - x) * (at.x - x) + (at.y - y) * (at.y - y));
+    if (moved >= roomMm) {
+      const distance = distanceMm(this.lines, at);
+      const room = Math.min(Math.abs(distance - ON_MM), Math.abs(distance - OFF_MM));
+      this.measured = { x: at.x, y: at.y, distanceMm: distance, roomMm: room };
+    }
+    return this.measured.distanceMm;
   }
 }
 

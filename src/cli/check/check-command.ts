@@ -98,6 +98,7 @@ async function runAll(
   terminal: Terminal,
 ): Promise<Checked | Problem> {
   const { folder: path, report, quiet, json } = options;
+  const firmware = WebAssembly.compile(readFirmware()); // meanwhile the task and the hand-ins are read
   const read = await readTask(work.task);
   if ('problem' in read) return read;
   const { task } = read;
@@ -114,7 +115,7 @@ async function runAll(
   if (folder !== null && 'problem' in folder) return { problem: `--resume: ${folder.problem}` };
   const mine = sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json, options.lang);
-  const start = startThread(task, await WebAssembly.compile(readFirmware()));
+  const start = startThread(task, await firmware);
   const results = await checkAll(task, mine, start, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
   terminal.clearProgress();
   if (!quiet) for (const text of await equalIn(task, start, options.lang)) terminal.message(`parcours: ${text}`);
