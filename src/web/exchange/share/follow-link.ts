@@ -41,10 +41,16 @@ function showSource({ host }: VisitParts): void {
   clearAddress(host.parts.value);
 }
 
-/** Takes what was opened out of the address; the other parameters stay. @param show the parts that it shows from now on */
-function clearAddress(show?: readonly Part[]): void {
-  const query = new URLSearchParams(location.search);
-  const fragment = new URLSearchParams(location.hash.startsWith('#?') ? location.hash.slice(2) : '');
+/** Takes what was opened out of the address. @param show the parts that it shows from now on */
+const clearAddress = (show?: readonly Part[]): void =>
+  history.replaceState(history.state, '', addressWithoutLink(location, show));
+
+type AddressParts = Pick<Location, 'pathname' | 'search' | 'hash'>;
+
+/** An address without the work that it brings; its other parameters and its page stay, so that closing a window leads back to it. */
+export function addressWithoutLink({ pathname, search, hash }: AddressParts, show?: readonly Part[]): string {
+  const query = new URLSearchParams(search);
+  const fragment = new URLSearchParams(hash.startsWith('#?') ? hash.slice(2) : '');
   for (const name of LINK_PARAMETERS) {
     query.delete(name);
     fragment.delete(name);
@@ -57,5 +63,6 @@ function clearAddress(show?: readonly Part[]): void {
     const text = given.toString();
     return text === '' ? '' : sign + text;
   };
-  history.replaceState(history.state, '', location.pathname + following('?', query) + following('#?', fragment));
+  const page = /^#(\?|[pr]=)/.test(hash) ? '' : hash;
+  return pathname + following('?', query) + (following('#?', fragment) || page);
 }
