@@ -59,6 +59,15 @@ describe('the table of a class for a spreadsheet', () => {
     expect(htmlOf(found, task, 'de', ({ name }) => (name === 'Bonnet' ? '<svg id="code"/>' : ''))).toMatch(/class="note">=1\+1.*\n.*<svg id="code"\/><span>Das führt zu deinem Programm/); // prettier-ignore
   });
 
+  it('brings the link to each note, beside it', async () => {
+    const found = classResult('t', await rows(), 'de');
+    const linkOf = ({ name }: { readonly name: string }): string => `https://school.example/#${name}`;
+    const [head, berard, bonnet, weiss] = cellsOf(tableOf(found, task, 'de', { linkOf }), ';');
+    expect(head?.slice(-2)).toEqual(['Notiz', 'Link zur Rückmeldung']);
+    expect(bonnet?.slice(-2)).toEqual([`'=1+1; "gut"`, 'https://school.example/#Bonnet']);
+    expect([berard, weiss].map((one) => [one?.length, one?.at(-1)])).toEqual([[head?.length, ''], [head?.length, '']]); // prettier-ignore
+  });
+
   it('has the same cells in every language, in English between commas', async () => {
     const of = async (language: 'fr' | 'it' | 'en') =>
       tableOf(classResult('t', await rows(), language), task, language);

@@ -1,4 +1,4 @@
-import { spreadsheetText, usualForm, type Cell } from '#core/csv';
+import { spreadsheetText, usualForm, type Cell, type SpreadsheetForm } from '#core/csv';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { CheckOutcome } from '../result';
@@ -9,6 +9,13 @@ import { reasonText, remarkText } from './say';
 import { isUnread } from './texts';
 import reportWords from './words';
 
+/** The form of a table, and what it shows besides the results. */
+interface TableExtras {
+  readonly form?: SpreadsheetForm;
+  /** The address that brings a pupil the note on a hand-in; `null`: there is none. Left out: there is no column for it. */
+  readonly linkOf?: (handIn: NamedResult) => string | null;
+}
+
 /**
  * The result of a class as a table for a spreadsheet in the reader's language: what is checked stands in words, each figure
  * alone in its cell. What could not be read has none. For programs there is `csvOf`.
@@ -17,20 +24,23 @@ export function tableOf(
   { handIns }: ClassResult,
   task: ClassTask,
   language: Language,
-  form = usualForm(language),
+  { form = usualForm(language), linkOf }: TableExtras = {},
 ): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
   const most = mostPoints(task);
   const hasNotes = handIns.some(({ note = '' }) => note !== '');
   const hasMarks = handIns.some(({ marked }) => marked !== undefined);
+  const noteHeadings = hasNotes ? [say('note'), ...(linkOf === undefined ? [] : [say('feedback')])] : [];
+  const noteOf = (one: NamedResult): readonly Cell[] =>
+    [one.note ?? '', one.note ? (linkOf?.(one) ?? null) : null].slice(0, noteHeadings.length);
   const worlds = task.worlds.map((world) => filledIn(say('world'), { id: worldName(world) }));
   const headings = [
     ...[say('name'), say('result'), say('points'), say('most'), ...(hasMarks ? [say('byHand')] : [])],
     ...(task.stars === null ? [] : [say('stars')]),
     ...task.checks.map((check) => checkText(check, language)),
     ...worlds.flatMap((world) => [world, filledIn(say('secondsIn'), { world }), filledIn(say('touchesIn'), { world })]),
-    ...[say('remarks'), ...(hasNotes ? [say('note')] : [])],
+    ...[say('remarks'), ...noteHeadings],
   ];
   const outcome = ({ passed, reason }: Pick<CheckOutcome, 'passed' | 'reason'>): string =>
     passed ? say('passed') : reason === null ? say('missed') : reasonText(reason, language);
@@ -48,12 +58,12 @@ export function tableOf(
       return [outcome(world), world.atMs === null ? null : Math.round(world.atMs / 10) / 100, world.touches];
     }),
   ];
-  const nothing = (): readonly Cell[] => [say('unread'), ...headings.slice(hasNotes ? 4 : 3).map(() => null)];
+  const nothing = (): readonly Cell[] => [say('unread'), ...headings.slice(3 + noteHeadings.length).map(() => null)];
   const rows = handIns.map((one) => [
     shownName(one),
     ...(isUnread(one.result) ? nothing() : figures(one)),
     one.result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
-    ...(hasNotes ? [one.note ?? ''] : []),
+    ...noteOf(one),
   ]);
   return spreadsheetText([headings, ...rows], form);
 }

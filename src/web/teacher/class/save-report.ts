@@ -1,4 +1,4 @@
-import type { ClassResult } from '#check/report/class-result';
+import type { ClassResult, NamedResult } from '#check/report/class-result';
 import { tableOf } from '#check/report/table';
 import type { ClassTask } from '#check/task/task';
 
@@ -6,13 +6,19 @@ import { shownLanguage } from '../../kit/i18n';
 import { spreadsheetForm } from '../../kit/i18n/spreadsheet-form';
 import type { PageParts } from '../../kit/parts';
 import { fileName, saveText } from '../../session/work/save-file';
+import { noteLink } from './feedback/feedback-link';
+import type { Row } from './model/class-model';
 
 type Told = Pick<PageParts, 'notices'>;
 
-/** Saves the results as a table for a spreadsheet. */
-export function saveTable(app: Told, found: ClassResult, task: ClassTask): void {
+/** Saves the results as a table for a spreadsheet, with the links to the notes: a mail merge sends each to its pupil. */
+export function saveTable(app: Told, found: ClassResult, task: ClassTask, rows: readonly Row[]): void {
   const language = shownLanguage();
-  saveText(app, fileName(found.task, 'csv'), tableOf(found, task, language, spreadsheetForm(language)), 'text/csv');
+  const extras = {
+    form: spreadsheetForm(language),
+    linkOf: ({ name }: NamedResult) => noteLink(rows, task, name),
+  };
+  saveText(app, fileName(found.task, 'csv'), tableOf(found, task, language, extras), 'text/csv');
 }
 
 /** Saves a report as a file that needs nothing else. */

@@ -34,3 +34,11 @@ export function feedbackOfRow(
 /** The world that a feedback is about if nobody chooses: the first that was not passed, else the first. */
 export const worldToShow = (worlds: readonly WorldResult[]): WorldResult | null =>
   worlds.find(({ passed }) => !passed) ?? worlds[0] ?? null;
+
+/** The address that brings a pupil the note on a hand-in; `null`: there is no note, or it cannot be had as a link. */
+export function noteLink(rows: readonly Row[], task: ClassTask, name: string): string | null {
+  const row = rows.find((one) => one.name === name);
+  const world = worldToShow(row?.result?.worlds ?? []);
+  if (row === undefined || row.note === '' || world === null) return null;
+  return feedbackOfRow(row, task, world)?.link ?? null;
+}
