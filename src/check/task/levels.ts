@@ -50,3 +50,7 @@ export function chosenLevel(task: Carried | undefined): number | null {
     ? level
     : null;
 }
+
+/** The name of the level from which a hand-in says that it comes; `null`: it says none, or the task has no such level. */
+export const levelName = (levels: readonly TaskLevel[] | undefined, level: number | undefined): string | null =>
+  level === undefined ? null : (levels?.[level]?.name ?? null);

@@ -44,6 +44,17 @@ describe('one hand-in', () => {
     expect(alone.findAll('.lines .unlike')).toHaveLength(0);
   });
 
+  it('says from which level it comes', () => {
+    const levels = ['Leer', 'Fast fertig'].map((name) => ({ name, text: '', lines: [] }));
+    const of = (level: number | undefined) => {
+      const handIn = { ...handInOfFiles([{ name: 'main.py', text: '' }]), ...(level !== undefined && { level }) };
+      const row: Row = { name: 'Tim', shown: 'Tim', handIn, note: '', result: null };
+      return mountOn(createPage(), HandInView, { row, task: { ...task, levels }, drawings: new Drawings(task) });
+    };
+    expect(of(1).get('[data-testid=class-level]').text()).toBe('Fast fertig');
+    for (const level of [undefined, 2]) expect(of(level).find('[data-testid=class-level]').exists()).toBe(false);
+  });
+
   it('takes points by hand within those of the task, and says what is wrong without losing it', async () => {
     const handIn = handInOfFiles([{ name: 'main.py', text: '' }]);
     const result = { ...unreadable(task.checks, { code: 'zip', params: {} }), remarks: [] };
