@@ -2,7 +2,8 @@ import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { applyEdit, singleEdits, type SceneEdit } from '#scene/edit';
-import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
+import type { PaintColor } from '#scene/paint';
+import type { Point, Scene, SceneObject } from '#scene/scene';
 import { isHeldAlike } from './arranging/hold';
 import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
 import { strokeLengthMm } from './kinds/stroke';
@@ -14,7 +15,7 @@ export type Kind = SceneObject['type'] | 'several';
 /** The effect of an edit, as data from which the page makes a sentence. Lengths in mm, angles in degrees. */
 export type EditDescription =
   | { readonly type: 'nothing' }
-  | { readonly type: 'drew'; readonly lengthMm: number; readonly widthMm: number; readonly color: StrokeColor }
+  | { readonly type: 'drew'; readonly lengthMm: number; readonly widthMm: number; readonly color: PaintColor }
   /** `at`: the middle of the only one. */
   | { readonly type: 'added'; readonly kind: Kind; readonly count: number; readonly at: Point | null }
   | { readonly type: 'removed'; readonly kind: Kind; readonly count: number }

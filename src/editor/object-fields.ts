@@ -1,5 +1,6 @@
 import { wrappedDeg } from '#core/angle';
 import { boundsOf } from '#scene/kinds/index';
+import type { PaintColor } from '#scene/paint';
 import {
   robotColors,
   sceneLimits,
@@ -8,7 +9,6 @@ import {
   type RobotStart,
   type Scene,
   type SceneObject,
-  type StrokeColor,
 } from '#scene/scene';
 import { heightOf, withHeight, type StandingObject } from '#scene/kinds/heights';
 import type { MoverWay } from '#scene/kinds/mover-way';
@@ -64,8 +64,8 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
   | {
       readonly kind: 'choice';
       readonly name: 'color';
-      readonly value: StrokeColor;
-      readonly choices: readonly StrokeColor[];
+      readonly value: PaintColor;
+      readonly choices: readonly PaintColor[];
     }
   | {
       readonly kind: 'choice';

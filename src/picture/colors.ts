@@ -1,10 +1,10 @@
-import type { StrokeColor } from '#scene/scene';
+import type { PaintColor } from '#scene/paint';
 
 /** The colours of a course and of what is in it. */
 export interface CourseColors {
   readonly floor: string;
-  readonly strokes: Readonly<Record<StrokeColor, string>>;
-  /** Around white and yellow strokes, which a light floor would swallow. */
+  readonly strokes: Readonly<Record<PaintColor, string>>;
+  /** Around white, yellow and silver strokes, which a light floor would swallow. */
   readonly strokeEdge: string;
   readonly movable: string;
   readonly movableLight: string;
@@ -45,6 +45,10 @@ export const lightColors: CourseColors = {
     yellow: '#F7CE1B',
     green: '#2C8A4F',
     blue: '#2460C4',
+    orange: '#E07A1F',
+    purple: '#8E4FBD',
+    brown: '#8A5A2E',
+    silver: '#CBD3DB',
   },
   strokeEdge: '#C9C5BC',
   movable: '#A9DEC5',
@@ -83,6 +87,10 @@ export const darkColors: CourseColors = {
     yellow: '#E3BA10',
     green: '#237541',
     blue: '#1C4FA6',
+    orange: '#CF6D18',
+    purple: '#7F43AC',
+    brown: '#7A4E27',
+    silver: '#B9C2CB',
   },
   strokeEdge: '#AEB3BA',
   movable: '#8CCBAF',

@@ -2,8 +2,10 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseScene } from './parse';
 import { usualHeights } from './kinds/heights';
+import { paintInfrared, strokeInfrared } from './reflectance';
 import { findProblems } from './rules';
-import { sceneDefaults, sceneLimits, SCENE_VERSION, strokeColors } from './scene';
+import { paintColors } from './paint';
+import { sceneDefaults, sceneLimits, SCENE_VERSION } from './scene';
 
 const page = readFileSync(new URL('./FORMAT.md', import.meta.url), 'utf8');
 
@@ -20,7 +22,7 @@ describe('the description of the course file', () => {
   it('shows and explains every kind of object', () => {
     const parsed = parseScene('{"format":"parcours-scene","version":2,"objects":[{"id":"x","type":"?"}]}');
     const known = 'problems' in parsed ? String(parsed.problems[0]?.params['known']).split(', ') : [];
-    expect(known).toHaveLength(11);
+    expect(known).toHaveLength(12);
     for (const type of known) {
       expect(example).toContain(`"type": "${type}"`);
       expect(page).toMatch(new RegExp(`^\\| \`${type}\` +\\|`, 'm'));
@@ -41,6 +43,13 @@ describe('the description of the course file', () => {
     );
     expect(Object.fromEntries(heights)).toMatchObject(usualHeights);
     expect(page).toContain(`, ${sceneLimits.heightMm.min} to ${sceneLimits.heightMm.max} mm.`);
-    expect(page).toContain(`Colours: ${strokeColors.join(', ')}`);
+    expect(page).toContain(`Colours: ${paintColors.join(', ')}.`);
+    const shares = [...page.matchAll(/^\| (\w+) +\| ([\d.]+) +\| ([\d.]+) +\|$/gm)].map(([, color, stroke, other]) => [
+      color,
+      [Number(stroke), Number(other)],
+    ]);
+    expect(Object.fromEntries(shares)).toEqual(
+      Object.fromEntries(paintColors.map((color) => [color, [strokeInfrared[color], paintInfrared[color]]])),
+    );
   });
 });

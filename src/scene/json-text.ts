@@ -1,3 +1,4 @@
+import type { Painted, PaintColor } from './paint';
 import { sceneDefaults, type Point, type Shaped } from './scene';
 
 /** A place or an extent in the form of a file. */
@@ -23,6 +24,15 @@ export const asAngle: Rotation = (angleDeg) => property('angle', angleDeg, scene
 
 /** Before version 5: in eighths of a full turn. */
 export const asTurn: Rotation = (angleDeg) => property('turn', angleDeg / 45, sceneDefaults.angle);
+
+/** Colour and infrared of what may be painted. */
+export const paintProperties = (
+  { color, infrared }: Painted,
+  ifMissing: PaintColor | null = null,
+): readonly string[] => [
+  ...property('color', color ?? null, ifMissing),
+  ...property('infrared', infrared ?? null, null),
+];
 
 /** Place, size, rotation and, if it is a polygon, the corners of a shape. */
 export const shapeProperties = ({ at, size, angle, corners }: Shaped, rotation: Rotation): readonly string[] => [

@@ -247,6 +247,48 @@ const version7: Scene = {
   ],
 };
 
+const version8: Scene = {
+  ...version1,
+  description: '',
+  size: [1200, 900],
+  board: null,
+  name: 'Farben der achten Fassung',
+  robot: { type: null, at: [200, 450], heading: 0, scale: 1, options: {}, name: 'Ada' },
+  objects: [
+    { id: 'a1', type: 'paper', at: [300, 100], size: [110, 110], angle: 12.5, color: 'green' },
+    {
+      ...{ id: 'a2', type: 'paper', at: [450, 100], size: [110, 80], angle: 0, round: true },
+      ...{ color: 'silver', infrared: 1.4 },
+    },
+    {
+      ...{ id: 'a3', type: 'paper', at: [600, 100], size: [100, 100], angle: 0, color: 'white', lock: true },
+      corners: [[0, 0], [40, 0], [20, 60]], // prettier-ignore
+    },
+    {
+      ...{ id: 't1', type: 'target', at: [1000, 200], size: [200, 200], angle: 0, round: false, number: 0 },
+      ...{ blocks: 2, blockColor: 'red', color: 'red' },
+    },
+    {
+      ...{ id: 'c1', type: 'checkpoint', at: [800, 700], size: [150, 150], angle: 0, round: false, number: 1 },
+      ...{ blocks: 0, color: 'gray', infrared: 0.5 },
+    },
+    {
+      ...{ id: 'x1', type: 'forbidden', at: [500, 500], size: [100, 100], angle: 0, round: false, number: 0 },
+      ...{ blocks: 0, infrared: 0 },
+    },
+    { id: 's1', type: 'stroke', points: [[100, 300], [400, 300]], width: 20, color: 'orange' },
+    { id: 's2', type: 'stroke', points: [[100, 350], [400, 350]], width: 20, color: 'blue', infrared: 0.8 },
+    { id: 's3', type: 'stroke', points: [[100, 400], [400, 400]], width: 20, color: 'red' },
+    {
+      ...{ id: 'w1', type: 'wall', from: [900, 400], to: [900, 800], thickness: 10, height: 100 },
+      ...{ color: 'brown', infrared: 0.84 },
+    },
+    { id: 'b1', type: 'block', at: [600, 300], size: [66, 66], angle: 0, color: 'purple' },
+    { id: 'f1', type: 'fixed-block', at: [700, 300], size: [40, 60], angle: 0, color: 'black' },
+    { id: 'f2', type: 'fixed-block', at: [700, 500], size: [40, 60], angle: 0 },
+  ], // prettier-ignore
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
@@ -256,6 +298,7 @@ describe('a course file of an older version', () => {
     [5, version5],
     [6, version6],
     [7, version7],
+    [8, version8],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });
@@ -273,6 +316,7 @@ describe('a course file of an older version', () => {
     expect(serializeScene(sceneOf(kept(5)))).toBe(kept(5));
     expect(serializeScene(sceneOf(kept(6)))).toBe(kept(6));
     expect(serializeScene(sceneOf(kept(7)))).toBe(kept(7));
+    expect(serializeScene(sceneOf(kept(8)))).toBe(kept(8));
   });
 
   it('says rotations in eighths of a turn, which older apps read, until one of its things needs more', () => {
@@ -292,6 +336,13 @@ describe('a course file of an older version', () => {
     expect(serializeScene({ ...version7, objects })).toContain('"version": 6');
     for (const object of version7.objects.filter(({ id }) => /^[wbfpm]1$/.test(id)))
       expect(serializeScene({ ...version2, objects: [object] })).toContain('"version": 7');
+  });
+
+  it('is written in version 8 only if something in it is new there: a colour, an infrared, a coloured sheet', () => {
+    const isOld = ({ id }: { readonly id: string }): boolean => id === 's3' || id === 'f2';
+    expect(serializeScene({ ...version2, objects: version8.objects.filter(isOld) })).toContain('"version": 2');
+    for (const object of version8.objects.filter((each) => !isOld(each)))
+      expect(serializeScene({ ...version2, objects: [object] })).toContain('"version": 8');
   });
 
   it('is not written with the name of a group of which one thing is left', () => {

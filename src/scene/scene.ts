@@ -5,6 +5,8 @@
  * counter-clockwise from +x. The robot's `at` is the middle of its axle.
  */
 
+import type { Painted, PaintColor } from './paint';
+
 /** A place or an extent `[x, y]` in whole mm. */
 export type Point = readonly [x: number, y: number];
 
@@ -41,7 +43,7 @@ interface Standing {
 }
 
 /** A straight solid wall; `from` and `to` are the ends of its centre line. */
-export interface Wall extends Common, Standing {
+export interface Wall extends Common, Standing, Painted {
   readonly type: 'wall';
   readonly from: Point;
   readonly to: Point;
@@ -50,7 +52,7 @@ export interface Wall extends Common, Standing {
 }
 
 /** A body on the floor: a `block` can be pushed, a `fixed-block` cannot. Of one that is not round, `round` is left out. */
-export interface Block extends Common, Shaped, Standing {
+export interface Block extends Common, Shaped, Standing, Painted {
   readonly type: 'block' | 'fixed-block';
 }
 
@@ -60,28 +62,34 @@ export interface Stroke extends Common {
   readonly points: readonly Point[];
   /** Full width in mm. */
   readonly width: number;
-  readonly color: StrokeColor;
+  readonly color: PaintColor;
+  /** As of all paint; left out: as usual for strokes of its colour (`reflectance.ts`). */
+  readonly infrared?: number;
 }
 
-/** The colours a stroke may have; each is a CSS colour name as well. What a line sensor sees of them: `reflectance.ts`. */
-export const strokeColors = ['black', 'gray', 'white', 'red', 'yellow', 'green', 'blue'] as const;
-export type StrokeColor = (typeof strokeColors)[number];
-
 /**
- * A marked field on the floor. It is seen by people and counted by the verdict (`#simulation/task/verdict`); neither sensors
- * nor bodies feel it.
+ * A marked field on the floor. It is seen by people and counted by the verdict (`#simulation/task/verdict`); no body feels
+ * it, and sensors see it only if it is painted.
  *
  * - `target`: where the robot shall come to, or where `blocks` movable blocks shall lie;
  * - `checkpoint`: to be passed in the order of `number`;
  * - `forbidden`: not to be touched.
  */
-export interface Zone extends Common, Shaped {
+export interface Zone extends Common, Shaped, Painted {
   readonly type: 'target' | 'checkpoint' | 'forbidden';
   readonly round: boolean;
   /** Place of a checkpoint in the order, 1 … 99; 0 for other zones. */
   readonly number: number;
   /** How many movable blocks a target wants; 0: the robot itself. 0 for other zones. */
   readonly blocks: number;
+  /** The colour of the blocks that a target with `blocks` wants; left out: any. */
+  readonly blockColor?: PaintColor;
+}
+
+/** A coloured sheet on the floor: seen by people and sensors, without a meaning for the verdict. */
+export interface Paper extends Common, Shaped, Painted {
+  readonly type: 'paper';
+  readonly color: PaintColor;
 }
 
 /** A solid thing with spikes that stands still: a robot that touches it has failed. */
@@ -164,7 +172,7 @@ export const robotColors = ['blue', 'purple', 'teal', 'brown', 'violet', 'green'
 export type RobotColor = (typeof robotColors)[number];
 
 /** Everything that can stand or lie in the arena. */
-export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label | Start;
+export type SceneObject = Wall | Block | Stroke | Zone | Paper | Spikes | Mover | Label | Start;
 
 /** How many points an object holds: a stroke may have tens of thousands, a polygon has some. */
 export function countPoints(object: SceneObject): number {
@@ -277,7 +285,7 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
-export const SCENE_VERSION = 7;
+export const SCENE_VERSION = 8;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
@@ -285,7 +293,8 @@ export const sceneDefaults = {
   thickness: 10,
   angle: 0,
   width: 20, // chosen: what school courses are taped with (15 to 20 mm)
-  color: 'black' as StrokeColor,
+  color: 'black' as PaintColor,
+  paper: 'white' as PaintColor,
   scale: 1,
   heading: 0,
   task: { seconds: null, noTouch: false } as Task,
@@ -318,6 +327,8 @@ export const sceneLimits = {
   /** Smallest area of a polygon: that of the smallest block. */
   leastAreaMm2: 25,
   widthMm: { min: 1, max: 500 },
+  /** From nothing to glossy metal, which returns more than white paper. */
+  infrared: { min: 0, max: 1.4 },
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },
   options: 50,

@@ -3,6 +3,7 @@ import { tidied } from './groups';
 import { asAngle, asTurn, braces, pair, property, type Rotation } from './json-text';
 import { ownHeightOf } from './kinds/heights';
 import { kindOf } from './kinds/index';
+import { hasNews } from './news';
 import { optionsProperty } from './robot-values';
 import {
   SCENE_FORMAT,
@@ -43,8 +44,10 @@ export function serializeScene(scene: Scene): string {
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
 
-function versionFor({ robot, task, objects }: Scene): number {
-  if (objects.some((object) => ownHeightOf(object) !== null)) return SCENE_VERSION;
+function versionFor(scene: Scene): number {
+  const { robot, task, objects } = scene;
+  if (hasNews(scene)) return SCENE_VERSION;
+  if (objects.some((object) => ownHeightOf(object) !== null)) return 7;
   if (robot.name !== undefined || robot.color !== undefined) return 6;
   if (tidied(objects).some((object) => Object.keys(additionsOf(object)).length > 0)) return 5;
   if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return 4;

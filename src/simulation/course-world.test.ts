@@ -4,7 +4,8 @@ import { createRng, type Rng } from '#core/rng';
 import { SR04_CONE } from '#robots/sonar';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { editProblem } from '#scene/check-edit';
-import { defaultScene, strokeColors, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { paintColors } from '#scene/paint';
+import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 import type { DepthView } from '#world/probes/depth-grid';
 import { hashOf, testChassis } from '#world/testing/rig';
 import { movableIds } from './at-once';
@@ -27,7 +28,7 @@ function anything(rng: Rng): SceneObject {
     case 4:
       return { ...box, type: 'block' };
     default: {
-      const color = strokeColors[whole(0, strokeColors.length)] ?? 'black';
+      const color = paintColors[whole(0, paintColors.length)] ?? 'black';
       return { type: 'stroke', id, points: Array.from({ length: whole(1, 6) }, point), width: whole(2, 60), color };
     }
   }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createLineComparator } from '#devices/line-sensor';
-import { reflectanceOf } from '#scene/reflectance';
-import { strokeColors } from '#scene/scene';
+import { strokeInfrared } from '#scene/reflectance';
+import { paintColors } from '#scene/paint';
 import { createWorld } from '#world/world';
 
 const SPOT_MM = 2.5;
@@ -25,13 +25,13 @@ function said(floor: (world: ReturnType<typeof createWorld>) => void): readonly 
 }
 
 describe('a line sensor says the same of a floor whatever it saw before:', () => {
-  it.each(strokeColors.map((color) => [color, !['black', 'blue', 'green'].includes(color)] as const))(
+  it.each(paintColors.map((color) => [color, !['black', 'blue', 'green'].includes(color)] as const))(
     'painted %s is light: %s',
     (color, isLight) => {
       const paint = {
         pointsMm: [{ x: 0, y: 50 }, AT, { x: 100, y: 50 }],
         widthMm: 40,
-        reflectance: reflectanceOf[color],
+        reflectance: strokeInfrared[color],
       };
       expect(said((world) => world.addStroke(paint))).toEqual([isLight, isLight, isLight]);
     },

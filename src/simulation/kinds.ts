@@ -3,7 +3,7 @@ import { isSame } from '#core/same';
 import { rotationRad } from '#core/angle';
 import { heightOf } from '#scene/kinds/heights';
 import type { AnyObject } from '#scene/kinds/kind';
-import { reflectanceOf } from '#scene/reflectance';
+import { infraredOf } from '#scene/reflectance';
 import { zoneOverlaps } from '#scene/kinds/zone';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Outline } from '#scene/outline';
@@ -58,6 +58,7 @@ export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
   target: onFloor,
   checkpoint: onFloor,
   forbidden: onFloor,
+  paper: onFloor,
   spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
   mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
   label: onFloor,
@@ -120,8 +121,9 @@ function chaseOf(at: Point, { zone: id, reach = Infinity }: Chase, zone: Around[
   return { homeMm: vec(at), reachMm: reach, returns: id !== undefined, wants };
 }
 
-function strokeBody({ points, width, color }: Stroke, world: World): Body {
-  return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: reflectanceOf[color] });
+function strokeBody(stroke: Stroke, world: World): Body {
+  const { points, width } = stroke;
+  return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: infraredOf(stroke) ?? 1 });
 }
 
 /** The properties of a block that a run cannot change without making it again. */

@@ -13,7 +13,7 @@ const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => 
   layer: 3,
   ...boxed,
   fields: (box) => [
-    typeField(box.type, boxKinds, (type) => ({ ...box, type })),
+    typeField(box.type, boxKinds, (type) => (type === 'spikes' ? bare(box) : { ...box, type })),
     shapeField(box, shapeNames, (bare, shape) => ({ ...bare, ...bodyShape(shape) })),
     ...boxFields(box),
     heightField(box),
@@ -24,6 +24,12 @@ const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => 
     ...heightProperty(type, blockHeight),
   }),
 });
+
+/** Spikes in the place of a thing: they have no colour. */
+function bare(box: Block | Spikes): Spikes {
+  const { color: _color, infrared: _infrared, ...rest } = { color: undefined, infrared: undefined, ...box };
+  return { ...rest, type: 'spikes' };
+}
 
 /** Movable blocks. */
 export const block = boxKind('block');

@@ -11,6 +11,7 @@ import { block, fixedBlock, spikes } from './block';
 import type { EditorKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { paper } from './paper';
 import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
@@ -25,6 +26,7 @@ export const editorKinds: Readonly<Record<SceneObject['type'], EditorKind>> = {
   target,
   checkpoint,
   forbidden,
+  paper,
   spikes,
   mover,
   label,

@@ -2,7 +2,8 @@ import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { boundsOf } from '#scene/kinds/index';
 import { overlapMm, squaredDistance, type Bounds } from '#scene/outline';
-import { sceneLimits, strokeColors, type Point, type Stroke } from '#scene/scene';
+import { paintColors } from '#scene/paint';
+import { sceneLimits, type Point, type Stroke } from '#scene/scene';
 import { endFields, lengthField, placeFields } from '../object-fields';
 import { distanceMm, minus, toPoint, toVec, turnedAbout } from '../plane';
 import { snappedTo, strokeEnds } from '../snap';
@@ -62,7 +63,7 @@ export const stroke: EditorKind<Stroke> = {
       ...(first && !ends ? placeFields(stroke, first, moved) : []),
       lengthField('penWidth', stroke.width, sceneLimits.widthMm, 1, (width) => ({ ...stroke, width })),
       {
-        ...{ kind: 'choice', name: 'color', value: stroke.color, choices: strokeColors },
+        ...{ kind: 'choice', name: 'color', value: stroke.color, choices: paintColors },
         with: (color: Stroke['color']) => ({ ...stroke, color }),
       },
     ];

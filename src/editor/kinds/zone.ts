@@ -15,7 +15,8 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
   fields: (zone) => [
     typeField(zone.type, zoneKinds, (type, scene) => {
       const number = numberOf(type, scene);
-      return number === null ? null : { ...zone, type, number, blocks: 0 };
+      const { blockColor: _, ...rest } = zone;
+      return number === null ? null : { ...rest, type, number, blocks: 0 };
     }),
     ...(type === 'checkpoint'
       ? [countField('number', zone.number, sceneLimits.checkpoint, (number) => ({ ...zone, number }))]

@@ -1,7 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { Rng } from '#core/rng';
 import { moverWays } from '#scene/kinds/mover-way';
-import { defaultScene, strokeColors, type Point, type Scene } from '#scene/scene';
+import { paintColors } from '#scene/paint';
+import { defaultScene, type Point, type Scene } from '#scene/scene';
 import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
 import { shapeNames } from '#scene/shape/shape';
@@ -27,7 +28,7 @@ export const randomCourse = (rng: Rng, objects: number): Scene => ({
 export const randomOptions = (rng: Rng): ToolOptions => ({
   ...usualToolOptions,
   penWidth: wholeFrom(rng, 1, 500),
-  penColor: oneOf(rng, strokeColors),
+  penColor: oneOf(rng, paintColors),
   penShape: oneOf(rng, penShapes),
   eraser: oneOf(rng, ['all', 'lines']),
   eraserWidth: wholeFrom(rng, 5, 300),

@@ -1,7 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import type { MoverWay } from '#scene/kinds/mover-way';
-import type { Point, Scene, SceneObject, StrokeColor, Zone } from '#scene/scene';
+import type { PaintColor } from '#scene/paint';
+import type { Point, Scene, SceneObject, Zone } from '#scene/scene';
 import type { ShapeName } from '#scene/shape/shape';
 
 /**
@@ -55,7 +56,7 @@ export type PenShape = (typeof penShapes)[number];
 /** The options beside the tools. One record for all tools: each reads its own. */
 export interface ToolOptions {
   readonly penWidth: number;
-  readonly penColor: StrokeColor;
+  readonly penColor: PaintColor;
   readonly penShape: PenShape;
   /** `all`: cuts strokes where it passes and takes everything else away; `lines`: strokes alone. */
   readonly eraser: 'all' | 'lines';
@@ -166,7 +167,7 @@ export interface Tool {
    * For tools that draw freely: the ink along the path while it is drawn, which may have many thousand points. `edit`
    * is then called only at the end. `null`: `edit` shows it.
    */
-  ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
+  ink?(context: ToolContext): { readonly width: number; readonly color: PaintColor } | null;
   /**
    * For tools that draw corner by corner: whether a drag goes on when the pointer is let go, with its place as the next
    * corner. Left out or `false`: then it is done.

@@ -4,6 +4,7 @@ import { block, fixedBlock } from './block';
 import type { PictureKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { paper } from './paper';
 import { spikes } from './spikes';
 import { start } from './start';
 import { stroke } from './stroke';
@@ -19,6 +20,7 @@ export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = 
   target: zone,
   checkpoint: zone,
   forbidden: zone,
+  paper,
   spikes,
   mover,
   label,

@@ -15,11 +15,12 @@ export const stroke: PictureKind<Stroke> = {
   frame: () => null,
 };
 
-/** White and yellow lines lie on one that is this many px wider, so that they remain visible on a light floor. */
+/** White, yellow and silver lines lie on one that is this many px wider, so that they remain visible on a light floor. */
 export const RIM_PX = 1.5;
 
 /** True if a light floor would swallow a line of this colour. */
-export const needsRim = ({ color }: Pick<Stroke, 'color'>): boolean => color === 'white' || color === 'yellow';
+export const needsRim = ({ color }: Pick<Stroke, 'color'>): boolean =>
+  color === 'white' || color === 'yellow' || color === 'silver';
 
 function strokeShapes(stroke: Stroke, { colors, px, leastLineMm = 0 }: Look): readonly Shape[] {
   const width = Math.max(stroke.width, leastLineMm);

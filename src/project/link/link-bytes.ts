@@ -12,6 +12,7 @@
  *     8   for the name and the colour of the first robot: as 7, with those
  *     9   for a task for a class, or what is handed in: as 8, with that
  *     10  for heights of things: as 9, with those
+ *     11  for colours of fields and things, and all that `#scene/news` names: as 10, with that
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -50,7 +51,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 
 /** The oldest version that can say it all; `null`: one of the first two. */
 function versionFor(content: Content): keyof typeof laterVersions | null {
-  const { extras, myRobot, devices, starts, sharing, additions, firstRobot, carried, heights } = content;
+  const { extras, myRobot, devices, starts, sharing, additions, firstRobot, carried, heights, news } = content;
+  if (news !== '') return 11;
   if (heights.length > 0) return 10;
   if (carried !== '') return 9;
   if (firstRobot !== null) return 8;

@@ -7,6 +7,7 @@ import type { Scene, SceneObject, TaskRule } from '#scene/scene';
 import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
 import { handCodec } from './hand-codec';
+import { newsTextOf, type News, type PlacedNews } from './news-codec';
 import { heightsCodec, type PlacedHeight } from './heights-codec';
 import { pathCodec } from './path-codec';
 import { MOST_DEVICES } from '../devices';
@@ -22,6 +23,7 @@ import {
   additionsCodec,
   dictionary,
   firstRobotCodec,
+  isLinkObject,
   sceneCodec,
   sharedCodecs,
   sharingCodec,
@@ -65,6 +67,8 @@ export interface Content {
   readonly carried: string;
   /** The heights that objects of a whole course have of their own; empty before version 10. */
   readonly heights: readonly PlacedHeight[];
+  /** What is new in a whole course (`news-codec.ts`); empty before version 11, and without. */
+  readonly news: string;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -85,6 +89,7 @@ interface Parts {
   readonly firstRobot?: (shared: SharedCodecs) => Codec<FirstRobot | null>;
   readonly carried?: (shared: SharedCodecs) => Codec<string>;
   readonly heights?: (shared: SharedCodecs) => Codec<readonly PlacedHeight[]>;
+  readonly news?: (shared: SharedCodecs) => Codec<string>;
 }
 
 /** Version 1: for columns that are deflated. */
@@ -107,6 +112,7 @@ const shapes: Parts = { ...places, additions: additionsCodec };
 const names: Parts = { ...shapes, firstRobot: firstRobotCodec };
 const forClass: Parts = { ...names, carried: jsonCodec };
 const heights: Parts = { ...forClass, heights: heightsCodec };
+const news: Parts = { ...heights, news: jsonCodec };
 
 /** The versions that add something to the first two, each to the one before. */
 export const laterVersions = {
@@ -118,6 +124,7 @@ export const laterVersions = {
   8: bothWays(names),
   9: bothWays(forClass),
   10: bothWays(heights),
+  11: bothWays(news),
 } as const;
 
 function bothWays(parts: Parts): Packing {
@@ -146,6 +153,7 @@ function contentCodec(paths: PathCodec, parts: Parts): ContentCodec {
     firstRobot: parts.firstRobot?.(shared) ?? constant(null),
     carried: parts.carried?.(shared) ?? constant(''),
     heights: parts.heights?.(shared) ?? constant([]),
+    news: parts.news?.(shared) ?? constant(''),
   });
   return { codec, columns: columns.used };
 }
@@ -209,12 +217,12 @@ function isUsual(settings: LinkSettings): boolean {
 /** A checksum of a course that later versions of links and of the course's file do not change. */
 export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
-  const { whole, starts, additions, firstRobot, heights } = apart(scene);
+  const { whole, starts, additions, firstRobot, heights, news } = apart(scene);
   checkedScene.write(out, whole);
   const { figures, words } = out.bytes();
   const sum = fnvOfBytes(words, fnvOfBytes(figures));
-  const news = [starts, additions, firstRobot === null ? [] : [firstRobot], heights];
-  return news.reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
+  const parts = [starts, additions, firstRobot === null ? [] : [firstRobot], heights, news === '' ? [] : [news]];
+  return parts.reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
 }
 const fnvOfText = (part: readonly unknown[], sum: number): number =>
   fnvOfBytes(new TextEncoder().encode(JSON.stringify(part)), sum);
@@ -223,12 +231,13 @@ const checkedScene = sceneCodec(sharedCodecs(), pathCodec);
 
 /** A course as links have always had it, and what stands apart from it. */
 export interface Apart {
-  /** The course without its starts, and without what is new of the other objects. */
+  /** The course without its starts and the objects of new kinds, and without what is new of the other objects. */
   readonly whole: Scene;
   readonly starts: readonly PlacedStart[];
   readonly additions: readonly PlacedAdditions[];
   readonly firstRobot: FirstRobot | null;
   readonly heights: readonly PlacedHeight[];
+  readonly news: string;
 }
 
 /** Takes a course apart. */
@@ -249,17 +258,27 @@ export function apart(scene: Scene): Apart {
   });
   const { name = '', color = null, ...robot } = scene.robot;
   const firstRobot = name === '' && color === null ? null : { name, color };
-  const whole = { ...scene, robot, objects: objects.filter(({ type }) => type !== 'start') };
-  return { whole, starts, additions, firstRobot, heights };
+  const whole = { ...scene, robot, objects: objects.filter(isLinkObject) };
+  return { whole, starts, additions, firstRobot, heights, news: newsTextOf(scene, objects) };
 }
 
-/** The course put together again; unchecked as long as its parts are. */
-export function putTogether({ whole, starts, additions, firstRobot, heights }: Apart): Scene {
+/** The course put together again; unchecked as long as its parts are. `news`: what its text says. */
+export function putTogether({ whole, starts, additions, firstRobot, heights }: Omit<Apart, 'news'>, news: News): Scene {
   const objects: SceneObject[] = [...whole.objects];
-  for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
-  for (const { place, ...said } of [...additions, ...heights]) {
+  const placed = [
+    ...starts.map(({ place, ...start }) => ({ place, object: { type: 'start', ...start } as const })),
+    ...news.objects.filter(isWhole).map(({ place, said }) => ({ place, object: said as unknown as SceneObject })),
+  ].sort((one, other) => one.place - other.place);
+  for (const { place, object } of placed) objects.splice(place, 0, object);
+  const changes = [...additions, ...heights, ...news.objects.filter((entry) => !isWhole(entry)).map(flat)];
+  for (const { place, ...said } of changes) {
     const object = objects[place];
-    if (object) objects[place] = { ...object, ...said };
+    if (object) objects[place] = { ...object, ...said } as SceneObject;
   }
-  return { ...whole, robot: { ...whole.robot, ...firstRobot }, objects };
+  return { ...whole, ...news.course, robot: { ...whole.robot, ...firstRobot }, objects };
 }
+
+/** True if the news of an object are all of it: its kind is new. */
+const isWhole = ({ said }: PlacedNews): boolean => 'type' in said;
+
+const flat = ({ place, said }: PlacedNews): { readonly place: number } => ({ ...said, place });

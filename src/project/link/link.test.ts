@@ -3,12 +3,12 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
-import { defaultScene, sceneDefaults, type Scene, type SceneObject } from '#scene/scene';
+import { defaultScene, sceneDefaults, type Block, type Scene, type SceneObject } from '#scene/scene';
 
 import { ColumnWriter, type Bytes } from './columns';
 import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, projectOfLink, type ReadLink } from './link';
 import { deflatedBytes } from './link-bytes';
-import { deflatedContent, modelledContent } from './link-content';
+import { deflatedContent, laterVersions, modelledContent } from './link-content';
 import { MODELLED_BYTES, ModelWriter } from './model-coder';
 import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
@@ -16,6 +16,7 @@ import {
   classProject,
   devicesProject,
   handedInProject,
+  coloursProject,
   heightsProject,
   shapesProject,
   startsProject,
@@ -172,8 +173,8 @@ describe('a link that is not whole', () => {
   });
 
   it('asks to reload the page if it is of a newer version', () => {
-    const read = projectOfLink('#p=11.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 11; this app reads version 10. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=12.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 12; this app reads version 11. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -194,7 +195,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [] }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [], news: '' }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -249,6 +250,7 @@ describe('a link of version 1', () => {
       firstRobot: null,
       carried: '',
       heights: [],
+      news: '',
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -532,6 +534,51 @@ describe('a link of version 10', () => {
     const other = shapesProject().scene;
     expect(projectOfLink(made?.fragment ?? '', () => other)).toMatchObject({ isCourseChanged: true });
   });
+});
+
+describe('a link of version 11', () => {
+  const kept = keptLink(11);
+
+  it('opens with the colours of its fields and things, and with its sheets, each at its place', () => {
+    expect(projectIn(kept)).toEqual(coloursProject());
+  });
+
+  it('is still made so, and only for a course with something of that', () => {
+    expect(link(coloursProject())).toBe(kept);
+    expect(link(heightsProject())).toBe(keptLink(10));
+  });
+
+  it('takes 60 letters more for thirty blocks that are red', () => {
+    const { scene, ...project } = taskProject();
+    const blocks = Array.from({ length: 30 }, (_, index): Block => {
+      return { type: 'block', id: `block-${String(index + 1)}`, at: [30 * index, 100], size: [40, 40], angle: 0 };
+    });
+    const of = (objects: readonly SceneObject[]): string => link({ ...project, scene: { ...scene, objects } });
+    const red = of(blocks.map((block) => ({ ...block, color: 'red' as const })));
+    expect(red).toMatch(/^p=11\./);
+    expect(red.length - of(blocks).length).toBeLessThanOrEqual(60);
+  });
+
+  it('names a ready course with them, and tells where they were changed since', () => {
+    const { scene, ...project } = coloursProject();
+    const made = linkOf({ ...project, scene, course: 'colours' }, { courses: () => scene, program: true });
+    expect(projectOfLink(made?.fragment ?? '', () => scene)).toMatchObject({ isCourseChanged: false });
+    const other = heightsProject().scene;
+    expect(projectOfLink(made?.fragment ?? '', () => other)).toMatchObject({ isCourseChanged: true });
+  });
+
+  it.each(['no JSON', '[]', '{"objects":[[-1,{}]]}', '{"objects":[[0,7]]}', '{"course":7}'])(
+    'whose news are %s is damaged',
+    (news) => {
+      const { task, ...whole } = ready;
+      const { seconds, noTouch } = task;
+      const out = new ModelWriter();
+      const content = { files: [], course: null, settings: null, scene: { whole: { ...whole, task: { seconds, noTouch } } }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [], news }; // prettier-ignore
+      laterVersions[11].modelled.codec.write(out, content);
+      const bytes = Uint8Array.from([2, ...out.bytes()]);
+      expect(codeOf(projectOfLink(linkOfBytes({ version: 11, bytes }), courses))).toBe('damaged');
+    },
+  );
 });
 
 function keptLink(version: number): string {

@@ -6,7 +6,7 @@
  *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
  *                            that they share, 7 for any angle, round bodies, polygons, locks and groups, 8 for the
  *                            name and the colour of the first robot, 9 for a task for a class or what is handed in, 10 for
- *                            heights of things
+ *                            heights of things, 11 for colours of fields and things, and all that `#scene/news` names
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -19,13 +19,14 @@ import { serializeScene } from '#scene/serialize';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes, type Room } from './link-bytes';
 import { apart, putTogether, sceneChecksum, type Content } from './link-content';
+import { newsOfText } from './news-codec';
 import { deviceValue } from '../read-devices';
 import { MODELLED_BYTES } from './model-coder';
 import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 10;
+export const LINK_VERSION = 11;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -125,7 +126,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, robots, ...extras } = scene.task;
-  const { whole, starts, additions, firstRobot, heights } = apart(scene);
+  const { whole, starts, additions, firstRobot, heights, news } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
@@ -141,6 +142,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     firstRobot: isReady ? null : firstRobot,
     carried: task === undefined && handIn === undefined ? '' : JSON.stringify({ task, handIn }),
     heights: isReady ? [] : heights,
+    news: isReady ? '' : news,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -179,7 +181,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses, room: Roo
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9, 10] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11] as const).find((one) => String(one) === version);
   const bytes = known === undefined ? null : unsealed(data);
   if (known === undefined || bytes === null) return damaged();
   const content = contentOfBytes({ version: known, bytes }, room);
@@ -200,7 +202,8 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
   }
   const settings = settingsIn(content);
   const carried = carriedIn(content);
-  if (settings === 'damaged' || carried === 'damaged') return damaged();
+  const news = newsOfText(content.news);
+  if (settings === 'damaged' || carried === 'damaged' || news === null) return damaged();
   // Read like a file: the same rules judge the content of a link.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
@@ -213,7 +216,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
-        : valueOf({ ...putTogether({ ...content, whole: scene.whole }), task: taskIn(content, scene.whole) }),
+        : valueOf({ ...putTogether({ ...content, whole: scene.whole }, news), task: taskIn(content, scene.whole) }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);

@@ -17,6 +17,7 @@ import type { Project } from '../project';
 import { mutatedBytes } from '../testing/mutate';
 import {
   classProject,
+  coloursProject,
   fullProject,
   heightsProject,
   largeProject,
@@ -42,7 +43,7 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [] }; // prettier-ignore
+  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '', heights: [], news: '' }; // prettier-ignore
   deflatedContent.codec.write(out, content);
   return out.bytes();
 }
@@ -54,12 +55,12 @@ function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
   return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
 }
 
-/** The same for versions 2, 6, 7, 9 and 10: from the changed place on, the model misinterprets every bit. */
+/** The same for versions 2, 6, 7, 9, 10 and 11: from the changed place on, the model misinterprets every bit. */
 function forgedModel(link: string, rng: Rng): string {
   const [version = '', data = ''] = link.slice(2).split('.');
   const bytes = fromBase64Url(data) ?? new Uint8Array();
   return linkOfBytes({
-    version: ([2, 6, 7, 9, 10] as const).find((known) => String(known) === version) ?? 2,
+    version: ([2, 6, 7, 9, 10, 11] as const).find((known) => String(known) === version) ?? 2,
     bytes: mutatedBytes(bytes.subarray(4), rng),
   });
 }
@@ -75,6 +76,7 @@ describe('randomly changed links', () => {
         shapesProject(),
         classProject(),
         heightsProject(),
+        coloursProject(),
       ];
       const links = projects.map(linkFor);
       const columns = projects.slice(0, 2).map(columnsOf);

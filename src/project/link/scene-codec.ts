@@ -4,11 +4,12 @@
  */
 import { fromBase64, toBase64 } from '#core/base64';
 import { isEighth, type Additions } from '#scene/additions';
+import type { NewObject } from '#scene/news';
+import { firstColors, isFirstColor, type PaintColor } from '#scene/paint';
 import {
   helps,
   robotColors,
   sceneLimits,
-  strokeColors,
   type Background,
   type Chase,
   type Label,
@@ -106,8 +107,11 @@ interface Parts {
   readonly paths: PathCodec;
 }
 
-/** An object that has been in links from the first on; starts stand apart (`startsCodec`). */
-type LinkObject = Exclude<SceneObject, Start>;
+/**
+ * An object that has been in links from the first on; starts (`startsCodec`) and newer kinds (`news-codec.ts`) stand
+ * apart.
+ */
+type LinkObject = Exclude<SceneObject, Start | NewObject>;
 
 /** The numbers of the kinds of objects in a link: their places here. */
 export const linkOrder: LinkObject['type'][] = [
@@ -137,6 +141,14 @@ export interface SharedByKinds {
 type Fields<T> = { readonly [K in keyof T]-?: Codec<T[K]> };
 type LinkKind = (shared: SharedByKinds) => Codec<LinkObject>;
 
+/** Newer colours stand apart (`news-codec.ts`). */
+const strokeColor = (columns: Columns): Codec<PaintColor> =>
+  mapped(
+    columns.choice(firstColors),
+    (color: PaintColor) => (isFirstColor(color) ? color : 'black'),
+    (color) => color,
+  );
+
 const boxOf = ({ id, place, size, angle }: SharedByKinds) => ({ id, at: place, size, angle });
 const zoneOf =
   (type: Zone['type']): LinkKind =>
@@ -156,7 +168,7 @@ export const linkKinds: Readonly<Record<LinkObject['type'], LinkKind>> = {
       id,
       points: paths(columns, place),
       width: columns.uint(),
-      color: columns.choice(strokeColors),
+      color: strokeColor(columns),
     }),
   mover: (shared) =>
     record<Mover>({
@@ -195,13 +207,17 @@ function objectCodec(columns: Columns, { word, ...parts }: Parts): Codec<SceneOb
   };
   return {
     write(out, object) {
-      if (object.type === 'start') throw new Error('Starts stand apart in a link.');
+      if (!isLinkObject(object)) throw new Error(`Objects of the kind ${object.type} stand apart in a link.`);
       type.write(out, object.type);
       codecOf(object.type).write(out, object);
     },
     read: (from) => codecOf(type.read(from)).read(from),
   };
 }
+
+/** True if an object has its place among those of the first links. */
+export const isLinkObject = (object: SceneObject): object is LinkObject =>
+  linkOrder.some((type) => type === object.type);
 
 function pairOf(x: Codec<number>, y: Codec<number>): Codec<Point> {
   return {

@@ -2,6 +2,7 @@
 import { createRng, type Rng } from '#core/rng';
 import type { MyRobot } from '#my-robot/my-robot';
 import { isStanding } from '#scene/kinds/heights';
+import { isZone } from '#scene/kinds/zone';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 
 import { anyHardware, defaultProjectSettings, type Project } from '../project';
@@ -280,6 +281,20 @@ export function heightsProject(): Project {
   const objects = scene.objects.map((object, index) =>
     isStanding(object) && index % 2 === 0 ? { ...object, height: heights[(index / 2) % 3] ?? 0 } : object,
   );
+  return { ...project, scene: { ...scene, objects } };
+}
+
+/** The same with colours: sheets, painted fields and things, lines of new colours, infrared. */
+export function coloursProject(): Project {
+  const { scene, ...project } = heightsProject();
+  const sheet = { type: 'paper', at: [300, 100], size: [110, 80], angle: 12.5, color: 'green' } as const;
+  const [first, ...rest] = scene.objects.map((object, index): SceneObject => {
+    if (object.type === 'stroke') return { ...object, color: 'orange', ...(index % 2 === 0 && { infrared: 0.5 }) };
+    const isPaintable = isZone(object) || ['wall', 'block', 'fixed-block'].includes(object.type);
+    return isPaintable && index % 3 !== 0 ? ({ ...object, color: 'purple', infrared: 0.4 } as SceneObject) : object;
+  });
+  const last = { ...sheet, id: 'paper-2', color: 'silver', round: true, infrared: 1.4 } as const;
+  const objects = [...(first ? [first] : []), { ...sheet, id: 'paper-1' }, ...rest, last];
   return { ...project, scene: { ...scene, objects } };
 }
 

@@ -4,6 +4,7 @@ import { block, fixedBlock, spikes } from './block';
 import type { SceneKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { paper } from './paper';
 import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
@@ -18,6 +19,7 @@ export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
   target,
   checkpoint,
   forbidden,
+  paper,
   spikes,
   mover,
   label,

@@ -1,4 +1,4 @@
-import { pair, property } from '../json-text';
+import { paintProperties, pair, property } from '../json-text';
 import { boundsOfOutline, overlapMm, type Outline } from '../outline';
 import { sceneDefaults, type Stroke } from '../scene';
 import type { SceneKind } from './kind';
@@ -6,10 +6,10 @@ import type { SceneKind } from './kind';
 /** Painted lines. */
 export const stroke: SceneKind<Stroke> = {
   name: 'stroke',
-  write: ({ points, width, color }) => [
+  write: ({ points, width, ...paint }) => [
     `"points": [${points.map(pair).join(', ')}]`,
     ...property('width', width, sceneDefaults.width),
-    ...property('color', color, sceneDefaults.color),
+    ...paintProperties(paint, sceneDefaults.color),
   ],
   solid: () => [],
   bounds({ points, width }) {

@@ -1,4 +1,4 @@
-import { pair, property } from '../json-text';
+import { paintProperties, pair, property } from '../json-text';
 import { lengthOf, type Outline } from '../outline';
 import { sceneDefaults, type Wall } from '../scene';
 import { standing, type SceneKind } from './kind';
@@ -6,11 +6,12 @@ import { standing, type SceneKind } from './kind';
 /** Walls. */
 export const wall: SceneKind<Wall> = {
   name: 'wall',
-  write: ({ from, to, thickness, height }) => [
+  write: ({ from, to, thickness, height, ...paint }) => [
     `"from": ${pair(from)}`,
     `"to": ${pair(to)}`,
     ...property('thickness', thickness, sceneDefaults.thickness),
     ...property('height', height ?? null, null),
+    ...paintProperties(paint),
   ],
   ...standing<Wall>((wall) => [wallOutline(wall)]),
 };

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
-import { property, shapeProperties } from '../json-text';
+import { paintProperties, property, shapeProperties } from '../json-text';
 import { distanceToEdge, overlapMm, squaredDistance, type Outline } from '../outline';
-import { sceneDefaults, type SceneObject, type Zone } from '../scene';
+import { sceneDefaults, type Paper, type SceneObject, type Zone } from '../scene';
 import { outlineHolds, shapeBounds, shapeOutline, shapeParts, toOwnFrame } from '../shape/shape';
 import type { SceneKind } from './kind';
 
@@ -13,6 +13,8 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
       ...property('round', zone.round, sceneDefaults.round),
       ...property('number', zone.number, 0),
       ...property('blocks', zone.blocks, sceneDefaults.blocks),
+      ...property('blockColor', zone.blockColor ?? null, null),
+      ...paintProperties(zone),
     ],
     solid: () => [],
     bounds: shapeBounds,
@@ -22,6 +24,9 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
 
 /** True if an object is a zone of any kind. */
 export const isZone = (object: SceneObject): object is Zone => zoneTypes.some((type) => type === object.type);
+
+/** True if an object is a field on the floor, with or without a meaning for the verdict. */
+export const isField = (object: SceneObject): object is Zone | Paper => object.type === 'paper' || isZone(object);
 
 const zoneTypes: readonly SceneObject['type'][] = ['target', 'checkpoint', 'forbidden'] satisfies Zone['type'][];
 

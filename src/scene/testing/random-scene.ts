@@ -2,16 +2,8 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
 import type { StandingObject } from '../kinds/heights';
-import {
-  robotColors,
-  strokeColors,
-  taskRules,
-  type Mover,
-  type Point,
-  type Scene,
-  type SceneObject,
-  type TaskCard,
-} from '../scene';
+import { paintColors, type Painted } from '../paint';
+import { robotColors, taskRules, type Mover, type Point, type Scene, type SceneObject, type TaskCard } from '../scene';
 import { inPercent, oneOf, wholeFrom } from './fuzz';
 
 const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
@@ -35,6 +27,14 @@ const common = (rng: Rng): Pick<SceneObject, 'lock' | 'group'> => ({
 const height = (rng: Rng): Pick<StandingObject, 'height'> =>
   inPercent(rng, 20) ? { height: wholeFrom(rng, 5, 1000) } : {};
 
+/** The paint that any field or thing may have and mostly lacks. */
+const paint = (rng: Rng): Painted => ({
+  ...(inPercent(rng, 20) ? { color: oneOf(rng, paintColors) } : {}),
+  ...infrared(rng),
+});
+const infrared = (rng: Rng): Pick<Painted, 'infrared'> =>
+  inPercent(rng, 20) ? { infrared: wholeFrom(rng, 0, 140) / 100 } : {};
+
 /** An object of any kind with random figures, as a course may have it. */
 export function randomObject(rng: Rng, id: string): SceneObject {
   const box = { id, at: point(rng), size: size(rng), angle: angle(rng) };
@@ -51,15 +51,24 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       to: [from[0] + 10, from[1] - wholeFrom(rng, 0, 99)],
       thickness: wholeFrom(rng, 2, 500),
       ...height(rng),
+      ...paint(rng),
     }),
-    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...body, ...height(rng) }),
+    () => ({ type: oneOf(rng, ['block', 'fixed-block'] as const), ...body, ...height(rng), ...paint(rng) }),
+    () => ({ type: 'spikes', ...body, ...height(rng) }),
+    () => ({ type: 'paper', ...body, color: oneOf(rng, paintColors), ...infrared(rng) }),
     () => ({
-      ...{ type: 'stroke', id, width: wholeFrom(rng, 1, 500), color: oneOf(rng, strokeColors) },
+      ...{ type: 'stroke', id, width: wholeFrom(rng, 1, 500), color: oneOf(rng, paintColors), ...infrared(rng) },
       points: Array.from({ length: wholeFrom(rng, 1, 30) }, () => point(rng)),
     }),
-    () => ({ ...zone, type: 'target', blocks: wholeFrom(rng, 0, 50) }),
+    () => ({
+      ...zone,
+      ...paint(rng),
+      type: 'target',
+      blocks: wholeFrom(rng, 0, 50),
+      blockColor: oneOf(rng, paintColors),
+    }),
     () => ({ ...zone, type: 'checkpoint', number: wholeFrom(rng, 1, 99) }),
-    () => ({ ...zone, type: 'forbidden' }),
+    () => ({ ...zone, ...paint(rng), type: 'forbidden' }),
     () => ({
       ...box,
       ...round,

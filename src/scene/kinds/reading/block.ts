@@ -1,13 +1,17 @@
 import type { Block, Spikes } from '../../scene';
 import type { KindReader } from './kind-reader';
-import { readBody, readHeight } from './unread';
+import { readBody, readHeight, readPaint } from './unread';
 
-/** Reads a kind whose only properties are its place, its shape, its rotation and its height. */
-const bodyReader = (type: (Block | Spikes)['type']): KindReader<Block | Spikes> => ({
-  properties: ['at', 'size', 'angle', 'round', 'corners', 'height'],
-  read: (given) => ({ type, ...readBody(given), ...readHeight(given) }),
+const properties = ['at', 'size', 'angle', 'round', 'corners', 'height'];
+
+const blockReader = (type: Block['type']): KindReader<Block> => ({
+  properties: [...properties, 'color', 'infrared'],
+  read: (given) => ({ type, ...readBody(given), ...readHeight(given), ...readPaint(given) }),
 });
 
-export const block = bodyReader('block');
-export const fixedBlock = bodyReader('fixed-block');
-export const spikes = bodyReader('spikes');
+export const block = blockReader('block');
+export const fixedBlock = blockReader('fixed-block');
+export const spikes: KindReader<Spikes> = {
+  properties,
+  read: (given) => ({ type: 'spikes', ...readBody(given), ...readHeight(given) }),
+};

@@ -3,6 +3,7 @@ import { block, fixedBlock, spikes } from './block';
 import type { KindReader } from './kind-reader';
 import { label } from './label';
 import { mover } from './mover';
+import { paper } from './paper';
 import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
@@ -17,6 +18,7 @@ export const kindReaders: Readonly<Record<SceneObject['type'], KindReader>> = {
   target,
   checkpoint,
   forbidden,
+  paper,
   spikes,
   mover,
   label,

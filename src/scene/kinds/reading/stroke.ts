@@ -1,9 +1,9 @@
-import { sceneDefaults, sceneLimits, strokeColors, type Stroke } from '../../scene';
+import { sceneDefaults, sceneLimits, type Stroke } from '../../scene';
 import type { KindReader } from './kind-reader';
-import { readId } from './unread';
+import { readId, readPaint } from './unread';
 
 export const stroke: KindReader<Stroke> = {
-  properties: ['points', 'width', 'color'],
+  properties: ['points', 'width', 'color', 'infrared'],
   read(given) {
     const { reader, at, pointsLeft } = given;
     const [value, path] = at('points');
@@ -13,7 +13,8 @@ export const stroke: KindReader<Stroke> = {
       id: readId(given),
       points: points.map((point, index) => reader.point(point, `${path}[${index}]`, sceneLimits.placeMm)),
       width: reader.whole(...at('width'), sceneLimits.widthMm, sceneDefaults.width),
-      color: reader.word(...at('color'), strokeColors, sceneDefaults.color),
+      color: sceneDefaults.color,
+      ...readPaint(given),
     };
   },
 };

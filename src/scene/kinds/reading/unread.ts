@@ -3,6 +3,7 @@ import { fullTurnDeg } from '#core/angle';
 import { areaOf } from '../../shape/polygon';
 import { polygonFault, type PolygonFault } from '../../shape/polygon-fault';
 import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../../scene';
+import { paintColors, type Painted } from '../../paint';
 import type { StandingObject } from '../heights';
 
 /** An object of a course that is yet to be read, and the reader that notes what is wrong with it. */
@@ -70,6 +71,16 @@ export const readShape = (given: Unread): Omit<Shaped, 'round'> & { readonly id:
 export function readHeight({ reader, at }: Unread): Pick<StandingObject, 'height'> {
   const [height, path] = at('height');
   return height === undefined ? {} : { height: reader.whole(height, path, sceneLimits.heightMm) };
+}
+
+/** Colour and infrared of what may be painted; what is left out stays left out. */
+export function readPaint({ reader, at }: Unread): Painted {
+  const [color, colorPath] = at('color');
+  const [infrared, path] = at('infrared');
+  return {
+    ...(color === undefined ? {} : { color: reader.word(color, colorPath, paintColors, 'black') }),
+    ...(infrared === undefined ? {} : { infrared: reader.number(infrared, path, sceneLimits.infrared) }),
+  };
 }
 
 /** Reads a shape with `round`, which is left out unless it is true. */

@@ -1,9 +1,9 @@
 import { sceneDefaults, sceneLimits, type Wall } from '../../scene';
 import type { KindReader } from './kind-reader';
-import { readHeight, readId, readPlace, type Unread } from './unread';
+import { readHeight, readId, readPaint, readPlace, type Unread } from './unread';
 
 /** Reads walls. One without length has no direction, and is refused. */
-export const wall: KindReader<Wall> = { properties: ['from', 'to', 'thickness', 'height'], read };
+export const wall: KindReader<Wall> = { properties: ['from', 'to', 'thickness', 'height', 'color', 'infrared'], read };
 
 function read(given: Unread): Wall {
   const { reader, at } = given;
@@ -12,10 +12,10 @@ function read(given: Unread): Wall {
   const from = readPlace(given, 'from');
   const to = readPlace(given, 'to');
   const thickness = reader.whole(...at('thickness'), sceneLimits.thicknessMm, sceneDefaults.thickness);
-  const height = readHeight(given);
+  const looks = { ...readHeight(given), ...readPaint(given) };
   if (from[0] === to[0] && from[1] === to[1] && reader.problems.length === before) {
     const what = `the wall has length 0: it starts and ends at [${to.join(', ')}]. Move one end or remove the wall.`;
     reader.report('wall-without-length', at('to')[1], to, what, { x: to[0], y: to[1] });
   }
-  return { type: 'wall', id, from, to, thickness, ...height };
+  return { type: 'wall', id, from, to, thickness, ...looks };
 }

@@ -1,7 +1,8 @@
+import { paintColors } from '../../paint';
 import type { Range } from '../../reader';
 import { sceneDefaults, sceneLimits, type Zone } from '../../scene';
 import type { KindReader } from './kind-reader';
-import { readShape } from './unread';
+import { readPaint, readShape, type Unread } from './unread';
 
 const NONE: Range = { min: 0, max: 0 };
 
@@ -10,15 +11,26 @@ function zoneReader(type: Zone['type']): KindReader<Zone> {
   const numbers = isNumbered ? sceneLimits.checkpoint : NONE;
   const blocks = type === 'target' ? sceneLimits.blocks : NONE;
   return {
-    properties: ['at', 'size', 'angle', 'round', 'corners', 'number', 'blocks'],
+    properties: [
+      ...['at', 'size', 'angle', 'round', 'corners', 'number', 'blocks', 'color', 'infrared'],
+      ...(type === 'target' ? ['blockColor'] : []),
+    ],
     read: (given) => ({
       type,
       ...readShape(given),
       round: given.reader.flag(...given.at('round'), sceneDefaults.round),
       number: given.reader.whole(...given.at('number'), numbers, isNumbered ? undefined : 0),
       blocks: given.reader.whole(...given.at('blocks'), blocks, sceneDefaults.blocks),
+      ...readBlockColor(given),
+      ...readPaint(given),
     }),
   };
+}
+
+/** The colour of the blocks that a target wants. */
+function readBlockColor({ reader, at }: Unread): Pick<Zone, 'blockColor'> {
+  const [color, path] = at('blockColor');
+  return color === undefined ? {} : { blockColor: reader.word(color, path, paintColors, 'red') };
 }
 
 export const target = zoneReader('target');

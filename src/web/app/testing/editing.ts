@@ -90,6 +90,7 @@ export const samples = {
   target: { type: 'target', id: 'target', at: [900, 700], size: [150, 150], angle: 0, round: false, number: 0, blocks: 0 }, // prettier-ignore
   checkpoint: { type: 'checkpoint', id: 'one', at: [200, 300], size: [100, 100], angle: 0, round: false, number: 1, blocks: 0 }, // prettier-ignore
   forbidden: { type: 'forbidden', id: 'forbidden', at: [200, 600], size: [100, 100], angle: 0, round: true, number: 0, blocks: 0 }, // prettier-ignore
+  paper: { type: 'paper', id: 'paper', at: [200, 450], size: [100, 60], angle: 0, color: 'green' },
   label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, angle: 0 },
   start: {
     type: 'start',

@@ -14,6 +14,7 @@ const MAKERS: Readonly<Record<SceneObject['type'], readonly ArenaTool[]>> = {
   target: ['zone'],
   checkpoint: ['zone'],
   forbidden: ['zone'],
+  paper: ['zone'],
   label: ['label'],
   start: ['start'],
 };

@@ -1,6 +1,7 @@
 import { computed } from 'vue';
 
 import { isSame } from '#core/same';
+import type { SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 
 import { shownLanguage, t } from '../../kit/i18n';
@@ -9,6 +10,12 @@ import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { goalsOf, secondsLeft } from './verdict-view';
+
+/** A thing that can be touched, by its name among the words. */
+type Thing = (typeof things)[number];
+const things = ['wall', 'block', 'fixed-block', 'spikes', 'mover'] as const satisfies readonly SceneObject['type'][];
+const thingOf = (object: SceneObject | undefined): Thing | 'other' =>
+  things.find((kind) => kind === object?.type) ?? 'other';
 
 /** Progress of the course's task, in the words that are shown. */
 export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
@@ -32,7 +39,7 @@ export function useVerdict({ run, work }: Pick<RunParts, 'run'> & Pick<WorkParts
   const reason = computed(() => {
     const { reason: id, by } = verdict.value;
     if (id === null) return null;
-    const type = by === null ? 'edge' : (scene.value.objects.find((object) => object.id === by)?.type ?? 'other');
+    const type = by === null ? 'edge' : thingOf(scene.value.objects.find((object) => object.id === by));
     return {
       what: t(`verdict.reasons.${id}.what`, { thing: t(`verdict.things.${type}`) }),
       todo: t(`verdict.reasons.${id}.todo`),

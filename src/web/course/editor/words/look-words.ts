@@ -25,6 +25,8 @@ function looksOf(object: SceneObject): readonly string[] {
       return [t(words.thicknessMm, { mm: object.thickness })];
     case 'target':
       return object.blocks === 0 ? [] : [t(words.blocksSome, { count: object.blocks })];
+    case 'paper':
+      return [t(words[object.color])];
     case 'mover': {
       const speed = t(words.speedCmS, { cm: numberText(cm(object.speed), shownLanguage()) });
       return object.spiked ? [speed, t(words.spiked)] : [speed];

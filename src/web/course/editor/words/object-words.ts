@@ -78,6 +78,7 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
   target: box,
   checkpoint: { ...box, name: ({ number }: Zone, kind) => `${kind} ${String(number)}` },
   forbidden: box,
+  paper: box,
 };
 
 function whereMoves(mover: Mover): string {

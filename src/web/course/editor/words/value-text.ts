@@ -1,5 +1,6 @@
 import { moverWays, type MoverWay } from '#scene/kinds/mover-way';
-import type { RobotColor, SceneObject, StrokeColor } from '#scene/scene';
+import type { PaintColor } from '#scene/paint';
+import type { RobotColor, SceneObject } from '#scene/scene';
 
 import type { ShapeName } from '#scene/shape/shape';
 
@@ -9,7 +10,7 @@ import moverWords from './movers';
 
 /** A colour, a kind a shape or what a mover does, in words. */
 export function valueText(
-  value: StrokeColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay | ShapeName,
+  value: PaintColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay | ShapeName,
 ): string {
   if (isWay(value)) return t(moverWords.ways[value]);
   return value in words.options ? t(words.options[value as keyof typeof words.options]) : value;

@@ -1,6 +1,6 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
-import { isZone } from '#scene/kinds/zone';
+import { isField } from '#scene/kinds/zone';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 import { drawScene, type PaintObjects } from '../picture/draw-scene';
@@ -42,7 +42,7 @@ export function useStillLayer(sources: StillSources): StillLayer {
   const { picture } = sources;
   const ratio = (): number => picture.ratio.value;
   const zones = useLate(
-    () => sources.live().scene.objects.some(isZone),
+    () => sources.live().scene.objects.some(isField),
     () => import('../picture/draw-zones'),
   );
   const kinds = useLate(
@@ -89,7 +89,7 @@ const needsKinds = ({ scene, waiting, leaving, size }: LiveScene): boolean =>
   size !== null || scene.background !== null || waiting.length + leaving.size > 0 || scene.objects.some(isRare);
 
 const COMMON: readonly SceneObject['type'][] = ['stroke', 'wall', 'block', 'fixed-block'];
-const isRare = (object: SceneObject): boolean => !COMMON.includes(object.type) && !isZone(object);
+const isRare = (object: SceneObject): boolean => !COMMON.includes(object.type) && !isField(object);
 
 /** Drawing code that is loaded when it is first needed. */
 function useLate<T extends object>(needed: () => boolean, load: () => Promise<T>): ShallowRef<T | null> {

@@ -1,14 +1,17 @@
-/** The drawing of zones. Loaded when a course first has one. */
+/** The drawing of fields: zones and coloured sheets. Loaded when a course first has one. */
+import { paper } from '#picture/kinds/paper';
 import { zone } from '#picture/kinds/zone';
-import { isZone } from '#scene/kinds/zone';
-import type { Scene } from '#scene/scene';
+import { isField, isZone } from '#scene/kinds/zone';
+import type { Look } from '#picture/look';
+import type { Shape } from '#picture/shapes';
+import type { Paper, Scene, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 import { drawShapes, lookOf } from './draw-shapes';
 import { zoneState } from './zone-state';
 
-/** Draws the grounds of zones, under the lines, in CSS px. */
+/** Draws the grounds of fields, under the lines, in CSS px. */
 export function drawZones(
   context: CanvasRenderingContext2D,
   view: View,
@@ -16,8 +19,11 @@ export function drawZones(
   palette: Palette,
 ): void {
   const look = lookOf(view, palette);
-  for (const object of objects) if (isZone(object)) drawShapes(context, view, zone.ground?.(object, look) ?? []);
+  for (const object of objects) if (isField(object)) drawShapes(context, view, groundOf(object, look));
 }
+
+const groundOf = (field: Zone | Paper, look: Look): readonly Shape[] =>
+  (field.type === 'paper' ? paper.ground?.(field, look) : zone.ground?.(field, look)) ?? [];
 
 /** Draws the numbers and signs of zones, over the lines, in CSS px. */
 export function drawZoneSigns(

@@ -4,7 +4,8 @@ import type { Reading } from '#editor/snap/reading';
 import { typedDrag, typedNumbers, typedText } from '#editor/snap/typed';
 import type { Drag, Tool, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
-import type { Scene, StrokeColor } from '#scene/scene';
+import type { PaintColor } from '#scene/paint';
+import type { Scene } from '#scene/scene';
 
 /** The kind of pointer: fingers need more room around a thing than a mouse. */
 export type PointerKind = 'mouse' | 'pen' | 'touch';
@@ -31,7 +32,7 @@ export interface Ink {
   /** World mm; grows during the drag. */
   readonly path: readonly Vec[];
   readonly width: number;
-  readonly color: StrokeColor;
+  readonly color: PaintColor;
 }
 
 /** A tool's drag in progress. */
