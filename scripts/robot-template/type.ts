@@ -1,4 +1,5 @@
 /** New Robot: its body, as everyone may know it. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md. */
+import { colourOptions } from '../colour-options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
@@ -41,6 +42,6 @@ export const newRobot: RobotType = {
   board: 'microbit-v2',
   body,
   modules: ['new_robot'],
-  options: [],
+  options: [...colourOptions],
   mountMm: null,
 };

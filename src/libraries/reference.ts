@@ -83,8 +83,20 @@ const simrobot = module('simrobot', {
   }),
 });
 
+const sensor = { address: { least: 0 } };
+
+/** The names of colour.py. */
+const colour = module('colour', {
+  name: within(sensor, fn('(address: int = 0x29) -> str')),
+  hue: within(sensor, fn('(address: int = 0x29) -> int')),
+  brightness: within(sensor, fn('(address: int = 0x29) -> int')),
+  rgb: within(sensor, fn('(address: int = 0x29) -> tuple[int, int, int]')),
+  raw: within(sensor, fn('(address: int = 0x29) -> tuple[int, int, int, int]')),
+  calibrate: within(sensor, fn('(address: int = 0x29) -> None')),
+});
+
 /** The editor's reference of the libraries that belong to no robot. */
 export const freeReference: Omit<RobotReference, 'robot'> = {
-  modules: [simrobot],
+  modules: [simrobot, colour],
   texts: words,
 };

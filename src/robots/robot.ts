@@ -31,6 +31,8 @@ import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { DepthCell, DepthView } from '#world/probes/depth-grid';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
+import type { Light } from '#devices/tcs34725';
+import type { ColourName, RawColour } from './colour-names';
 import type { LineReadings } from './traits';
 
 /** A kind of robot, as everyone may know it. Light, as the page loads it before anything runs. */
@@ -140,6 +142,10 @@ export interface RobotContext {
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
   /** The picture of a multizone ranger whose lens is at `from` (robot frame) and looks ahead. */
   readonly depths: (from: Vec, view: DepthView) => readonly DepthCell[];
+  /** Shares of red, green and blue light that the floor returns in a round spot, of white paper about 0.85. Spot in the robot frame. */
+  readonly light: (spot: Vec, radiusMm: number) => Light;
+  /** The nearest thing ahead of `from` (robot frame) and the light that it returns; `null`: nothing is in range. */
+  readonly lightAhead: (from: Vec, cone: Cone) => { readonly distanceMm: number; readonly light: Light } | null;
   /** How far a move that the robot measures by itself misses its end now, in standard deviations; 0 on an ideal robot. */
   readonly miss: () => number;
   /** Present voltage of the battery, in mV. */
@@ -212,6 +218,8 @@ export interface RobotState extends RobotLights {
   readonly ultrasonic: UltrasonicState | null;
   /** The picture of the lidar now, or `null` for a robot without one. */
   readonly lidar: LidarState | null;
+  /** The colour sensors that it carries; left out: none. */
+  readonly colours?: readonly ColourState[];
   /** For each half of the bumper: true if it is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
@@ -224,6 +232,20 @@ export interface LineSensorState {
   readonly bright: boolean;
   /** The present value of `read_analog`, in the robot's own unit; left out if the robot knows only light and dark. */
   readonly reading?: number;
+}
+
+/** A colour sensor, as seen from outside. */
+export interface ColourState {
+  readonly side: 'down' | 'ahead';
+  /** Its place, world frame. */
+  readonly atMm: Vec;
+  /** What it would read now, clear, red, green and blue, at gain 4 and 24 ms. */
+  readonly raw: RawColour;
+  /** The colour of what it sees, for eyes. */
+  readonly color: Rgb;
+  /** Hue in whole degrees, white-balanced. */
+  readonly hue: number;
+  readonly name: ColourName;
 }
 
 /** A distance sensor's beam, world frame. */

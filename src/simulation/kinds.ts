@@ -3,13 +3,14 @@ import { isSame } from '#core/same';
 import { rotationRad } from '#core/angle';
 import { heightOf } from '#scene/kinds/heights';
 import type { AnyObject } from '#scene/kinds/kind';
-import { infraredOf } from '#scene/reflectance';
+import { floorRgb, infraredOf, paintRgb } from '#scene/reflectance';
+import type { Painted } from '#scene/paint';
 import { zoneOverlaps } from '#scene/kinds/zone';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Outline } from '#scene/outline';
-import type { Block, Chase, Mover, Point, SceneObject, Spikes, Stroke, Wall, Zone } from '#scene/scene';
+import type { Block, Chase, Mover, Paper, Point, SceneObject, Spikes, Stroke, Wall, Zone } from '#scene/scene';
 import { ownParts } from '#scene/shape/shape';
-import type { BlockHandle, BodyForm, Chase as WorldChase, MoverHandle, Way } from '#world/shapes';
+import type { BlockHandle, BodyForm, Chase as WorldChase, FieldShape, MoverHandle, Shares, Way } from '#world/shapes';
 import type { World } from '#world/world';
 
 /** The body of an object in a run's world. */
@@ -48,6 +49,8 @@ export interface Around {
 type BoxObject = Block | Spikes | Mover;
 
 const onFloor: RunKind = { change: 'shown' };
+/** Sensors see its paint, if it has any. */
+const field: RunKind<Zone | Paper> = { change: 'shown', build: fieldBody };
 
 /** Every kind of object by its type. */
 export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
@@ -55,10 +58,10 @@ export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
   block: { change: 'movable', build: blockBody },
   'fixed-block': { change: 'lasting', build: fixedBody },
   stroke: { change: 'shown', build: strokeBody },
-  target: onFloor,
-  checkpoint: onFloor,
-  forbidden: onFloor,
-  paper: onFloor,
+  target: field,
+  checkpoint: field,
+  forbidden: field,
+  paper: field,
   spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
   mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
   label: onFloor,
@@ -76,7 +79,14 @@ export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].
 
 function wallBody(wall: Wall, world: World): Body {
   const { id, from, to, thickness } = wall;
-  world.addWall({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness, heightMm: heightOf(wall) });
+  world.addWall({
+    id,
+    fromMm: vec(from),
+    toMm: vec(to),
+    thicknessMm: thickness,
+    heightMm: heightOf(wall),
+    ...sharesOf(wall),
+  });
   return {};
 }
 
@@ -123,23 +133,48 @@ function chaseOf(at: Point, { zone: id, reach = Infinity }: Chase, zone: Around[
 
 function strokeBody(stroke: Stroke, world: World): Body {
   const { points, width } = stroke;
-  return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: infraredOf(stroke) ?? 1 });
+  return world.addStroke({
+    pointsMm: points.map(vec),
+    widthMm: width,
+    reflectance: infraredOf(stroke) ?? 1,
+    ...sharesOf(stroke),
+  });
+}
+
+function fieldBody(field: Zone | Paper, world: World): Body {
+  const reflectance = infraredOf(field);
+  if (reflectance === null) return {};
+  return world.addField({ ...flatOf(field), reflectance, ...sharesOf(field) });
+}
+
+/** The colour of paint compared with bare floor, if there is any. */
+function sharesOf({ color }: Painted): { readonly shares?: Shares } {
+  if (color === undefined) return {};
+  const [red, green, blue] = paintRgb[color];
+  return { shares: [red / floorRgb[0], green / floorRgb[1], blue / floorRgb[2]] };
 }
 
 /** The properties of a block that a run cannot change without making it again. */
-const formOf = ({ size, round, corners, height }: Block) => ({ size, round, corners, height });
+const formOf = ({ size, round, corners, height, color }: Block) => ({ size, round, corners, height, color });
 
 const vec = ([x, y]: Point): Vec => ({ x, y });
 
-const angleOf = ({ angle }: BoxObject): number => rotationRad(angle);
+const angleOf = ({ angle }: Pick<BoxObject, 'angle'>): number => rotationRad(angle);
 
-const shapeOf = (box: BoxObject): BodyForm & { readonly atMm: Vec; readonly angleRad: number } => ({
-  atMm: vec(box.at),
-  sizeMm: vec(box.size),
+const shapeOf = (box: BoxObject): BodyForm & FlatForm => ({
+  ...flatOf(box),
   heightMm: heightOf(box),
-  angleRad: angleOf(box),
-  ...(box.round === true ? { isRound: true } : {}),
-  ...('corners' in box ? { partsMm: ownParts(box) } : {}),
+  ...('color' in box ? sharesOf(box) : {}),
+});
+
+type FlatForm = Pick<FieldShape, 'atMm' | 'sizeMm' | 'angleRad' | 'isRound' | 'partsMm'>;
+
+const flatOf = (shape: BoxObject | Zone | Paper): FlatForm => ({
+  atMm: vec(shape.at),
+  sizeMm: vec(shape.size),
+  angleRad: angleOf(shape),
+  ...(shape.round === true ? { isRound: true } : {}),
+  ...('corners' in shape ? { partsMm: ownParts(shape) } : {}),
 });
 
 const poseOf = (box: BoxObject): Pose => ({ xMm: box.at[0], yMm: box.at[1], headingRad: angleOf(box) });

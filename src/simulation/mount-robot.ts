@@ -4,10 +4,13 @@ import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { heardCone } from '#robots/incidence';
-import { bodyOf, type OnSet, type Robot, type RobotType } from '#robots/robot';
+import { withColourSensors } from '#robots/colour-sensor';
+import { bodyOf, type OnSet, type Robot, type RobotContext, type RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
+import { floorRgb } from '#scene/reflectance';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
+import type { Shares } from '#world/shapes';
 import type { World } from '#world/world';
 import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import type { Hardware } from './hardware';
@@ -54,7 +57,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     () => clock.nowUs,
   );
   chassis.setBattery((left, right) => reality.supply({ left, right }));
-  const robot = build.attach({
+  const context: RobotContext = {
     clock,
     board: isMisplugged(hardware) ? spareBoard(type) : place.board,
     chassis,
@@ -68,13 +71,20 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const { headingRad } = chassis.pose();
       return reality.depths(world.depthGrid(chassis.toWorld(from), headingRad, view, chassis));
     },
+    light: (spot, radiusMm) => reality.light(litBy(world.sharesAt(chassis.toWorld(spot), radiusMm))),
+    lightAhead: (from, cone) => {
+      const { headingRad } = chassis.pose();
+      const hit = world.colorAhead(chassis.toWorld(from), headingRad, cone, chassis);
+      return hit && { distanceMm: hit.distanceMm, light: reality.light(litBy(hit.shares)) };
+    },
     miss: () => reality.miss(),
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
     options: hardware.options,
     scale,
     lineReadings: place.traits?.line ?? {},
     ...(place.onSet && { onSet: place.onSet }),
-  });
+  };
+  const robot = withColourSensors(build.attach(context), type, context);
   const senses = createArenaSenses(place.board.sensors, {
     chassis,
     ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
@@ -85,6 +95,9 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   };
   return { type, robot, chassis, senses, step };
 }
+
+/** The light that something returns, from its shares compared with bare floor. */
+const litBy = ([red, green, blue]: Shares): Shares => [red * floorRgb[0], green * floorRgb[1], blue * floorRgb[2]];
 
 /** The board for a robot that does not fit the run's board: without a program, so that the robot receives nothing. */
 function spareBoard(type: RobotType): Board {

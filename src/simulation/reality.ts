@@ -20,6 +20,7 @@ import { bodyWith, supplyOf, type Traits } from '#robots/traits';
 import type { ChassisType } from '#world/chassis';
 import type { DepthCell } from '#world/probes/depth-grid';
 import type { ConeHit } from '#world/probes/distance-cone';
+import type { Shares } from '#world/shapes';
 import { STEP_US } from '#world/step';
 
 /** A robot's faults. */
@@ -34,6 +35,8 @@ export interface Reality {
   echo(hit: ConeHit): ConeHit;
   /** Distorts the picture of the lidar. */
   depths(cells: readonly DepthCell[]): readonly DepthCell[];
+  /** Distorts the light that a colour sensor gets. */
+  light(seen: Shares): Shares;
   /** How far a move that the robot measures by itself misses its end now, in standard deviations. */
   miss(): number;
 }
@@ -55,6 +58,7 @@ const MISSED_ECHOES = 0.02;
 // pictures of a shiny floor lost it; a matt one loses nothing. Here a floor in between.
 const DEPTH_NOISE = { leastMm: 7, share: 0.026 }; // largest; as a standard deviation 4 mm and 1.5 %
 const MISSED_FLOOR = 0.4;
+const LIGHT_NOISE = 0.02; // largest; as a standard deviation about 1 %
 
 /** The robot as built. */
 const IDEAL: Reality = {
@@ -63,6 +67,7 @@ const IDEAL: Reality = {
   reflectance: (seen) => seen,
   echo: (hit) => hit,
   depths: (cells) => cells,
+  light: (seen) => seen,
   miss: () => 0,
 };
 
@@ -89,7 +94,7 @@ export function createReality(amount: number, seed: number, nowUs: () => number,
   };
 }
 
-type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'miss'>;
+type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'light' | 'miss'>;
 
 /** A measured robot whose sensors tremble like these. */
 function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
@@ -130,6 +135,10 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
         return { ...cell, depthMm: Math.max(cell.depthMm + amount * noiseMm, 0) };
       });
     },
+    light: (seen) => {
+      const share = (i: number, value: number): number => value * (1 + amount * LIGHT_NOISE * tremble(LIGHT + i));
+      return [share(0, seen[0]), share(1, seen[1]), share(2, seen[2])];
+    },
     miss: () => amount * bellOf((draw) => unitOf(salt, moment(), MISS + draw)),
   };
 }
@@ -144,6 +153,9 @@ const DEPTHS = 0x40000000;
 /** The first of those of measured moves, likewise. */
 const MISS = 0x50000000;
 const BELL_DRAWS = 12;
+
+/** The first of those of colours, likewise. */
+const LIGHT = 0x60000000;
 
 /** A number with mean 0 and standard deviation 1, within ±6: the sum of twelve even ones (Irwin and Hall). */
 function bellOf(unit: (draw: number) => number): number {

@@ -13,10 +13,15 @@ interface Named {
   readonly id?: string;
 }
 
+/** Shares of red, green and blue light that something returns, each 1 for bare floor. */
+export type Shares = readonly [red: number, green: number, blue: number];
+
 /** A solid that stands on the floor. */
 interface Tall {
   /** Its top above the floor, for sensors; bodies collide at any height. Left out: endlessly high. */
   readonly heightMm?: number;
+  /** Its colour, for colour sensors; left out: it has none. */
+  readonly shares?: Shares;
 }
 
 /** A straight wall: a box along the line from one point to the other, as long as that line. */
@@ -102,11 +107,23 @@ export interface StrokeShape {
   /** A single point makes a dot. */
   readonly pointsMm: readonly Vec[];
   readonly widthMm: number;
-  /** 0 black … 1 like the bare floor. */
+  /** In infrared: 0 black … 1 like the bare floor, glossy ones more. */
   readonly reflectance: number;
+  /** Its colour; left out: grey, as dark as in infrared. */
+  readonly shares?: Shares;
 }
 
-/** A stroke on the floor. */
+/** A painted field on the floor. */
+export interface FieldShape extends Omit<BodyForm, keyof Tall> {
+  /** Its middle. */
+  readonly atMm: Vec;
+  readonly angleRad: number;
+  /** As of a stroke. */
+  readonly reflectance: number;
+  readonly shares?: Shares;
+}
+
+/** Paint on the floor. */
 export interface StrokeHandle {
   /** Changes its place in the painting order: higher layers cover lower ones. Initially that of `addStroke`. */
   setLayer(layer: number): void;

@@ -1,11 +1,12 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { Chassis, ChassisType } from './chassis';
-import { createGround } from './ground/ground';
+import { createPaintedFloor } from './ground/painted-floor';
 import type { BlockBody } from './physics/block-body';
 import { createPhysics } from './physics/physics';
 import type { RobotBody } from './physics/robot-body';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
+import { nearestColor, type ColorHit } from './probes/nearest-color';
 import { depthGrid, type DepthCell, type DepthView } from './probes/depth-grid';
 import { circleRadiusMm, formParts } from './physics/form';
 import { wallCorners } from './shapes';
@@ -13,9 +14,11 @@ import type {
   BlockHandle,
   BlockShape,
   BodyForm,
+  FieldShape,
   FloorGrid,
   MoverHandle,
   MoverShape,
+  Shares,
   StrokeHandle,
   StrokeShape,
   WallShape,
@@ -34,7 +37,9 @@ export interface World {
   addMover(mover: MoverShape): MoverHandle;
   /** Draws on the floor, on top of the present drawing. */
   addStroke(stroke: StrokeShape): StrokeHandle;
-  /** Lays a picture under the strokes, or removes it. Throws RangeError if its levels do not fit its cells. */
+  /** Paints a field, under all strokes. */
+  addField(field: FieldShape): StrokeHandle;
+  /** Lays a picture under strokes and fields, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
   /**
    * @param nowUs clock of the program that drives it: each duty acts from the moment at which it is set, also within a
@@ -45,6 +50,14 @@ export interface World {
   step(): void;
   /** Reflectance under a round spot on the floor, 0 (black) … 1 (bare floor); 0 if its middle is outside the arena. */
   reflectanceAt(spot: Vec, radiusMm: number): number;
+  /** Shares of light under a round spot on the floor, each 1 on bare floor; 0 if its middle is outside the arena. */
+  sharesAt(spot: Vec, radiusMm: number): Shares;
+  /**
+   * The nearest thing in a narrow beam and its colour; `null`: there is none in range. What has no colour is grey.
+   *
+   * @param except the robot that carries the sensor
+   */
+  colorAhead(from: Vec, headingRad: number, cone: Cone, except?: Chassis): ColorHit | null;
   /**
    * The reading of a distance sensor: the nearest point of walls, blocks, movers and robots inside its cone.
    *
@@ -73,7 +86,7 @@ const EDGE_HEIGHT_MM = 250;
  */
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
-  const ground = createGround();
+  const ground = createPaintedFloor();
   const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall), EDGE_HEIGHT_MM));
   const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacles: readonly Obstacle[] }>();
   const robots: { readonly body: RobotBody; readonly heightMm: number; readonly parts: readonly Obstacle[] }[] = [];
@@ -92,7 +105,7 @@ export function createWorld(size: WorldSize): World {
     addWall(wall) {
       const corners = wallCorners(wall);
       physics.addFixture(corners, wall.id);
-      things.push(stillObstacle(corners, wall.heightMm));
+      things.push({ ...stillObstacle(corners, wall.heightMm), ...sharesOf(wall) });
     },
     addBlock(block) {
       const body = physics.addBlock(block);
@@ -111,6 +124,7 @@ export function createWorld(size: WorldSize): World {
       return mover;
     },
     addStroke: (stroke) => ground.addStroke(stroke),
+    addField: (field) => ground.addField(field),
     setFloor: (grid) => ground.setFloor(grid),
     addChassis(type, pose, nowUs) {
       const body = physics.addRobot(type, pose, nowUs);
@@ -123,17 +137,26 @@ export function createWorld(size: WorldSize): World {
       if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return 0;
       return ground.reflectanceAt(x, y, radiusMm);
     },
+    sharesAt({ x, y }, radiusMm) {
+      if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return [0, 0, 0];
+      return ground.sharesAt(x, y, radiusMm);
+    },
+    colorAhead: (from, headingRad, cone, except) => nearestColor(from, headingRad, cone, obstacles(except)),
     depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
   };
 }
 
+/** The colour of a solid, if it has one. */
+const sharesOf = ({ shares }: { readonly shares?: Shares }): { readonly shares?: Shares } =>
+  shares === undefined ? {} : { shares };
+
 /** The convex parts of a block or a mover, for a beam. */
 function obstaclesOf(form: BodyForm, pose: () => Pose): readonly Obstacle[] {
   const radiusMm = circleRadiusMm(form);
   const { heightMm = Infinity } = form;
-  if (radiusMm !== null) return [{ cornersMm: [], radiusMm, heightMm, pose }];
-  return formParts(form).map((part) => movingObstacle(part, pose, heightMm));
+  if (radiusMm !== null) return [{ cornersMm: [], radiusMm, heightMm, pose, ...sharesOf(form) }];
+  return formParts(form).map((part) => ({ ...movingObstacle(part, pose, heightMm), ...sharesOf(form) }));
 }
 
 /** The parts added to a robot's body, for a beam. */

@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { colourOptions } from '../colour-options';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import { wheelPair } from '../wheels';
@@ -87,6 +88,7 @@ export const callibot: RobotType = {
     optionOf('bumper', words.options.bumper, ['when-read', 'always']),
     optionOf('echo', words.options.echo, ['far', 'zero'], { isExpert: true }),
     incidenceOption,
+    ...colourOptions,
     ...attachmentOptions(SERVO_PORTS),
   ],
   mountMm: { x: 60, y: 0 },

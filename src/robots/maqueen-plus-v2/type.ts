@@ -4,6 +4,7 @@
 import { attachmentOptions } from '#attachments/options';
 import { optionOf, type Option } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import { PLUS_MOUNT_MM, plusFrame } from '../maqueen-plus-frame';
@@ -38,6 +39,7 @@ const options: readonly Option[] = [
   optionOf('analogPolarity', words.analogPolarity, ['light-high', 'light-low'], { isExpert: true }),
   echoOption,
   incidenceOption,
+  ...colourOptions,
 ];
 
 export const maqueenPlusV2: RobotType = {

@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import { optionOf, type OptionValues, type Option } from '#core/option';
 import { inEvery } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
 import { PLUS_MOUNT_MM, plusFrame } from '../maqueen-plus-frame';
@@ -64,6 +65,7 @@ const options: readonly Option[] = [
   optionOf('lidarOrder', words.lidarOrder, ['maker', 'transposed'], { isExpert: true, onlyWith: WITH_LIDAR }),
   { ...echoOption, onlyWith: WITH_ULTRASONIC },
   { ...incidenceOption, onlyWith: WITH_ULTRASONIC },
+  ...colourOptions,
 ];
 
 export const maqueenPlusV3: RobotType = {

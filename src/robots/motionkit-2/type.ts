@@ -7,6 +7,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { colourOptions } from '../colour-options';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import { wheelPair } from '../wheels';
@@ -72,6 +73,7 @@ export const motionkit2: RobotType = {
     optionOf('sides', words.options.sides, ['maker', 'lights-swapped', 'all-swapped'], { isExpert: true }),
     optionOf('echo', words.options.echo, ['minus-one', 'zero'], { isExpert: true }),
     incidenceOption,
+    ...colourOptions,
   ],
   mountMm: { x: 58, y: 0 },
 };

@@ -14,6 +14,8 @@ export const nothingAround = {
   ground: () => 1,
   distance: () => ({ distanceMm: Infinity, hitMm: null }),
   depths: () => [],
+  light: () => [0.85, 0.85, 0.82],
+  lightAhead: () => null,
   miss: () => 0,
   supplyMv: () => 4800,
   options: {},
@@ -85,6 +87,8 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     distance: (from, headingRad, cone) =>
       world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
     depths: (from, view) => world.depthGrid(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
+    light: (spot, radiusMm) => world.sharesAt(chassis.toWorld(spot), radiusMm),
+    lightAhead: () => null,
     miss: () => miss,
     supplyMv: () => supplyMv,
     options: all,

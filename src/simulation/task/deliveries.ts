@@ -1,6 +1,7 @@
 import type { Pose } from '#core/geometry';
 import { zoneContains } from '#scene/kinds/zone';
 import type { Outline } from '#scene/outline';
+import type { PaintColor } from '#scene/paint';
 import type { Zone } from '#scene/scene';
 import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle } from '#world/shapes';
@@ -15,6 +16,7 @@ export interface Deliveries {
 
 /** A movable block, and its state at the last look. */
 interface Watched {
+  readonly color: PaintColor | undefined;
   readonly block: BlockHandle;
   readonly corners: Outline;
   pose: Pose | null;
@@ -30,7 +32,9 @@ export function createDeliveries(
 ): Deliveries {
   const watched = blocks.flatMap((object): Watched[] => {
     const found = block(object.id);
-    return found ? [{ block: found, corners: ownOutline(object), pose: null, held: false, targets: [] }] : [];
+    return found
+      ? [{ color: object.color, block: found, corners: ownOutline(object), pose: null, held: false, targets: [] }]
+      : [];
   });
   let delivered = 0;
   return {
@@ -43,7 +47,9 @@ export function createDeliveries(
         one.pose = pose;
         one.held = held;
         const outline = outlineAt(one.corners, pose);
-        const targets = held ? [] : blockTargets.filter((target) => zoneContains(target, outline));
+        const targets = held
+          ? []
+          : blockTargets.filter((target) => wants(target, one) && zoneContains(target, outline));
         // Nearly everything that moves does so outside all targets.
         if (targets.length === 0 && one.targets.length === 0) continue;
         one.targets = targets;
@@ -54,6 +60,9 @@ export function createDeliveries(
     },
   };
 }
+
+/** True if blocks of this colour are to lie in a target. */
+const wants = ({ blockColor }: Zone, { color }: Watched): boolean => blockColor === undefined || blockColor === color;
 
 function countIn(targets: readonly Zone[], watched: readonly Watched[]): number {
   const counted = new Set<Watched>();

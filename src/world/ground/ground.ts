@@ -1,6 +1,7 @@
-import type { FloorGrid, StrokeHandle, StrokeShape } from '../shapes';
+import type { FieldShape, FloorGrid, StrokeHandle, StrokeShape } from '../shapes';
 import { meanByChords, type Under } from './chords';
 import { bandCoverage } from './coverage';
+import { fieldOf, underFields, type Field } from './fields';
 import { createFloorPicture, type FloorPicture } from './floor-grid';
 import { distanceSquared, segmentsOf, type Painted, type Segment } from './segment';
 import { createSegmentGrid } from './segment-grid';
@@ -9,14 +10,16 @@ import { createSegmentGrid } from './segment-grid';
 export interface Ground {
   /** Paints on top of what is there. */
   addStroke(stroke: StrokeShape): StrokeHandle;
-  /** Lays a picture under the strokes, or removes it. Throws RangeError if its reflectances do not fit its cells. */
+  /** Paints a field: over fields that are there, under all strokes. */
+  addField(field: FieldShape): StrokeHandle;
+  /** Lays a picture under the strokes and fields, or removes it. Throws RangeError if its reflectances do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
   /** Mean reflectance under a round spot, 0 black … 1 bare floor; the spot's radius must be above 0. */
   reflectanceAt(x: number, y: number, radiusMm: number): number;
 }
 
 /**
- * Strokes and a picture under them. A spot wholly inside or outside the ink, or beside a single straight piece, is
+ * Strokes, fields and a picture under them. A spot wholly inside or outside the ink, or beside a single straight piece, is
  * computed exactly; crossings, joints, ends and strokes on strokes by chords (docs/decisions/0015-ground-coverage.md).
  */
 export function createGround(): Ground {
@@ -26,6 +29,8 @@ export function createGround(): Ground {
 class StrokesOnFloor implements Ground {
   private readonly grid = createSegmentGrid();
   private picture: FloorPicture | null = null;
+  /** From the highest layer to the lowest. */
+  private fields: Field[] = [];
   private layers = 0;
   private looks = 0;
   /** The pieces that reach into the present spot but do not fill it, from the topmost layer to the lowest. */
@@ -52,6 +57,20 @@ class StrokesOnFloor implements Ground {
     };
   }
 
+  addField(shape: FieldShape): StrokeHandle {
+    const field = fieldOf(shape, shape.reflectance, this.layers++);
+    const sort = (): void => void this.fields.sort((one, other) => other.layer - one.layer);
+    this.fields.unshift(field);
+    return {
+      setLayer: (layer) => {
+        field.layer = layer;
+        this.layers = Math.max(this.layers, layer + 1);
+        sort();
+      },
+      remove: () => void (this.fields = this.fields.filter((each) => each !== field)),
+    };
+  }
+
   setFloor(floor: FloorGrid | null): void {
     this.picture = floor && createFloorPicture(floor);
   }
@@ -59,7 +78,7 @@ class StrokesOnFloor implements Ground {
   reflectanceAt(x: number, y: number, radius: number): number {
     this.gather(x, y, radius);
     const { filling } = this;
-    const under: Under = filling === null ? (this.picture ?? 1) : filling.reflectance;
+    const under = filling === null ? this.underAt(x, y, radius) : filling.reflectance;
     const seen = filling === null ? this.edges : this.edges.filter(({ painted }) => painted.layer > filling.layer);
     const [only] = seen;
     if (only && seen.length === 1 && typeof under === 'number' && isStraightUnder(only, x, y, radius)) {
@@ -68,6 +87,12 @@ class StrokesOnFloor implements Ground {
       return under + share * (only.painted.reflectance - under);
     }
     return meanByChords(x, y, radius, seen, under);
+  }
+
+  /** The ground below all strokes. */
+  private underAt(x: number, y: number, radius: number): Under {
+    const below = this.picture ?? 1;
+    return this.fields.length === 0 ? below : underFields(this.fields, below, x, y, radius);
   }
 
   private gather(x: number, y: number, radius: number): void {

@@ -1,5 +1,6 @@
 import { exactCos, exactSin, exactTan } from '#core/exact-math';
 import type { Pose, Vec } from '#core/geometry';
+import type { Shares } from '../shapes';
 
 /** The beam of a distance sensor. */
 export interface Cone {
@@ -28,6 +29,8 @@ export interface Obstacle {
   readonly radiusMm: number;
   /** Its top above the floor; `Infinity`: endlessly high. */
   readonly heightMm: number;
+  /** Its colour; left out: none. */
+  readonly shares?: Shares;
   pose(): Pose;
 }
 
