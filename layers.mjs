@@ -18,6 +18,7 @@ export const layers = {
   advice: ['core', 'robots'],
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
+  lab: ['core', 'robots', 'scene', 'simulation', 'python', 'check'],
   'school-class': ['core', 'scene', 'check'],
   intake: [
     'core',
@@ -41,7 +42,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
+    'check', 'lab', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',
@@ -66,6 +67,7 @@ export const layers = {
     'device-check',
     'device-log',
     'check',
+    'lab',
     'school-class',
     'intake',
     'hex',

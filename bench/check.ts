@@ -39,6 +39,24 @@ export const checkSubject: Subject<undefined> = {
   },
 };
 
+/** Runs of a sweep, and the simulated seconds of each. */
+const [RUNS, RUN_S] = [200, 10];
+
+/** How long the command line takes for a sweep. */
+export const sweepSubject: Subject<undefined> = {
+  budgets: [{ what: `CLI, sweep of ${RUNS} runs of ${RUN_S} s, a line follower, on two threads`, budget: '<= 8 s' }],
+  async measure() {
+    const vary = `seed=1..${RUNS}/1`;
+    const words = ['courses/closed-line/main.py', '--scene', 'closed-line', '--vary', vary, '--for', `${RUN_S}s`];
+    const startMs = performance.now();
+    const child = spawn(process.execPath, ['dist/cli/main.mjs', 'sweep', ...words, '--jobs', '2', '--quiet']);
+    const [code] = (await once(child, 'exit')) as [number];
+    if (code !== 0) throw new Error(`The sweep ended with ${code}.`);
+    const seconds = (performance.now() - startMs) / 1000;
+    return [{ text: `${seconds.toFixed(1)} s`, met: seconds <= 8 }];
+  },
+};
+
 /** True if its memory stays what it is, however many hand-ins there are: programs that end at once, on one thread. */
 export const checkMemorySubject: Subject<undefined> = {
   budgets: [

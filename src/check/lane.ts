@@ -9,19 +9,23 @@ export interface CheckRequest {
   readonly lost?: { readonly from: number; readonly reason: Reason };
 }
 
-/** Its answer. `broken`: an error of ours. */
-export type CheckAnswer = { readonly result: CheckResult } | { readonly broken: string };
+/** The answer to a request. `broken`: an error of ours. */
+export type Answer<Result> = { readonly result: Result } | { readonly broken: string };
 
-/** A thread that checks one hand-in after the other. */
-export interface CheckThread {
-  ask(request: CheckRequest): void;
+export type CheckAnswer = Answer<CheckResult>;
+
+/** A thread that answers one request after the other. */
+export interface Thread<Request> {
+  ask(request: Request): void;
   /** Counter of signs of progress, and the place of the world that is running. */
   pulse(): { readonly beat: number; readonly world: number };
   stop(): void;
 }
 
 /** Starts a thread. `heard` receives its answers; a thread that has ended is broken. */
-export type StartThread = (heard: (answer: CheckAnswer) => void) => CheckThread;
+export type Start<Request, Result> = (heard: (answer: Answer<Result>) => void) => Thread<Request>;
+
+export type StartThread = Start<CheckRequest, CheckResult>;
 
 /** Calls something at this interval, in ms of wall time; returns a function that stops it. */
 export type Every = (ms: number, act: () => void) => () => void;
@@ -37,33 +41,31 @@ const LONG_MS = 120_000;
 
 const LOOK_MS = 200;
 
-/** End of a request: with an answer, or with the end of the thread. */
-type Ending = { readonly result: CheckResult } | { readonly reason: Reason; readonly world: number };
+/** The end of a thread in the middle of a request. */
+export interface Loss {
+  readonly reason: Reason & { readonly code: 'stuck' | 'long' | 'broken' };
+  /** The place of the world in which it was. */
+  readonly world: number;
+}
 
-/** A thread that is replaced when a hand-in has broken it or is stuck in it. */
-export class Lane {
-  private thread: CheckThread | null = null;
-  /** Takes the answer to the pending request; `null`: there is none. */
-  private end: ((ending: Ending) => void) | null = null;
+/** Asks a thread, which is replaced when a request has broken it or is stuck in it. */
+export class Asker<Request, Result> {
+  private thread: Thread<Request> | null = null;
+  /** Takes the end of the pending request; `null`: there is none. */
+  private end: ((ending: { readonly result: Result } | Loss) => void) | null = null;
   private unwatch: () => void = () => undefined;
 
+  /** @param mostMs longest wall time in one world */
   constructor(
-    private readonly task: ClassTask,
-    private readonly start: StartThread,
+    private readonly start: Start<Request, Result>,
     private readonly every: Every,
+    private readonly mostMs: number,
   ) {}
 
-  /** The result of a hand-in; in the world in which it was stuck, and in those after it, nothing is run. */
-  async check(handIn: HandIn): Promise<CheckResult> {
-    const first = await this.ask({ handIn });
-    const isStuck = 'reason' in first && first.reason.code === 'stuck';
-    const ending = isStuck ? await this.ask({ handIn }) : first;
-    if ('result' in ending) return ending.result;
-    const { world, reason } = ending;
-    const again = await this.ask({ handIn, lost: { from: world, reason } });
-    return 'result' in again
-      ? again.result
-      : unreadable(this.task.checks, { code: 'broken', params: again.reason.params });
+  /** The answer to a request, which is asked a second time if it was stuck. */
+  async ask(request: Request): Promise<{ readonly result: Result } | Loss> {
+    const first = await this.askOnce(request);
+    return 'reason' in first && first.reason.code === 'stuck' ? this.askOnce(request) : first;
   }
 
   /** Ends the thread. A pending request stays without an answer. */
@@ -74,7 +76,8 @@ export class Lane {
     this.thread = null;
   }
 
-  private ask(request: CheckRequest): Promise<Ending> {
+  /** The same, asked once. */
+  askOnce(request: Request): Promise<{ readonly result: Result } | Loss> {
     const thread = (this.thread ??= this.begin());
     return new Promise((resolve) => {
       this.unwatch = this.watch(thread);
@@ -88,7 +91,7 @@ export class Lane {
     });
   }
 
-  private begin(): CheckThread {
+  private begin(): Thread<Request> {
     const thread = this.start((answer) => {
       // One that was stopped may still have said something.
       if (this.thread !== thread) return;
@@ -99,13 +102,13 @@ export class Lane {
   }
 
   /** Ends a request to which the thread gives no answer. */
-  private lose(code: 'stuck' | 'long' | 'broken', params: Reason['params']): void {
+  private lose(code: Loss['reason']['code'], params: Reason['params']): void {
     this.end?.({ reason: { code, params }, world: this.thread?.pulse().world ?? 0 });
   }
 
   /** Gives up a thread without a sign of life for `STUCK_MS`, or slower with a world than the real robot would be. */
-  private watch(thread: CheckThread): () => void {
-    const mostMs = Math.max(LONG_MS, 1000 * secondsOf(this.task));
+  private watch(thread: Thread<Request>): () => void {
+    const { mostMs } = this;
     let { beat, world } = thread.pulse();
     let [stillMs, worldMs] = [0, 0];
     return this.every(LOOK_MS, () => {
@@ -119,16 +122,50 @@ export class Lane {
   }
 }
 
+/** Checks one hand-in after the other in a thread. */
+export class Lane {
+  private readonly asker: Asker<CheckRequest, CheckResult>;
+
+  constructor(
+    private readonly task: ClassTask,
+    start: StartThread,
+    every: Every,
+  ) {
+    this.asker = new Asker(start, every, Math.max(LONG_MS, 1000 * secondsOf(task)));
+  }
+
+  /** The result of a hand-in; in the world in which it was stuck, and in those after it, nothing is run. */
+  async check(handIn: HandIn): Promise<CheckResult> {
+    const ending = await this.asker.ask({ handIn });
+    if ('result' in ending) return ending.result;
+    const { world, reason } = ending;
+    const again = await this.asker.askOnce({ handIn, lost: { from: world, reason } });
+    return 'result' in again
+      ? again.result
+      : unreadable(this.task.checks, { code: 'broken', params: again.reason.params });
+  }
+
+  /** Ends the thread. A pending request stays without an answer. */
+  stop(): void {
+    this.asker.stop();
+  }
+}
+
 /** Each lane takes the next thing when it is free; then all of them are stopped. */
-export async function inLanes<T>(
-  things: readonly T[],
-  lanes: readonly Lane[],
-  work: (thing: T, place: number, lane: Lane) => Promise<void>,
+export async function inLanes<T, L extends { stop(): void }>(
+  things: Iterable<T>,
+  lanes: readonly L[],
+  work: (thing: T, place: number, lane: L) => Promise<void>,
 ): Promise<void> {
-  const waiting = things.entries();
+  const waiting = numbered(things);
   const busy = lanes.map(async (lane) => {
     for (const [place, thing] of waiting) await work(thing, place, lane);
     lane.stop();
   });
   await Promise.all(busy);
+}
+
+function* numbered<T>(things: Iterable<T>): Generator<readonly [number, T]> {
+  let place = 0;
+  for (const thing of things) yield [place++, thing];
 }

@@ -38,6 +38,8 @@ async function carryOut(asked: Asked): Promise<number> {
       );
     case 'check':
       return (await import('./check/check-command')).checkHandIns(asked.options, terminal(asked.options.quiet));
+    case 'sweep':
+      return (await import('./lab/sweep-command')).sweep(asked.options, terminal(asked.options.quiet));
     case 'class add':
     case 'class set':
     case 'class merge':

@@ -9,7 +9,7 @@ import { MAIN, newWork } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
-import type { RunOptions } from './run-arguments';
+import type { SetupAsked } from './run-arguments';
 import { parseInputs } from '#simulation/input-file';
 import {
   addressProblem,
@@ -40,7 +40,7 @@ const MAX_INPUT_BYTES = 20_000_000; // 100,000 entries of 200 characters
 const MAX_NAME_CHARACTERS = 120;
 
 /** Reads everything a run needs; a problem is one line or several, each naming the file. */
-export async function readRunFiles(options: RunOptions): Promise<RunFiles | { readonly problem: string }> {
+export async function readRunFiles(options: SetupAsked): Promise<RunFiles | { readonly problem: string }> {
   try {
     const work = await readWork(options);
     return {
@@ -92,7 +92,7 @@ function refuse(path: string, what: string): never {
 }
 
 /** The program or project, and further files on its board. */
-async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Promise<Work> {
+async function readWork({ program, files: paths }: Pick<SetupAsked, 'program' | 'files'>): Promise<Work> {
   const read = isAddress(program) ? await workOfAddress(program) : await workOfFile(program);
   if ('problem' in read) return refuse(isAddress(program) ? shortened(program) : program, read.problem);
   const files = { ...read.files };

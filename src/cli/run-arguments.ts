@@ -1,13 +1,13 @@
 import { parseDuration } from '#core/duration';
 import type { Language } from '#core/languages';
 import type { OptionValues } from '#core/option';
-import { command, type Given, type Options, type Problem } from './commands/about';
+import { command, type Given, type Options, type Problem, type TextOf } from './commands/about';
 import { langOption, languageOf } from './commands/shared-options';
 import { parseDevice, type DeviceOption } from './device-option';
 import { numberOf } from './number-of';
 
-/** The request to `parcours run`. */
-export interface RunOptions {
+/** The parts of a run. */
+export interface SetupAsked {
   readonly program: string;
   readonly files: readonly string[];
   /** Devices besides the first, which runs the program. */
@@ -30,6 +30,10 @@ export interface RunOptions {
   /** A project file whose own robot drives. */
   readonly myRobot: string | null;
   readonly input: string | null;
+}
+
+/** The request to `parcours run`. */
+export interface RunOptions extends SetupAsked {
   readonly trace: string | null;
   /** File for the recording of the run, to be repeated by `parcours replay`. */
   readonly record: string | null;
@@ -45,7 +49,8 @@ export interface RunOptions {
   readonly quiet: boolean;
 }
 
-const options = {
+/** The options that say which course and which robot. */
+export const setupOptions = {
   scene: {
     heading: 'Which course, which robot',
     value: 'COURSE',
@@ -89,14 +94,25 @@ const options = {
     path: 'reads',
     help: 'a project with a measured robot ("My robot" on the page): it drives as that one does',
   },
+} as const satisfies Options;
+
+/** The option that says how long a run takes. */
+export const timeOption = {
   for: {
     heading: 'How long, and what happens',
     value: 'TIME',
     help: 'run for this long, for example 500ms, 20s or 2min, to the µs unless the program is inside a call that has begun; the world goes on when the program ends; default: until the program ends, at most 10 minutes of simulated time',
   },
+} as const satisfies Options;
+
+const verdictOption = {
   'until-verdict': {
     help: 'run until the task of the course is decided, or nothing more can happen; exit code 0 if it is passed, 3 if it is not',
   },
+} as const satisfies Options;
+
+/** The options that say what comes from outside and by chance. */
+export const chanceOptions = {
   input: {
     value: 'FILE.json',
     path: 'reads',
@@ -124,6 +140,13 @@ const options = {
     choices: ['on', 'off'],
     help: 'whether compass, accelerometer, light and microphone feel the arena: a program alone does (on), a project as it was saved; what --input sets stays',
   },
+} as const satisfies Options;
+
+const options = {
+  ...setupOptions,
+  ...timeOption,
+  ...verdictOption,
+  ...chanceOptions,
   json: {
     heading: 'What you get',
     help: 'at the end one line with everything about the run, for other programs; "verdict" tells whether the task of the course is passed, "devices" what became of each device',
@@ -168,11 +191,44 @@ export const runAbout = command({
   read: readRun,
 });
 
-type RunGiven = Given<typeof options>;
+type SetupName = TextOf<typeof setupOptions & typeof timeOption & typeof chanceOptions>;
+
+/** The options of a command that makes runs of a program. */
+interface SetupGiven {
+  last(name: SetupName): string | null;
+  all(name: SetupName): readonly string[];
+}
 
 /** Reads the words after `parcours run`. */
-function readRun([program, ...more]: readonly string[], given: RunGiven): RunOptions | Problem {
-  if (program === undefined) return { problem: 'Which program? For example: parcours run main.py' };
+function readRun(words: readonly string[], given: Given<typeof options>): RunOptions | Problem {
+  const setup = readSetup(words, given, 'run main.py');
+  if ('problem' in setup) return setup;
+  const language = languageOf(given.last('lang'));
+  if ('problem' in language) return language;
+  return {
+    ...setup,
+    trace: given.last('trace'),
+    record: given.last('record'),
+    log: given.last('log'),
+    untilVerdict: given.has('until-verdict'),
+    strict: given.has('strict'),
+    ...language,
+    json: given.has('json'),
+    quiet: given.has('quiet'),
+  };
+}
+
+/**
+ * Reads the parts of a run.
+ *
+ * @param example of the command, for somebody who names no program
+ */
+export function readSetup(
+  [program, ...more]: readonly string[],
+  given: SetupGiven,
+  example: string,
+): SetupAsked | Problem {
+  if (program === undefined) return { problem: `Which program? For example: parcours ${example}` };
   if (more[0] !== undefined)
     return { problem: `One program at a time: what is "${more[0]}"? Further files come with --file.` };
   const numbers = readNumbers(given);
@@ -184,8 +240,6 @@ function readRun([program, ...more]: readonly string[], given: RunGiven): RunOpt
   if (typeof robotOptions === 'string') return { problem: robotOptions };
   const devices = readDevices(given.all('device'));
   if (typeof devices === 'string') return { problem: devices };
-  const language = languageOf(given.last('lang'));
-  if ('problem' in language) return language;
   return {
     program,
     files: given.all('file'),
@@ -199,19 +253,11 @@ function readRun([program, ...more]: readonly string[], given: RunGiven): RunOpt
     robotOptions,
     myRobot: given.last('my-robot'),
     input: given.last('input'),
-    trace: given.last('trace'),
-    record: given.last('record'),
-    log: given.last('log'),
-    untilVerdict: given.has('until-verdict'),
-    strict: given.has('strict'),
-    ...language,
-    json: given.has('json'),
-    quiet: given.has('quiet'),
   };
 }
 
 /** Time, seed and reality, or the problem with one of them. */
-function readNumbers(given: RunGiven): Pick<RunOptions, 'forUs' | 'seed' | 'reality'> | Problem {
+function readNumbers(given: SetupGiven): Pick<SetupAsked, 'forUs' | 'seed' | 'reality'> | Problem {
   const forText = given.last('for');
   const duration = forText === null ? null : parseDuration(forText);
   if (duration && 'problem' in duration) return { problem: `--for: ${duration.problem}` };

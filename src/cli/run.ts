@@ -1,29 +1,20 @@
 import { existsSync, rmSync, statSync } from 'node:fs';
-import { basename } from 'node:path';
 import { findBoard } from '#board/boards/index';
-import { traitsFor } from '#my-robot/my-robot';
-import { importsOf, modulesImportedBy } from '#python/imports';
-import type { Traits } from '#robots/traits';
-import { AUTO, chooseFurtherHardware, chooseHardware, hardwareIds, type Hardware } from '#simulation/hardware';
-import { boardOf } from '#board/boards/board-of-device';
-import { feelingInputs } from '#simulation/feeling';
-import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
+import { importsOf } from '#python/imports';
+import type { Hardware } from '#simulation/hardware';
+import type { DeviceSetup } from '#simulation/run-setup';
 import { robotFault } from '#simulation/robot-fit';
 import { hasTask } from '#simulation/task/task-brief';
-import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './run-arguments';
 import { withAdvice } from './explained';
 import { outputProblem } from './outputs';
+import { DEFAULT_LIMIT_US, placed, preparedRun } from './prepared-run';
 import { readRunFiles, type RunFiles } from './read-files';
-import { isAddress } from './read-work';
 import { exitCodeOf, jsonLine, runEnding, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import { printable, type Terminal } from './terminal';
 import { verdictLines } from './verdict-lines';
 import { closeOutput, openOutput } from './write-output';
-
-/** Default time limit of a run: ten minutes, longer than any lesson's program. */
-const DEFAULT_LIMIT_US = 600_000_000;
 
 /**
  * Carries out `parcours run`.
@@ -34,14 +25,9 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 | 2 | 3> {
   const read = await readRunFiles(asked);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const options = withProject(asked, read.settings);
-  const chosen = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
-  if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
-  const [option] = Object.keys(options.robotOptions);
-  if (chosen.robot === null && option !== undefined)
-    return refuse(`--option ${option}: there is no robot here. Leave it out, or choose --robot.`, terminal);
-  const setup = setupOf(options, read, chosen);
-  if ('problem' in setup) return refuse(setup.problem, terminal);
+  const prepared = preparedRun(asked, read);
+  if ('problem' in prepared) return refuse(prepared.problem, terminal);
+  const { options, hardware, setup } = prepared;
   const unfit = options.strict ? await strictFailure(setup.devices, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, []));
@@ -53,7 +39,7 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   if ('problem' in results) return refuse(results.problem, terminal);
   const { trace, log, record } = results;
   for (const note of read.notes) terminal.message(`parcours: ${note}`);
-  tellUnfit(chosen, read, terminal);
+  tellUnfit(hardware, read, terminal);
   const outcome = await supervise(
     {
       setup: { ...setup, keepTrace: trace !== null },
@@ -86,99 +72,6 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
 
 /** 0 for a task that is passed, 3 for one that is not: the codes of `check`. */
 const verdictCodeOf = ({ verdict }: Report): 0 | 3 => (verdict?.state === 'passed' ? 0 : 3);
-
-/** The first device has the name of its program. */
-const firstName = ({ program }: RunOptions): string =>
-  isAddress(program) ? 'link' : basename(program).replace(/(\.parcours)?\.[^.]*$/, '') || basename(program);
-
-/** The devices after the first: those of the project, then those that `--device` adds. */
-function furtherDevices(
-  { devices }: RunOptions,
-  read: RunFiles,
-  first: Hardware,
-): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
-  const { scene } = read;
-  const added = devices.map(({ name, ...asked }, place) => {
-    const { files = {}, settings = {} } = read.added[place] ?? {};
-    const { robot, board, firmware } = withProject({ ...asked, firmware: '' }, settings);
-    return { name, robot, board, firmware, robotOptions: settings.robotOptions ?? {}, files, from: `--device ${name}` };
-  });
-  const ofProject = read.devices.map((device) => ({ ...device, from: `device "${device.name}"` }));
-  const made: DeviceSetup[] = [];
-  let robots = first.robot === null ? 0 : 1;
-  for (const { name, files, from, ...wish } of [...ofProject, ...added]) {
-    const start = robots === 0 ? null : furtherStart(scene, robots);
-    const hardware = chooseFurtherHardware({ ...wish, scene, start, imports: modulesImportedBy(files) });
-    if ('problem' in hardware) return { problem: `${from}: ${hardware.problem}` };
-    if (hardware.robot !== null) robots++;
-    made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
-  }
-  return { devices: made };
-}
-
-/** The run of the program on this hardware, with the devices that are added. */
-function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSetup | { readonly problem: string } {
-  const traits = traitsOf(read, hardware);
-  if ('problem' in traits) return traits;
-  const further = furtherDevices(options, read, hardware);
-  if ('problem' in further) return further;
-  const { scene, files, inputs, settings } = read;
-  const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? ''], ...options.robotOptions };
-  const first = {
-    name: read.firstName ?? firstName(options),
-    files,
-    ...hardwareIds(hardware),
-    robotOptions,
-    ...traits,
-  };
-  const all = [first, ...further.devices] as const;
-  return {
-    scene,
-    devices: all,
-    inputs: (options.senses ?? settings.arenaSenses) ? [...feelingInputs(all), ...inputs] : inputs,
-    ...chanceOf(options, read),
-  };
-}
-
-/** Takes settings of the project that the command line leaves open. */
-function withProject<T extends Pick<RunOptions, 'robot' | 'board' | 'firmware'>>(
-  options: T,
-  settings: RunFiles['settings'],
-): T {
-  const { device = AUTO, firmware = '', robot = AUTO } = settings;
-  return {
-    ...options,
-    robot: options.robot === AUTO ? robot : options.robot,
-    board: options.board === AUTO ? boardOf(device) : options.board,
-    firmware: options.firmware === '' && options.board === AUTO ? firmware : options.firmware,
-  };
-}
-
-/** Seed and *reality*; the project's seed counts only if the robot is not ideal. */
-function chanceOf(options: RunOptions, { settings }: RunFiles): { readonly seed: number; readonly reality: number } {
-  const reality = options.reality ?? settings.reality ?? 0;
-  return { reality, seed: options.seed ?? (reality > 0 ? (settings.seed ?? 1) : 1) };
-}
-
-/** Unless a robot is named, a measured one drives. */
-const withMyRobot = (options: RunOptions, { myRobot }: RunFiles): RunOptions =>
-  myRobot === null || options.robot !== AUTO ? options : { ...options, robot: myRobot.robot };
-
-/** The measured traits of the robot that drives. */
-function traitsOf(
-  { myRobot, settings }: RunFiles,
-  { robot }: Hardware,
-): { readonly traits?: Traits } | { readonly problem: string } {
-  if (myRobot === null) {
-    const traits = traitsFor(settings.myRobot, robot?.id);
-    return traits === undefined ? {} : { traits };
-  }
-  if (robot?.id === myRobot.robot) return { traits: myRobot.traits };
-  const here = robot === null ? 'there is no robot here' : `here drives a ${robot.id}`;
-  return {
-    problem: `--my-robot: "${myRobot.name}" is a ${myRobot.robot}, but ${here}. Choose --robot ${myRobot.robot}.`,
-  };
-}
 
 function refuse(problem: string, terminal: Terminal): 2 {
   for (const line of problem.split('\n')) terminal.message(`parcours: ${line}`);
@@ -229,18 +122,6 @@ function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal):
   }
   const here = kind === 'lacksRobot' ? 'there is no robot here' : `the robot here is the ${robot}`;
   terminal.message(`parcours: the program is for the ${meant}, but ${here}. Choose --robot ${fits.id}.`);
-}
-
-/**
- * Names the file of a problem of the whole set-up.
- *
- * @param added number of inputs of the run before those of the input file
- */
-function placed(problem: string, options: RunOptions, added = 0): string {
-  if (problem.startsWith('[') && options.input !== null)
-    return `${options.input}: ${problem.replace(/\d+/, (place) => String(Number(place) - added))}`;
-  if (/^(robot\.|board:|background\.)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
-  return problem;
 }
 
 /** Outputs of a run, each with a file of its own. */

@@ -1,3 +1,4 @@
+import type { RunEnd } from '#lab/run-end';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Moment } from '#tape/moment';
 import type { TapeResult } from '#tape/result';
@@ -7,13 +8,8 @@ import type { Report } from './report';
 import type { SharedConsole } from './shared-console';
 
 /** The worker's initial data. */
-export interface WorkerTask {
+export interface WorkerTask extends RunEnd {
   readonly setup: RunSetup;
-  /** Simulated time at which the run ends; with `untilProgramEnds` it may end sooner. */
-  readonly untilUs: number;
-  readonly untilProgramEnds: boolean;
-  /** True: the run ends when the course's task is decided, or when nothing more can happen. */
-  readonly untilVerdict: boolean;
   /** An open file for the trace, or `null`. */
   readonly traceFile: number | null;
   /** An open file for the data log, or `null`. */

@@ -1,7 +1,7 @@
 /** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
-import { stillness } from '#check/run/stillness';
+import { runningTo, SLICE_US } from '#lab/run-end';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
 import type { RunOutlets } from '#simulation/outlets';
 import { PHYSICS } from '#simulation/physics-version';
@@ -21,9 +21,6 @@ import { createConsoleWriter } from './shared-console';
 import { traceColumns, traceHeader, traceLine, type TraceColumns } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 import { emptyOutput, writeAll } from './write-output';
-
-/** Simulated time between two checks of the outside. Chosen: some ms of wall time, few suspensions of the program. */
-const SLICE_US = 100_000;
 
 /** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
 const MESSAGE_MS = 50;
@@ -126,22 +123,16 @@ function runToStop(
 }
 
 function runToEnd(simulation: Simulation, task: WorkerTask, takeRadio: () => readonly RadioNews[]): Report {
-  const { shared, untilUs, untilProgramEnds, untilVerdict } = task;
+  const { shared } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile, task.setup.devices.length);
   const startMs = performance.now();
   let toldMs = startMs;
   let isInterrupted = false;
-  const hasEnded = (): boolean => simulation.hasEnded || simulation.isOff;
-  const isStill = stillness(simulation);
-  const isDecided = (): boolean => simulation.isOff || isStill() || ![null, undefined, 'open'].includes(simulation.verdict?.state); // prettier-ignore
-  const isOver = (): boolean =>
-    simulation.nowUs >= untilUs || (untilVerdict && isDecided()) || (hasEnded() && (untilProgramEnds || isInterrupted));
+  const { isOver, advance } = runningTo(simulation, task);
   // A program that is stuck in its very first call is reported in its state at that moment.
   post({ type: 'progress', report: reportOf(simulation, 0), radio: takeRadio() });
-  while (!isOver()) {
-    const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
-    if (untilProgramEnds) simulation.advanceProgramTo(nextUs);
-    else simulation.advanceTo(nextUs);
+  while (!isOver(isInterrupted)) {
+    advance();
     Atomics.add(shared, BEAT, 1);
     if (!isInterrupted && Atomics.load(shared, INTERRUPT) === 1) {
       isInterrupted = true;

@@ -1,7 +1,15 @@
 import type { Language } from '#core/languages';
 import { command, type Around, type Given, type Options, type Problem } from '../commands/about';
-import { jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
-import { shardOf, type Shard } from './shard';
+import {
+  jobsOf,
+  jobsOption,
+  langOption,
+  languageOf,
+  mergeOption,
+  resumeOption,
+  shardOption,
+} from '../commands/shared-options';
+import { shardOf, type Shard } from '../shard';
 
 /** The request to `parcours check`. */
 export interface CheckOptions {
@@ -41,17 +49,14 @@ const options = {
   json: { help: 'one line at the end for other programs, the same for the same work' },
   quiet: { help: 'neither results nor progress' },
   lang: langOption('the language of results, reports and reasons; default: en'),
-  shard: {
-    value: 'I/N',
-    help: '2/7: the second of seven parts; auto: the part of this job of Slurm, Kubernetes (auto/7), GitLab, CircleCI or Buildkite',
-  },
+  shard: shardOption,
   take: {
     value: 'NAME=FILE',
     isRepeated: true,
     help: 'which of several files is the program of a hand-in',
   },
-  resume: { value: 'DIR', path: 'folder', help: 'keeps each result in DIR, and runs only what is missing there' },
-  merge: { value: 'DIR', path: 'folder', help: 'runs nothing: joins what is in DIR' },
+  resume: resumeOption,
+  merge: mergeOption,
 } as const satisfies Options;
 
 export const checkAbout = command({

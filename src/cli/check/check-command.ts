@@ -13,14 +13,14 @@ import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
-import { reasonOf } from '../reason-of';
+import { CountProgress, refuse, writeReports } from '../results-out';
 import { printable, type Terminal } from '../terminal';
-import { writeOutput } from '../write-output';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
 import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
-import { isInShard } from './shard';
+import { isInShard } from '../shard';
+import { every } from '../threads';
 import { findHandIns } from './sources';
 import { howToTake, withTaken } from './take';
 import words from './words';
@@ -42,7 +42,7 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
   const found = classResult(checked.name, checked.results, options.lang);
-  const problems = writeReports(found, checked, options);
+  const problems = writeAll(found, checked, options);
   const [passed, of] = [passedOf(found), found.handIns.length];
   if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
   else if (!options.quiet) {
@@ -54,11 +54,6 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   if (!options.quiet) for (const text of notes) terminal.message(`parcours: ${text}`);
   for (const problem of problems) refuse(problem, terminal);
   return problems.length > 0 ? 2 : passed === of ? 0 : 3;
-}
-
-function refuse(problem: string, terminal: Terminal): 2 {
-  terminal.message(`parcours: ${problem}`);
-  return 2;
 }
 
 /** The output files that the options name. */
@@ -122,34 +117,22 @@ async function runAll(
   return { ...read, results };
 }
 
-/** Shows the progress: on a terminal in one line that is replaced, elsewhere now and then. */
+/** Shows the progress of hand-ins, and how many of them have passed. */
 export class Progress {
-  private done = 0;
+  private readonly count: CountProgress;
   private passed = 0;
-  private toldMs = performance.now();
 
-  constructor(
-    private readonly terminal: Terminal,
-    private readonly of: number,
-    private readonly isQuiet: boolean,
-    private readonly language: Language,
-  ) {}
+  constructor(terminal: Terminal, of: number, isQuiet: boolean, language: Language) {
+    this.count = new CountProgress(terminal, of, isQuiet, (done) =>
+      filledIn(words.progress[language], { done, of, passed: this.passed }),
+    );
+  }
 
   add({ passed }: CheckResult): void {
-    this.done += 1;
     if (passed) this.passed += 1;
-    const { done, of } = this;
-    const text = filledIn(words.progress[this.language], { done, of, passed: this.passed });
-    if (!this.isQuiet) this.terminal.count(done / of, text);
-    const nowMs = performance.now();
-    if (this.isQuiet || this.terminal.showsProgress || nowMs - this.toldMs < TELL_MS) return;
-    this.toldMs = nowMs;
-    this.terminal.message(text);
+    this.count.add(1);
   }
 }
-
-/** Chosen: a log of ten thousand hand-ins stays readable. */
-const TELL_MS = 10_000;
 
 interface Running {
   readonly jobs: number;
@@ -186,12 +169,6 @@ async function equalIn(task: ClassTask, start: StartThread, language: Language):
   return equalTexts(equalWorlds(task, result), language);
 }
 
-/** Calls something every so many ms. @returns a function that ends this */
-function every(ms: number, act: () => void): () => void {
-  const timer = setInterval(act, ms);
-  return () => clearInterval(timer);
-}
-
 const withoutWays = (result: CheckResult): CheckResult => ({
   ...result,
   worlds: result.worlds.map((world) => ({ ...world, trail: [], trailMs: [] })),
@@ -208,24 +185,16 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
 }
 
 /** Writes all that can be written. @returns the problems with the others */
-function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): readonly string[] {
+function writeAll(found: ClassResult, named: NamedTask, options: CheckOptions): readonly string[] {
   const { task } = named;
   const { report, junit, csv, table, lang } = options;
-  const files = [
+  return writeReports([
     ['--report', report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
     ['--junit', junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     ['--csv', csv, () => `\ufeff${csvOf(found, lang)}`],
     ['--table', table, () => tableOf(found, task, lang)],
-  ] as const;
-  return files.flatMap(([option, path, textOf]) => {
-    try {
-      if (path !== null) writeOutput(path, textOf());
-      return [];
-    } catch (error) {
-      return [`${option}: ${path ?? ''}: ${reasonOf(error)}`];
-    }
-  });
+  ]);
 }
 
 function lineOf({ name, shown = name, result }: NamedResult, { lang }: CheckOptions): string {

@@ -1,9 +1,11 @@
 /** A thread that checks one hand-in after the other. */
-import { parentPort, workerData } from 'node:worker_threads';
+import { workerData } from 'node:worker_threads';
 import { check } from '#check/check';
-import type { CheckAnswer, CheckRequest } from '#check/lane';
+import type { CheckRequest } from '#check/lane';
 import { taskOf } from '#check/task/read-task';
-import { BEAT, WORLD, type CheckerData } from './pool-messages';
+import { answering } from '../answering';
+import { BEAT, WORLD } from '../threads';
+import type { CheckerData } from './pool-messages';
 
 const { task: project, firmware, starts, shared } = workerData as CheckerData;
 const read = taskOf(project);
@@ -15,12 +17,7 @@ const beat = (world: number): void => {
   Atomics.add(shared, BEAT, 1);
 };
 
-parentPort?.on('message', ({ handIn, lost }: CheckRequest) => {
-  check(task, handIn, { firmware, beat, starts, ...(lost !== undefined && { lost }) }).then(
-    (result) => parentPort?.postMessage({ result } satisfies CheckAnswer),
-    (error: unknown) => {
-      const broken = error instanceof Error ? (error.stack ?? error.message) : String(error);
-      parentPort?.postMessage({ broken } satisfies CheckAnswer);
-    },
-  );
+answering((request) => {
+  const { handIn, lost } = request as CheckRequest;
+  return check(task, handIn, { firmware, beat, starts, ...(lost !== undefined && { lost }) });
 });

@@ -10,6 +10,7 @@ import { nearest } from './nearest';
 const least: Readonly<Record<CommandName, readonly string[]>> = {
   run: ['main.py'],
   check: ['closed-line', 'class/'],
+  sweep: ['main.py', '--vary', 'seed=1..3/1'],
   'class add': ['8b.json', 'closed-line', 'class/'],
   'class set': ['8b.json'],
   'class merge': ['8b.json', 'copy.json'],

@@ -2,6 +2,7 @@ import { checkAbout } from '../check/check-arguments';
 import { classAddAbout, classMergeAbout, classReportAbout, classSetAbout } from '../class/class-arguments';
 import { convertAbout } from '../convert/convert-arguments';
 import { probeCompareAbout } from '../probe/probe-arguments';
+import { sweepAbout } from '../lab/sweep-arguments';
 import { replayAbout } from '../replay/replay-arguments';
 import { runAbout } from '../run-arguments';
 import type { CommandAbout, Options } from './about';
@@ -13,6 +14,7 @@ import { completionAbout, helpAbout } from './help-arguments';
 export const commands = {
   run: runAbout,
   check: checkAbout,
+  sweep: sweepAbout,
   'class add': classAddAbout,
   'class set': classSetAbout,
   'class merge': classMergeAbout,

@@ -29,3 +29,20 @@ export function jobsOf(text: string | null): { readonly jobs: number } | Problem
     ? { jobs }
     : { problem: `--jobs: "${text ?? ''}" is not a whole number from 1 to ${MOST_JOBS}.` };
 }
+
+export const shardOption = {
+  value: 'I/N',
+  help: '2/7: the second of seven parts; auto: the part of this job of Slurm, Kubernetes (auto/7), GitLab, CircleCI or Buildkite',
+} as const satisfies OptionAbout;
+
+export const resumeOption = {
+  value: 'DIR',
+  path: 'folder',
+  help: 'keeps each result in DIR, and runs only what is missing there',
+} as const satisfies OptionAbout;
+
+export const mergeOption = {
+  value: 'DIR',
+  path: 'folder',
+  help: 'runs nothing: joins what is in DIR',
+} as const satisfies OptionAbout;

@@ -1,10 +1,10 @@
-/** A part of the work: every `of`-th hand-in, beginning with the `place`-th, 1 … `of`. */
+/** A part of the work: every `of`-th piece, beginning with the `place`-th, 1 … `of`. */
 export interface Shard {
   readonly place: number;
   readonly of: number;
 }
 
-/** The only part: all hand-ins. */
+/** The only part: all of it. */
 const WHOLE: Shard = { place: 1, of: 1 };
 
 /** Chosen: more parts than hand-ins in the largest course of a university. */

@@ -1,0 +1,126 @@
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { isRecord } from '#core/record';
+import type { RunEnd } from '#lab/run-end';
+import type { Sweep } from '#lab/sweep';
+import type { SweepRun } from '#lab/sweep-texts';
+import type { Value } from '#lab/what';
+import type { RunSetup } from '#simulation/run-setup';
+import { version } from '../../../package.json';
+import { reasonOf } from '../reason-of';
+import { replaceFile } from '../write-output';
+
+type Problem = { readonly problem: string };
+
+/** The description of the sweep, and the folder of its runs, one file each. */
+const [SWEEP, RUNS] = ['sweep.json', 'runs'];
+
+/** What varies in the runs of a folder. */
+export interface FolderSweep {
+  /** Name of the program. */
+  readonly name: string;
+  readonly varied: readonly { readonly name: string; readonly values: readonly Value[] }[];
+  readonly count: number;
+  /** Hash of everything on which the runs depend. */
+  readonly key: string;
+}
+
+/** Describes a sweep for its folder. */
+export function folderSweep(name: string, { varied, count }: Sweep, setup: RunSetup, end: RunEnd): FolderSweep {
+  const names = varied.map((one) => ({ name: one.name, values: one.values }));
+  const text = JSON.stringify([version, names, varied.map(({ what }) => what), setup, end]);
+  return { name, varied: names, count, key: createHash('sha256').update(text).digest('hex') };
+}
+
+/** A folder with a file for each run. Several processes may write into it: each file is written whole, or not at all. */
+export class RunsFolder {
+  private constructor(
+    private readonly path: string,
+    readonly sweep: FolderSweep,
+  ) {}
+
+  /** Opens a folder for the runs of a sweep; makes it if it does not exist. */
+  static open(path: string, sweep: FolderSweep): RunsFolder | Problem {
+    try {
+      mkdirSync(join(path, RUNS), { recursive: true });
+      const here = join(path, SWEEP);
+      const kept = existsSync(here) ? readSweepFile(here) : sweep;
+      if (kept?.key !== sweep.key)
+        return { problem: `${path}: holds the runs of another sweep. Choose another folder.` };
+      replaceFile(here, `${JSON.stringify(sweep)}\n`);
+      return new RunsFolder(path, sweep);
+    } catch (error) {
+      return { problem: `${path}: ${reasonOf(error)}` };
+    }
+  }
+
+  /** The runs of a folder, those of all shards. */
+  static read(path: string): RunsFolder | Problem {
+    try {
+      if (!statSync(path).isDirectory()) return { problem: `${path}: is no folder.` };
+      const sweep = readSweepFile(join(path, SWEEP));
+      return sweep === null ? { problem: `${path}: ${SWEEP} is damaged.` } : new RunsFolder(path, sweep);
+    } catch (error) {
+      return { problem: `${path}: is no folder of runs: ${reasonOf(error)}` };
+    }
+  }
+
+  /** The file with the description, which is rewritten. */
+  static readonly sweepIn = (path: string): string => join(path, SWEEP);
+
+  /** All its files. */
+  files(): readonly string[] {
+    const runs = join(this.path, RUNS);
+    const kept = existsSync(runs) ? readdirSync(runs).map((name) => join(runs, name)) : [];
+    return [join(this.path, SWEEP), ...kept];
+  }
+
+  /** The run at a place, if it is stored; a damaged one, or one of another sweep, counts as missing. */
+  find(place: number): SweepRun | null {
+    try {
+      const kept: unknown = JSON.parse(readFileSync(this.fileOf(place), 'utf8'));
+      return isKept(kept) && kept.key === this.sweep.key ? kept.run : null;
+    } catch {
+      return null;
+    }
+  }
+
+  keep(place: number, run: SweepRun): void {
+    replaceFile(this.fileOf(place), `${JSON.stringify({ key: this.sweep.key, run } satisfies Kept)}\n`);
+  }
+
+  private fileOf(place: number): string {
+    return join(this.path, RUNS, `${String(place + 1).padStart(6, '0')}.json`);
+  }
+}
+
+/** The file of a run. */
+interface Kept {
+  readonly key: string;
+  readonly run: SweepRun;
+}
+
+const isKept = (value: unknown): value is Kept =>
+  isRecord(value) &&
+  typeof value['key'] === 'string' &&
+  isRecord(value['run']) &&
+  Array.isArray(value['run']['values']);
+
+function readSweepFile(path: string): FolderSweep | null {
+  const text = readFileSync(path, 'utf8');
+  try {
+    const value: unknown = JSON.parse(text);
+    return isSweep(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+const isSweep = (value: unknown): value is FolderSweep =>
+  isRecord(value) &&
+  typeof value['name'] === 'string' &&
+  typeof value['key'] === 'string' &&
+  Number.isInteger(value['count']) &&
+  Array.isArray(value['varied']) &&
+  value['varied'].every((one) => isRecord(one) && typeof one['name'] === 'string' && Array.isArray(one['values']));

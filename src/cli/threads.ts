@@ -1,0 +1,51 @@
+import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
+import type { Answer, Every, Start } from '#check/lane';
+import { STACK_MB } from './supervise';
+
+/** JavaScript's memory of a thread. Chosen: many times what a run takes; beyond it only the thread ends. */
+const HEAP_MB = 512;
+
+/** Index of the shared word that a thread counts up while time passes. */
+export const BEAT = 0;
+
+/** Index of the shared word that holds the place of the world that is being run. */
+export const WORLD = 1;
+
+/** Shared words, see `BEAT` and `WORLD`, as a part of a thread's initial data. */
+export interface SharedWords {
+  readonly shared: Int32Array;
+}
+
+/**
+ * Starts threads of Node that answer one request after the other.
+ *
+ * @param script name of their script beside the command line's
+ * @param dataFor the initial data of one, besides the shared words
+ */
+export const threads =
+  <Request, Result>(script: string, dataFor: () => object): Start<Request, Result> =>
+  (heard) => {
+    const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
+    const worker = new Worker(fileURLToPath(new URL(`./${script}.mjs`, import.meta.url)), {
+      workerData: { ...dataFor(), shared },
+      resourceLimits: { stackSizeMb: STACK_MB, maxOldGenerationSizeMb: HEAP_MB },
+    });
+    worker.on('message', (answer: Answer<Result>) => heard(answer));
+    worker.on('error', (error: Error) => heard({ broken: error.message }));
+    worker.on('exit', () => heard({ broken: 'The thread has ended.' }));
+    return {
+      ask: (request) => {
+        Atomics.store(shared, WORLD, 0);
+        worker.postMessage(request);
+      },
+      pulse: () => ({ beat: Atomics.load(shared, BEAT), world: Atomics.load(shared, WORLD) }),
+      stop: () => void worker.terminate(),
+    };
+  };
+
+/** Calls something every so many ms. @returns a function that ends this */
+export const every: Every = (ms, act) => {
+  const timer = setInterval(act, ms);
+  return () => clearInterval(timer);
+};
