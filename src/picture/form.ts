@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { lastMadeOf } from '#core/memo';
 import { distanceToEdge, lengthOf, type Outline } from '#scene/outline';
+import type { PaintColor, Painted } from '#scene/paint';
 import type { Point, Shaped } from '#scene/scene';
 import { outlineHolds, ownOutline } from '#scene/shape/shape';
 
@@ -11,11 +12,19 @@ export interface Form {
   readonly sizeMm: Vec;
   readonly round?: boolean | undefined;
   readonly corners?: readonly Point[] | undefined;
+  /** Left out: without a colour of its own. */
+  readonly color?: PaintColor | undefined;
 }
 
 /** The form of an object. */
-export const formOf = ({ size, round, corners }: Pick<Shaped, 'size' | 'round' | 'corners'>): Form => ({
+export const formOf = ({
+  size,
+  round,
+  corners,
+  color,
+}: Pick<Shaped, 'size' | 'round' | 'corners'> & Painted): Form => ({
   ...{ sizeMm: { x: size[0], y: size[1] }, round, corners },
+  ...(color && { color }),
 });
 
 /** The outline of a form as it is drawn, y down; that of an ellipse has straight pieces. */

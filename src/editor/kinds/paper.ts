@@ -18,8 +18,8 @@ export const paper: EditorKind<Paper> = {
     ...boxFields(paper),
   ],
   // Chosen: a robot's colour sensor finds it, and a block lies in it with room to spare.
-  made: (id, at, _scene, { zoneShape }) => ({
-    ...{ type: 'paper', id, at, size: [110, 110], angle: 0, color: 'green' },
+  made: (id, at, _scene, { zoneShape, penColor }) => ({
+    ...{ type: 'paper', id, at, size: [110, 110], angle: 0, color: penColor },
     ...bodyShape(zoneShape),
   }),
 };

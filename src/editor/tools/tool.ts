@@ -82,7 +82,7 @@ export interface ToolOptions {
   readonly wallSnaps: boolean;
   /** Side of a cell of the maze's grid in mm. */
   readonly mazeCell: number;
-  readonly zone: Zone['type'];
+  readonly zone: Zone['type'] | 'paper';
   readonly zoneShape: ShapeName;
   /** Blocks that a new target wants; 0: the robot. */
   readonly zoneBlocks: number;

@@ -1,6 +1,8 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block } from '#scene/scene';
 
+import { paints } from '../paints';
+import type { PaintColor } from '#scene/paint';
 import { formOf, signRoomIn, geometryOf, stripes, type Form } from '../form';
 import type { Look } from '../look';
 import { circle, group, type Geometry, type Shape } from '../shapes';
@@ -11,6 +13,16 @@ export const block: PictureKind<Block> = {
   body: (block, look) => [group(block.at, movableShapes(formOf(block), look), block.angle)],
   shade: (block, fill) => group(block.at, [{ ...movableOutline(formOf(block)), fill }], block.angle),
   frame: boxFrame,
+};
+
+/** A block with a colour: its sign and frame are in a dark ink of the same hue. */
+const paintedBody = (color: PaintColor) => {
+  const { fill, ink } = paints[color];
+  return { movable: fill, movableLight: fill, movableInk: ink };
+};
+const paintedFixed = (color: PaintColor) => {
+  const { fill, ink } = paints[color];
+  return { fixed: fill, fixedEdge: ink, fixedInk: ink };
 };
 
 /** Blocks that stand fast. */
@@ -29,7 +41,7 @@ export const movableOutline = (form: Form): Geometry => geometryOf(form, 0, Math
 
 /** A block that can be pushed, about its middle: light, a thick frame, four arrows. */
 export function movableShapes(form: Form, look: Look): readonly Shape[] {
-  const { movable, movableLight, movableInk } = look.colors;
+  const { movable, movableLight, movableInk } = form.color === undefined ? look.colors : paintedBody(form.color);
   const { at, acrossMm: short } = signRoomIn(form);
   const radius = Math.min(5, short / 6);
   return [
@@ -58,7 +70,7 @@ const fixedOutline = (form: Form): Geometry => geometryOf(form, 0, Math.min(3, s
 
 /** Dark, diagonal stripes, a lock. */
 function fixedShapes(form: Form, look: Look): readonly Shape[] {
-  const { fixed, fixedEdge, fixedInk } = look.colors;
+  const { fixed, fixedEdge, fixedInk } = form.color === undefined ? look.colors : paintedFixed(form.color);
   const { at, acrossMm: short } = signRoomIn(form);
   const frame = Math.min(3, short * 0.08);
   const wide = Math.max(9, 5 * look.px);

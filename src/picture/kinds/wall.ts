@@ -3,7 +3,9 @@ import { exactAtan2 } from '#core/exact-math';
 import { lengthOf } from '#scene/outline';
 import type { Point, SceneObject, Wall } from '#scene/scene';
 
+import type { PaintColor } from '#scene/paint';
 import type { Look } from '../look';
+import { paints } from '../paints';
 import { circle, group, type Geometry, type Shape } from '../shapes';
 import type { PictureKind } from './kind';
 
@@ -34,7 +36,14 @@ const wallShape = ({ from, to, thickness }: Wall, round: number): Geometry => ({
   size: [lengthOf(to[0] - from[0], to[1] - from[1]), thickness],
 });
 
-function bricks(wall: Wall, { colors, px, leastLineMm = 0 }: Look): readonly Shape[] {
+const paintedBricks = (color: PaintColor) => {
+  const { fill, ink } = paints[color];
+  return { wall: fill, wallLight: fill, wallInk: ink };
+};
+
+function bricks(wall: Wall, look: Look): readonly Shape[] {
+  const { px, leastLineMm = 0 } = look;
+  const colors = wall.color === undefined ? look.colors : paintedBricks(wall.color);
   const thickness = Math.max(wall.thickness, leastLineMm);
   const outline = wallShape({ ...wall, thickness }, Math.min(1.6, thickness / 4));
   const body: Shape = { ...outline, fill: colors.wall };

@@ -4,6 +4,7 @@ import type { Point, Zone } from '#scene/scene';
 
 import { formOf, signRoomIn, geometryOf, stripes } from '../form';
 import type { Look } from '../look';
+import { paints } from '../paints';
 import { circle, group, rect, written, type Geometry, type Shape } from '../shapes';
 import { boxFrame, type PictureKind } from './kind';
 import { CAPITAL } from './label';
@@ -24,9 +25,12 @@ const ROWS = 2;
 function groundShapes(zone: Zone, look: Look): readonly Shape[] {
   const [width, height] = zone.size;
   const line = Math.max(1.5 * look.px, Math.min(3, Math.min(width, height) / 12));
-  const color = look.colors[zone.type];
+  const paint = zone.color && paints[zone.color];
+  const color = paint?.ink ?? look.colors[zone.type];
   return [
-    { ...outline(zone, 0), fill: look.colors[`${zone.type}Fill`] },
+    paint
+      ? { ...outline(zone, 0), fill: paint.fill, opacity: 0.85 }
+      : { ...outline(zone, 0), fill: look.colors[`${zone.type}Fill`] },
     ...(zone.type === 'forbidden' ? [hatch(zone, look)] : []),
     ...(zone.type === 'target' ? chequers(zone, color) : []),
     {

@@ -10,6 +10,7 @@ import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../../session/work/settings/light-wish';
 import type { ArenaOptions, ArenaRobot, RobotLook } from '../model/arena-model';
 import { centreBox, drawCentre } from '../robot/draw-centre';
+import { colourBoxes, drawColours } from '../robot/draw-colour';
 import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
 import { attachmentFrontMm } from '../robot/draw-attachments';
 import { floorPx, sightPx } from '../picture/draw-floor';
@@ -90,6 +91,7 @@ export function createOverlays(): Overlays {
       const centre = options.centre && !robot.held ? turns.centre() : null;
       const spots = options.spots ? robot.now.state.lineSensors : [];
       const hitMm = options.cone ? robot.now.state.ultrasonic?.hitMm : null;
+      const colours = options.cone && !robot.held ? (robot.now.state.colours ?? []) : [];
       const sight = sightPx(view, parts.arena, canvas);
       const fan = fanPicture(parts, robot, sight);
       const cone = conePicture(parts, robot);
@@ -106,6 +108,7 @@ export function createOverlays(): Overlays {
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
           ...(fan?.boxes ?? []),
           ...(cone?.boxes ?? []),
+          ...colourBoxes(colours, view),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
           ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, labels)),
           ...chains.map(({ atMm, reachMm }) => boxAround(toPx(view, atMm), reachMm * view.pxPerMm)),
@@ -124,6 +127,7 @@ export function createOverlays(): Overlays {
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
           fan?.over(context);
           cone?.over(context);
+          drawColours(context, colours, view, canvas, palette);
         },
       };
     },
