@@ -19,6 +19,7 @@ export const layers = {
   catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python', 'advice', 'picture'],
   lab: ['core', 'robots', 'scene', 'simulation', 'python', 'check'],
+  hint: ['core', 'scene', 'project', 'simulation', 'python', 'check'],
   'school-class': ['core', 'scene', 'check'],
   intake: [
     'core',
@@ -42,7 +43,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'lab', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
+    'check', 'lab', 'hint', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',

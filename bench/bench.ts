@@ -37,6 +37,7 @@ const pageSubjects = [
 ];
 
 export { apiCalls } from './api-calls';
+export { hintLine, hintRows, hintSums } from './hints';
 
 /** The lines that need no browser and have `words` in their names. Runs in the project's folder after set-up. */
 export const headlessRows = (words: string): AsyncGenerator<Row> =>

@@ -1,6 +1,7 @@
 // npm run bench: prints every budget with its figure (docs/architecture.md, "Budgets"). A missed budget is marked and fails nothing.
 // With `-- --long` the page drives its ten minutes as people see them, not as fast as it can. With `-- --calls` it only
-// tells how fast a loop with each API call runs, the slowest first. With `-- --only WORDS` it measures what has these words
+// tells how fast a loop with each API call runs, the slowest first. With `-- --hints` it asks for a hint to a hundred faulty
+// programs, or to those of a course or kind (`-- --hints square`). With `-- --only WORDS` it measures what has these words
 // in its name, as in `-- --only memory`.
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -36,6 +37,15 @@ async function printCalls(bench) {
   for (const { call, factor } of calls) process.stdout.write(`${call.padEnd(50)} ${factor.toFixed(1)} x\n`);
 }
 
+async function printHints(bench, words) {
+  const rows = [];
+  for await (const row of bench.hintRows(words)) {
+    rows.push(row);
+    process.stdout.write(`${bench.hintLine(row)}\n`);
+  }
+  for (const line of bench.hintSums(rows)) process.stdout.write(`${line}\n`);
+}
+
 /** The lines about the page, from the built app in headless Chromium. */
 async function printPage(bench, { long, words }) {
   const [{ env, missing }] = engines();
@@ -66,6 +76,7 @@ await main(import.meta.url, async (args) => {
     `Load (means of 1, 5 and 15 min): ${load()}. Headless: the best of 3; page: the median of 3, Chromium on the same machine.`,
   );
   if (args.includes('--calls')) return printCalls(bench);
+  if (args.includes('--hints')) return printHints(bench, args[args.indexOf('--hints') + 1] ?? '');
   const words = args.includes('--only') ? (args[args.indexOf('--only') + 1] ?? '') : '';
   print({ what: 'what', figure: 'figure', budget: 'budget', met: null });
   for await (const row of bench.headlessRows(words)) print(row);

@@ -40,6 +40,8 @@ async function carryOut(asked: Asked): Promise<number> {
       return (await import('./check/check-command')).checkHandIns(asked.options, terminal(asked.options.quiet));
     case 'sweep':
       return (await import('./lab/sweep-command')).sweep(asked.options, terminal(asked.options.quiet));
+    case 'hint':
+      return (await import('./hint/hint-command')).giveHint(asked.options, terminal());
     case 'class add':
     case 'class set':
     case 'class merge':

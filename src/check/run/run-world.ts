@@ -19,10 +19,25 @@ import type { RunCheck } from './watchers';
 const SLICE_US = 100_000;
 
 /** Limits of a run's duration. */
-interface Course {
+interface Course extends Pick<Runner, 'beat' | 'onlooker'> {
   readonly limitUs: number;
   readonly stillUs: number;
+}
+
+/** Looks at a run from outside. */
+export interface Onlooker {
+  /** Called at the beginning and after each step of the world. */
+  look(run: Simulation): void;
+  /** True once it does not want to see more: the run then ends undecided. */
+  readonly hasEnough: boolean;
+}
+
+/** The means for a run. */
+export interface Runner {
+  readonly firmware: WebAssembly.Module;
   readonly beat: () => void;
+  /** Left out: nobody looks. */
+  readonly onlooker?: Onlooker;
 }
 
 /** Runs a hand-in in one of the task's worlds, until the checks are decided or the time is over. */
@@ -30,7 +45,7 @@ export async function runWorld(
   task: ClassTask,
   handedIn: Project,
   world: WorldVariant,
-  { firmware, beat }: { readonly firmware: WebAssembly.Module; readonly beat: () => void },
+  { firmware, beat, onlooker }: Runner,
 ): Promise<WorldResult> {
   const setup = setupOf(task, handedIn, world);
   if ('problem' in setup) return notRun(task, world, { code: 'refused', params: { problem: setup.problem } });
@@ -45,14 +60,16 @@ export async function runWorld(
   const simulation = await Simulation.create(setup, firmware, {
     ...judging.outlets(nowUs),
     step: () => {
-      if (running !== null) judging.step(running);
+      if (running === null) return;
+      judging.step(running);
+      if (!judging.isDone) onlooker?.look(running);
     },
     trail: (point, device) => {
       if (device === 0 && !judging.isDone) trail.add(point, nowUs());
     },
   });
   running = simulation;
-  runToEnd(simulation, judging, { limitUs, stillUs: stillUs(checks), beat });
+  runToEnd(simulation, judging, { limitUs, stillUs: stillUs(checks), beat, ...(onlooker && { onlooker }) });
   const { id, hidden } = world;
   judging.end(simulation);
   const { hasMoved } = judging;
@@ -92,10 +109,11 @@ function limitOf({ seconds }: ClassTask, { scene }: RunSetup): number {
 }
 
 /** Lets the run go on until it is decided, its time is over, or nothing more can happen. */
-function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, beat }: Course): void {
+function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, beat, onlooker }: Course): void {
   const isStill = stillness(simulation, stillUs);
   for (;;) {
-    if (judging.isDone || simulation.nowUs >= limitUs || simulation.isOff || isStill()) return;
+    if (judging.isDone || onlooker?.hasEnough === true) return;
+    if (simulation.nowUs >= limitUs || simulation.isOff || isStill()) return;
     simulation.advanceTo(Math.min(limitUs, simulation.nowUs - (simulation.nowUs % SLICE_US) + SLICE_US));
     beat();
   }

@@ -11,6 +11,7 @@ const least: Readonly<Record<CommandName, readonly string[]>> = {
   run: ['main.py'],
   check: ['closed-line', 'class/'],
   sweep: ['main.py', '--vary', 'seed=1..3/1'],
+  hint: ['closed-line', 'main.py'],
   'class add': ['8b.json', 'closed-line', 'class/'],
   'class set': ['8b.json'],
   'class merge': ['8b.json', 'copy.json'],
@@ -40,6 +41,7 @@ function sampleOf({ value = '', choices }: OptionAbout): string {
     N: '201',
     NUMBER: '1',
     'I/N': '2/7',
+    '1|2|3|4': '3',
     'FILE:LINE': 'main.py:3',
   };
   if (choices !== undefined) return valuesOf(choices, listsWith(['slalom'])).find((one) => one !== 'en') ?? '';

@@ -1,6 +1,7 @@
 import { checkAbout } from '../check/check-arguments';
 import { classAddAbout, classMergeAbout, classReportAbout, classSetAbout } from '../class/class-arguments';
 import { convertAbout } from '../convert/convert-arguments';
+import { hintAbout } from '../hint/hint-arguments';
 import { probeCompareAbout } from '../probe/probe-arguments';
 import { sweepAbout } from '../lab/sweep-arguments';
 import { replayAbout } from '../replay/replay-arguments';
@@ -15,6 +16,7 @@ export const commands = {
   run: runAbout,
   check: checkAbout,
   sweep: sweepAbout,
+  hint: hintAbout,
   'class add': classAddAbout,
   'class set': classSetAbout,
   'class merge': classMergeAbout,

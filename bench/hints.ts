@@ -1,0 +1,70 @@
+import { readFileSync } from 'node:fs';
+import { handInOfFiles } from '#check/hand-in/read-hand-in';
+import { taskOf } from '#check/task/read-task';
+import type { ClassTask } from '#check/task/task';
+import { check } from '#check/check';
+import { hintKinds } from '#hint/changes/change';
+import { withChange } from '#hint/changes/change';
+import { hintFor, USUAL_BUDGET, type Hint } from '#hint/hint';
+import { hintText } from '#hint/say';
+import { corpus, faulty, type Fault } from '#hint/testing/corpus';
+import { readyProject } from '../src/cli/ready-courses';
+
+/** The hint to a faulty program. */
+export interface HintRow {
+  readonly fault: Fault;
+  readonly hint: Hint | null;
+  readonly line: number;
+  readonly cpuS: number;
+  readonly text: string;
+}
+
+function taskNamed(course: string): ClassTask {
+  const project = readyProject(course);
+  const read = project === null ? { problem: `no course "${course}"` } : taskOf(project);
+  if ('problem' in read) throw new Error(read.problem);
+  return read.task;
+}
+
+/** Asks for a hint to each faulty program with these words in its course or kind. */
+export async function* hintRows(words: string): AsyncGenerator<HintRow> {
+  const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
+  for (const fault of corpus) {
+    if (!`${fault.course} ${fault.kind}`.includes(words)) continue;
+    const { text, line } = faulty(readFileSync(`courses/${fault.course}/main.py`, 'utf8'), fault);
+    const task = taskNamed(fault.course);
+    const handIn = handInOfFiles([{ name: 'main.py', text }]);
+    const start = process.cpuUsage();
+    const hint = await hintFor(task, handIn, { firmware, budget: USUAL_BUDGET });
+    const { user, system } = process.cpuUsage(start);
+    if (hint?.change) {
+      const mended = handInOfFiles([{ name: 'main.py', text: withChange(text, hint.change) }]);
+      if (!(await check(task, mended, { firmware })).passed) throw new Error('A hint does not hold.');
+    }
+    yield { fault, hint, line, cpuS: (user + system) / 1e6, text: hint === null ? '' : hintText(hint, 3, 'de') };
+  }
+}
+
+/** A row as a line: the fault, the change that was found, tries and CPU seconds, what a pupil reads at level 3. */
+export function hintLine({ fault, hint, line, cpuS, text }: HintRow): string {
+  const head = `${fault.course} ${fault.kind} line ${line}`;
+  if (hint === null) return `${head}: passes, it is no fault`;
+  const { change, tried } = hint;
+  const found = change === null ? 'nothing' : `${change.kind} line ${change.line} ${JSON.stringify(change.after)}`;
+  return `${head}: ${found}, ${tried} tries, ${cpuS.toFixed(1)} s | ${text}`;
+}
+
+/** A table of kinds: how many of them were found, and how long it took. */
+export function hintSums(rows: readonly HintRow[]): readonly string[] {
+  const faulty = rows.filter(({ hint }) => hint !== null);
+  const sum = (name: string, some: readonly HintRow[]): string => {
+    const found = some.filter(({ hint, cpuS }) => hint?.change && cpuS <= 20);
+    const same = found.filter(({ hint, fault }) => hint?.change?.kind === fault.kind);
+    const there = found.filter(({ hint, line }) => Math.abs((hint?.change?.line ?? 0) - line) <= 1);
+    const seconds = some.map(({ cpuS }) => cpuS).sort((one, other) => one - other);
+    const [middle, most] = [seconds[seconds.length >> 1] ?? 0, seconds.at(-1) ?? 0];
+    return `${name.padEnd(12)} found ${found.length}/${some.length}, of its kind ${same.length}, in its line ${there.length}, CPU median ${middle.toFixed(1)} s, most ${most.toFixed(1)} s`;
+  };
+  const kinds = hintKinds.map((kind) => sum(kind, faulty.filter(({ fault }) => fault.kind === kind))); // prettier-ignore
+  return [...kinds, sum('all', faulty)];
+}

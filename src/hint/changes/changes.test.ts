@@ -1,0 +1,121 @@
+import { describe, expect, it } from 'vitest';
+import { linesToSee, withChange, type Change } from './change';
+import { extraChanges, indentChanges, orderChanges } from './lines';
+import { elseChanges, missingChanges } from './missing';
+import { nameChanges, oppositesOf } from './names';
+import { between, coarseValues, numbersOf } from './numbers';
+import { readProgram, type Program } from './program';
+import { comparisonChanges, logicChanges, polarityChanges } from './signs';
+
+/** The changed lines, each change as one text. */
+const made = (make: (program: Program) => readonly Change[], text: string): readonly string[] =>
+  make(readProgram(text)).map(({ after }) => after.join('\n'));
+
+describe('a change', () => {
+  const text = 'a()\nb()\n';
+
+  it('stands before its line if it is an insertion, also at the end of the program', () => {
+    const insertion = { kind: 'missing', before: [], after: ['c()'], direction: null } as const;
+    expect(withChange(text, { ...insertion, line: 2 })).toBe('a()\nc()\nb()\n');
+    expect(withChange(text, { ...insertion, line: 3 })).toBe('a()\nb()\nc()\n');
+    expect(linesToSee({ ...insertion, line: 2 }, text)).toEqual([1, 2]);
+    expect(linesToSee({ ...insertion, line: 3 }, text)).toEqual([2]);
+  });
+
+  it('takes lines away and puts others there', () => {
+    const change = { kind: 'order', line: 1, before: ['a()', 'b()'], after: ['b()', 'a()'], direction: null } as const;
+    expect(withChange('a()\r\nb()\r\n', change)).toBe('b()\na()\n');
+  });
+});
+
+describe('the numbers of a program', () => {
+  const values = (text: string): readonly number[] => numbersOf(readProgram(text)).map(({ value }) => value);
+
+  it('are those of the syntax tree, not those in texts, comments and names', () => {
+    expect(values('x1 = "5" + f"{6}" # 7\ndelay(0x10, 1_000, 1e3, 0.5)\n')).toEqual([16, 1000, 1000, 0.5]);
+  });
+
+  it('have a minus only where an operand begins', () => {
+    expect(values('motL.rotate(-60)\nmotR.rotate(base-400)\n')).toEqual([-60, 400]);
+  });
+
+  it('become greater or less, whole ones whole ones', () => {
+    const [place] = numbersOf(readProgram('delay(650)  # turn\n'));
+    expect(place?.to(910)).toMatchObject({ after: ['delay(910)  # turn'], direction: 'more', line: 1 });
+    expect(place?.to(650)).toBeNull();
+    expect(coarseValues(place!).slice(0, 4)).toEqual([1300, 325, 910, 455]);
+  });
+
+  it('that count something go up and down by one first', () => {
+    const [, place] = numbersOf(readProgram('x = 100\nfor i in range(3):\n    pass\n'));
+    expect(coarseValues(place!).slice(0, 2)).toEqual([4, 2]);
+  });
+
+  it('are halved where the run got farthest', () => {
+    const [place] = numbersOf(readProgram('delay(100)\n'));
+    const tried = [100, 140, 200].map((value) => ({ value, score: value === 140 ? 5 : 1 }));
+    expect(between(place!, tried).map(({ value }) => value)).toEqual([170, 120]);
+  });
+});
+
+describe('names', () => {
+  it.each([
+    ['left', ['right']],
+    ['irLeft', ['irRight']],
+    ['motL', ['motR']],
+    ['irL2', ['irR2']],
+    ['turn_left', ['turn_right']],
+    ['CLOSED', ['OPEN']],
+    ['l', []],
+    ['delay', []],
+  ])('%s has the opposites %j', (name, opposites) => expect(oppositesOf(name)).toEqual(opposites));
+
+  it('are exchanged for opposites, for slips of the pen and for other constants where they are used', () => {
+    const changes = made(nameChanges, 'NEAR = 3\nWIDE = 4\nfoward()\nleft()\ndelay(NEAR)\n');
+    expect(changes).toContain('forward()');
+    expect(changes).toContain('right()');
+    expect(changes).toContain('delay(WIDE)');
+  });
+});
+
+describe('signs', () => {
+  it('of comparisons have their opposite first', () =>
+    expect(made(comparisonChanges, 'if a < 3:\n    b()\n')).toEqual(['if a > 3:', 'if a >= 3:', 'if a <= 3:']));
+
+  it('0 and 1 that something is compared with are exchanged, one after the other, then together', () => {
+    expect(made(polarityChanges, 'if l() == 0 and r() == 0:\n    delay(1)\n')).toEqual([
+      ...['if l() == 1 and r() == 0:', 'if l() == 0 and r() == 1:', 'if l() == 1 and r() == 1:'],
+    ]);
+  });
+
+  it('and, or, not and True are exchanged', () => {
+    const changes = made(logicChanges, 'while not a:\n    if b and c:\n        d = True\n');
+    for (const one of ['while a:', '    if b or c:', '    if not b and c:', '        d = False'])
+      expect(changes).toContain(one);
+  });
+});
+
+describe('lines', () => {
+  const text = 'from x import *\nif a:\n    left()\n    delay(3)\nstop()\n';
+
+  it('are taken away one by one, but no imports; alone in its block a line gives way to pass', () => {
+    expect(made(extraChanges, 'from x import *\nif a:\n    left()\nstop()\n')).toEqual(['    pass', '']);
+  });
+
+  it('are exchanged with neighbours of their block', () => expect(made(orderChanges, text)).toEqual(['    delay(3)\n    left()'])); // prettier-ignore
+
+  it('are moved in and out where that leaves a program', () =>
+    expect(made(indentChanges, text)).toEqual(['delay(3)', '    stop()']));
+
+  it('come once more, the likely ones first: a wait after a command that drives', () => {
+    const changes = made(missingChanges, 'forward()\ndelay(500)\nstop()\nleft()\nstop()\n');
+    expect(changes[0]).toBe('delay(500)');
+    expect(changes).toContain('setSpeed(50)');
+  });
+
+  it('may be an else with one statement', () => {
+    const changes = made(elseChanges, 'if a:\n    left()\nelif b:\n    right()\n');
+    expect(changes).toContain('else:\n    left()');
+    expect(elseChanges(readProgram('if a:\n    left()\n'))[0]).toMatchObject({ line: 3, before: [] });
+  });
+});

@@ -1,0 +1,24 @@
+import type { Language } from '#core/languages';
+import { linesToSee, type Change } from './changes/change';
+import type { Hint, HintLevel } from './hint';
+import { hintText } from './say';
+
+/** A hint in one line for other programs, without what its level may not tell; `null`: the program passes. */
+export function hintJson(hint: Hint | null, level: HintLevel, language: Language): string {
+  if (hint === null) return JSON.stringify({ passed: true });
+  const { reason, atMs, change, tried, program } = hint;
+  return JSON.stringify({
+    ...{ passed: false, reason: reason.code, atMs, found: change !== null, tried },
+    hint: { level, ...placeOf(change, level, program), text: hintText(hint, level, language) },
+    ...(level === 4 && change !== null && { change: changeOf(change) }),
+  });
+}
+
+function placeOf(change: Change | null, level: HintLevel, program: string) {
+  if (change === null || level === 1) return { line: null, lines: [], direction: null };
+  const place = { line: change.line, lines: linesToSee(change, program) };
+  return level === 2 ? { ...place, direction: null } : { ...place, kind: change.kind, direction: change.direction };
+}
+
+/** Whole lines; of an insertion nothing stands before. */
+const changeOf = ({ line, before, after }: Change) => ({ line, before: before.join('\n'), after: after.join('\n') });

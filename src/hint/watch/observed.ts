@@ -1,0 +1,71 @@
+import type { Pose } from '#core/geometry';
+import type { Onlooker } from '#check/run/run-world';
+import { LineWatch } from '#check/run/line-watch';
+import { MAIN } from '#project/project';
+import type { Zone } from '#scene/scene';
+import type { Simulation } from '#simulation/simulation';
+import { Route } from '#simulation/task/route';
+import { briefOf } from '#simulation/task/task-brief';
+
+/** The first robot at one moment. */
+export interface Moment {
+  readonly timeUs: number;
+  readonly pose: Pose;
+  readonly duty: { readonly left: number; readonly right: number };
+  /** True for each line sensor that sees light ground. */
+  readonly bright: readonly boolean[];
+  readonly touches: number;
+}
+
+/** Simulated time between two moments that are kept. Chosen: as often as the trace. */
+const EVERY_US = 20_000;
+/** Chosen: ten minutes; a longer run says nothing new. */
+const MOST_MOMENTS = 30_000;
+
+/** Notes what a run does: where the robot was, what it saw, which lines ran when. */
+export class Observed implements Onlooker {
+  readonly hasEnough = false;
+  readonly moments: Moment[] = [];
+  /** For each line of `main.py` that ran, when it last began, in µs. */
+  readonly lastRanUs = new Map<number, number>();
+  private line: LineWatch | null = null;
+  private route: Route | null = null;
+  private isNew = true;
+  /** Simulated time at which its program ended; `null`: it did not. */
+  endedUs: number | null = null;
+
+  /** The places that were next at the end. */
+  get next(): readonly Zone[] {
+    return this.route?.next ?? [];
+  }
+
+  /** Simulated time at which the robot left the line that leads to the course's places, in µs; `null`: it did not. */
+  get leftUs(): number | null {
+    return this.line?.leftUs ?? null;
+  }
+
+  look(run: Simulation): void {
+    if (this.isNew) {
+      this.isNew = false;
+      this.line = new LineWatch(run.scene);
+      this.route = new Route(briefOf(run.scene));
+      run.watch(({ file, line }) => {
+        if (file === MAIN) this.lastRanUs.set(line, run.nowUs);
+        return false;
+      });
+    }
+    const { nowUs, pose, ended } = run;
+    if (ended !== null) this.endedUs ??= ended.timeUs;
+    if (pose !== null) this.route?.pass({ x: pose.xMm, y: pose.yMm });
+    if (pose === null || nowUs % EVERY_US !== 0 || this.moments.length >= MOST_MOMENTS) return;
+    this.line?.look(nowUs, { x: pose.xMm, y: pose.yMm });
+    const { robot } = run.snapshot();
+    if (robot === null) return;
+    const { duty, lineSensors } = robot.state;
+    this.moments.push({
+      ...{ timeUs: nowUs, pose, touches: run.touches },
+      duty: { left: duty.left, right: duty.right },
+      bright: lineSensors.map(({ bright }) => bright),
+    });
+  }
+}
