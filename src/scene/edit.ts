@@ -1,6 +1,7 @@
 import { isSame } from '#core/same';
 
 import { withRobot } from './robot-values';
+import type { League } from './league';
 import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
@@ -27,13 +28,14 @@ export interface Replacement {
   readonly by: readonly SceneObject[];
 }
 
-/** New values for the name, description, size, task or background of a course; a `null` background removes it. */
+/** New values for the name, description, size, task, background or league of a course; `null` removes one of the last two. */
 export interface CourseChanges {
   readonly name?: string;
   readonly description?: string;
   readonly size?: Point;
   readonly task?: Task;
   readonly background?: Background | null;
+  readonly league?: League | null;
 }
 
 /**
@@ -58,7 +60,7 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
       return isSame(scene.robot, robot) ? scene : { ...scene, robot };
     }
     case 'course': {
-      const changed = { ...scene, ...edit.changes };
+      const changed = withCourse(scene, edit.changes);
       return courseParts.every((part) => isSame(scene[part], changed[part])) ? scene : changed;
     }
     case 'clear':
@@ -70,7 +72,14 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
   }
 }
 
-const courseParts = ['name', 'description', 'size', 'task', 'background'] as const;
+const courseParts = ['name', 'description', 'size', 'task', 'background', 'league'] as const;
+
+/** A course with other values; one without a league does not name it. */
+export function withCourse(scene: Scene, { league, ...changes }: CourseChanges): Scene {
+  if (league === undefined) return { ...scene, ...changes };
+  const { league: _, ...others } = scene;
+  return { ...others, ...changes, ...(league === null ? {} : { league }) };
+}
 
 function withAdded(
   objects: readonly SceneObject[],

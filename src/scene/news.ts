@@ -21,7 +21,7 @@ const changedKinds: readonly SceneObject['type'][] = [
 ];
 
 /** The new properties of the course as a whole. */
-const newCourseProperties: readonly (keyof Scene)[] = [];
+const newCourseProperties: readonly (keyof Scene)[] = ['league'];
 
 /** True if an object is of a new kind. */
 export const isNewKind = (object: SceneObject): object is NewObject => newKinds.some((kind) => kind === object.type);

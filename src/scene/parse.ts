@@ -1,3 +1,4 @@
+import { withCourse } from './edit';
 import { loneGroups } from './groups';
 import { readJsonFile, summaryOf } from './json-file';
 import { migrated, OLDEST_VERSION } from './migrations';
@@ -71,7 +72,7 @@ const SCENE_KEYS = ['format', 'version', ...courseKeys, 'board', 'robot', 'objec
 
 function readScene(value: Fields, reader: Reader): Scene {
   const fields = reader.fields(value, '', SCENE_KEYS);
-  const course = { ...defaultScene(), ...readCourseChanges(fields, '', reader) };
+  const course = withCourse(defaultScene(), readCourseChanges(fields, '', reader));
   const start = fields.robot === undefined ? {} : readRobotChanges(fields.robot, 'robot', reader);
   return {
     ...course,

@@ -1,12 +1,13 @@
 import type { CourseChanges } from './edit';
 import { PICTURE, readBase64 } from './read-base64';
+import { readLeague } from './read-league';
 import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
 import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/reading/robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The properties that `readCourseChanges` reads. */
-export const courseKeys = ['name', 'description', 'size', 'task', 'background'] as const;
+export const courseKeys = ['name', 'description', 'size', 'task', 'background', 'league'] as const;
 
 /** Reads the properties of a course as a whole; what is left out stays left out. */
 export function readCourseChanges(fields: Fields, path: string, reader: Reader): CourseChanges {
@@ -17,6 +18,7 @@ export function readCourseChanges(fields: Fields, path: string, reader: Reader):
     ...given(fields, 'size', (value) => reader.point(value, `${path}size`, sizeMm)),
     ...given(fields, 'task', (value) => readTask(value, `${path}task`, reader)),
     ...given(fields, 'background', (value) => readBackground(value, `${path}background`, reader)),
+    ...given(fields, 'league', (value) => readLeague(value, `${path}league`, reader)),
   };
 }
 

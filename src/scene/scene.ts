@@ -5,6 +5,7 @@
  * counter-clockwise from +x. The robot's `at` is the middle of its axle.
  */
 
+import type { League } from './league';
 import type { Painted, PaintColor } from './paint';
 
 /** A place or an extent `[x, y]` in whole mm. */
@@ -278,6 +279,8 @@ export interface Scene {
   readonly robot: RobotStart;
   readonly task: Task;
   readonly background: Background | null;
+  /** A line of tiles that is scored by the rules of a league; left out: it is none. */
+  readonly league?: League;
   readonly objects: readonly SceneObject[];
 }
 

@@ -3,6 +3,7 @@ import { tidied } from './groups';
 import { asAngle, asTurn, braces, pair, property, type Rotation } from './json-text';
 import { ownHeightOf } from './kinds/heights';
 import { kindOf } from './kinds/index';
+import type { League, LeagueTile } from './league';
 import { hasNews } from './news';
 import { optionsProperty } from './robot-values';
 import {
@@ -35,6 +36,7 @@ export function serializeScene(scene: Scene): string {
     `"robot": ${robotText(scene.robot)}`,
     ...taskProperty(scene.task),
     ...backgroundProperty(scene.background),
+    ...leagueProperty(scene.league),
   ];
   const rotation = version < 5 ? asTurn : asAngle;
   const objects = tidied(scene.objects)
@@ -117,6 +119,29 @@ function backgroundProperty(background: Background | null): string[] {
   ];
   return [`"background": {\n    ${lines.join(',\n    ')}\n  }`];
 }
+
+/** One tile per line. */
+function leagueProperty(league: League | undefined): string[] {
+  if (league === undefined) return [];
+  const { rules, tiles, zone } = league;
+  const lines = [
+    `"rules": "${rules}"`,
+    `"tiles": [\n      ${tiles.map(tileText).join(',\n      ')}\n    ]`,
+    ...(zone === undefined ? [] : [`"zone": ${braces([`"at": ${pair(zone.at)}`, `"size": ${pair(zone.size)}`])}`]),
+  ];
+  return [`"league": {\n    ${lines.join(',\n    ')}\n  }`];
+}
+
+const tileText = ({ at, heading, gaps, crossings, obstacles, checkpoint, afterZone }: LeagueTile): string =>
+  braces([
+    `"at": ${pair(at)}`,
+    ...property('heading', heading, 0),
+    ...property('gaps', gaps ?? 0, 0),
+    ...property('crossings', crossings ?? 0, 0),
+    ...property('obstacles', obstacles ?? 0, 0),
+    ...property('checkpoint', checkpoint ?? false, false),
+    ...property('afterZone', afterZone ?? false, false),
+  ]);
 
 /** One object in the form of a file of the newest version, or with its rotation in the manner of an older one. */
 export const objectText = (object: SceneObject, rotation: Rotation = asAngle): string =>
