@@ -8,11 +8,12 @@ export const layers = {
   attachments: ['core', 'world', 'devices'],
   robots: ['core', 'board', 'devices', 'world', 'attachments', 'reference'],
   scene: ['core'],
+  'rescue-line': ['core', 'scene'],
   picture: ['core', 'scene'],
   'my-robot': ['core', 'board', 'robots', 'scene', 'simulation'],
   project: ['core', 'scene', 'my-robot'],
   editor: ['core', 'scene'],
-  simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
+  simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene', 'rescue-line'],
   tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
   advice: ['core', 'robots'],
@@ -34,8 +35,9 @@ export const layers = {
     'check',
     'school-class',
     'hex',
+    'rescue-line',
   ],
-  embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
+  embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python', 'rescue-line'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
   hex: ['core', 'board', 'robots', 'project', 'python', 'libraries'],
@@ -43,7 +45,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'lab', 'hint', 'school-class', 'intake', 'hex', 'catalogue', 'advice',
+    'check', 'lab', 'hint', 'school-class', 'intake', 'hex', 'catalogue', 'advice', 'rescue-line',
   ], // prettier-ignore
   web: [
     'core',
@@ -73,6 +75,7 @@ export const layers = {
     'intake',
     'hex',
     'catalogue',
+    'rescue-line',
   ],
 };
 
