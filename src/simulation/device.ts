@@ -40,7 +40,7 @@ export interface Around {
 }
 
 /** An action on one device from outside. */
-export type DeviceAction = Exclude<InputAction, { readonly type: 'edit' | 'place-block' | 'radio' }>;
+export type DeviceAction = Exclude<InputAction, { readonly type: 'edit' | 'place-block' | 'radio' | 'no-progress' }>;
 
 /** One microcomputer of a run: program, board and, if it has one, its robot, on a clock of its own. */
 export class Device {

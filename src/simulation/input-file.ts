@@ -82,6 +82,7 @@ const readers: Readonly<Record<string, { readonly fields: readonly string[]; rea
   sensor: { fields: ['value'], read: readSensor },
   place: { fields: [], read: readPlace },
   placeBlock: { fields: [], read: readPlaceBlock },
+  noProgress: { fields: [], read: readNoProgress },
   interrupt: { fields: [], read: readInterrupt },
   radio: { fields: [], read: readRadio },
   arenaSenses: { fields: [], read: readArenaSenses },
@@ -138,6 +139,10 @@ function readPose(value: unknown, path: string, further: readonly string[]): Pla
   if (typeof yMm !== 'number') return wrong(`${path}.yMm`, 'a number', yMm);
   if (typeof headingDeg !== 'number') return wrong(`${path}.headingDeg`, 'a number', headingDeg);
   return { xMm, yMm, headingDeg };
+}
+
+function readNoProgress({ noProgress }: Fields): InputAction | Bad {
+  return noProgress === true ? { type: 'no-progress' } : wrong('noProgress', 'true', noProgress);
 }
 
 function readInterrupt({ interrupt }: Fields): InputAction | Bad {

@@ -29,6 +29,8 @@ export type InputAction =
   | { readonly type: 'arena-senses'; readonly on: boolean }
   /** The course is changed during a run; `at-once.ts` says what shows at once and what only in the next run. */
   | { readonly type: 'edit'; readonly edit: SceneEdit }
+  /** A lack of progress is called on a scored line: the robot begins anew at the last checkpoint. */
+  | { readonly type: 'no-progress' }
   /** KeyboardInterrupt in the program. */
   | { readonly type: 'interrupt' };
 

@@ -92,6 +92,8 @@ export function createInputCheck(board: BoardType, began: Scene, hasRobot: boole
         return hasRobot ? poseProblem(action.pose, began) : 'There is no robot that could be placed.';
       case 'place-block':
         return movable.has(action.id) ? poseProblem(action.pose, began) : blockProblem(action.id, movable);
+      case 'no-progress':
+        return began.league === undefined ? 'noProgress: the line of this course is not scored.' : null;
       case 'edit':
         return editInWords(course, action.edit);
       default:

@@ -355,6 +355,8 @@ export class Simulation {
         for (const { board } of device === null ? this.devices : this.devices.slice(device, device + 1))
           board.radio.receive(packetOf(action));
         return;
+      case 'no-progress':
+        return this.judge?.callLack();
       case 'place':
         this.judge?.takeHand();
         return this.devices[device ?? 0]?.act(action);

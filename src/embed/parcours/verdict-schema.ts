@@ -1,5 +1,7 @@
 import * as v from 'valibot';
 
+import { pointKinds } from '#rescue-line/points';
+import { leagueRules } from '#scene/league';
 import { helps } from '#scene/scene';
 
 const { pipe, description } = v;
@@ -33,6 +35,28 @@ const robot = v.strictObject({
   checkpoints,
   targets,
   touches,
+});
+
+const points = v.strictObject({
+  rules: v.picklist(leagueRules),
+  score: pipe(v.number(), description('All points so far.')),
+  lines: pipe(
+    v.array(
+      v.strictObject({
+        what: v.picklist(pointKinds),
+        tile: pipe(v.number(), description('Number of the tile that it belongs to, from 0 on.')),
+        count: pipe(v.number(), description('Number of gaps, tiles, …')),
+        points: pipe(v.number(), description('The points that it has brought; still open: those that it brings now.')),
+        state: pipe(v.picklist(['earned', 'open', 'missed']), description('`missed`: its section was passed over.')),
+      }),
+    ),
+    description('What there is to earn, along the way.'),
+  ),
+  factor: pipe(v.optional(v.number()), description('The factor for victims; left out: 1.')),
+  lacks: pipe(v.number(), description('Number of lacks of progress.')),
+  section: pipe(v.number(), description('The section that the robot is in, from 1 on.')),
+  attempt: pipe(v.number(), description('Its try at this section, from 1 on.')),
+  tile: pipe(v.number(), description('Number of the tile that it has reached, from 0 on.')),
 });
 
 /** The schema of a verdict: how well the task of the course is done. */
@@ -69,6 +93,10 @@ export const verdictSchema = pipe(
       robots: pipe(
         v.array(robot),
         description('How it stands for each robot, where the task is one for several; else empty.'),
+      ),
+      points: pipe(
+        v.optional(points),
+        description('Points of a line that is scored by the rules of a league; left out: it is not.'),
       ),
     }),
   ),

@@ -5,6 +5,7 @@ import type { BlockHandle } from '#world/shapes';
 import { changesRun } from '../at-once';
 import { createDeliveries, type Deliveries } from './deliveries';
 import { bodyNow, Entrant, type Failure, type WatchedRobot } from './entrant';
+import { LineReferee } from './line-referee';
 import { Route } from './route';
 import { sharings, type Decision } from './sharing';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
@@ -33,6 +34,7 @@ export interface WatchedRun {
  *   same step, it has failed.
  * - *Helped*: it would have been passed, had neither the hand moved anything nor the course been edited. Help that the
  *   task allows is only reported: the task is passed.
+ * - A line that is scored (`Scene.league`) is passed when the first robot has come to its end, whatever its points.
  * - How several robots share it: `Task.robots`, and `sharing.ts`.
  */
 export class Judge {
@@ -43,6 +45,7 @@ export class Judge {
   private readonly help = new Set<Help>();
   private delivered = 0;
   private final: Verdict | null = null;
+  private referee: LineReferee | null;
 
   constructor(
     private course: Scene,
@@ -51,6 +54,7 @@ export class Judge {
     this.brief = briefOf(course);
     this.deliveries = createDeliveries(this.brief, watched.block);
     this.entrants = this.enter();
+    this.referee = this.refereeOf(course);
   }
 
   /**
@@ -66,12 +70,19 @@ export class Judge {
     this.deliveries = createDeliveries(this.brief, this.watched.block);
     if (course.task.robots !== wasShared) this.entrants = this.enter();
     else for (const entrant of this.entrants) entrant.take(this.brief);
+    if (this.referee?.fits(course) === true) this.referee.take(course);
+    else this.referee = this.refereeOf(course);
     if (!wasAsked || course.task.robots !== wasShared) for (const entrant of this.entrants) entrant.forgetTouches();
   }
 
   /** The hand has moved the robot or a block. */
   takeHand(): void {
     this.help.add('hand');
+  }
+
+  /** A lack of progress is called: the robot begins anew at the last checkpoint, if its line is scored. */
+  callLack(): void {
+    if (this.final === null) this.referee?.call();
   }
 
   /** The state of the task, or `null` if the course has none. */
@@ -104,12 +115,13 @@ export class Judge {
     if (this.final !== null || !this.isAsked()) return;
     const { task, blockTargets, blocksWanted, ring } = this.brief;
     const failures = this.look();
+    this.referee?.step(timeUs);
     if (blockTargets.length > 0) this.delivered = this.deliveries.count();
     const decision = sharings[task.robots ?? 'one']({
       timeUs,
       entrants: this.entrants,
       failures,
-      areDelivered: this.delivered === blocksWanted,
+      areDelivered: this.delivered === blocksWanted && this.referee?.isDone !== false,
       hasGoal: hasGoal(this.brief),
       isLate: task.seconds !== null && timeUs >= usOf(task.seconds),
       ring,
@@ -125,6 +137,11 @@ export class Judge {
     return counted.map(
       (robot) => new Entrant(robot, this.brief, together ?? new Route(this.brief), this.watched.spiked),
     );
+  }
+
+  private refereeOf({ league, objects }: Scene): LineReferee | null {
+    const [robot] = this.watched.robots;
+    return league && robot ? new LineReferee(league, { objects }, robot, this.watched.block) : null;
   }
 
   private isAsked(): boolean {
@@ -166,6 +183,7 @@ export class Judge {
       stars: task.stars === undefined ? null : 0,
       touches: this.touches,
       robots: task.robots === undefined ? [] : entrants.map((entrant) => entrant.verdict()),
+      ...(this.referee === null ? {} : { points: this.referee.points() }),
     };
   }
 

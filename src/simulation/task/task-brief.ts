@@ -17,10 +17,12 @@ export interface TaskBrief {
   readonly blocks: readonly Block[];
   /** Number of blocks wanted in all targets together. */
   readonly blocksWanted: number;
+  /** The line is scored by the rules of a league: its end is to be reached. */
+  readonly isScored: boolean;
 }
 
 /** Extracts these parts from a course. */
-export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): TaskBrief {
+export function briefOf({ task, objects, league }: Pick<Scene, 'task' | 'objects' | 'league'>): TaskBrief {
   const checkpoints: Zone[] = [];
   const targets: Zone[] = [];
   const forbidden: Zone[] = [];
@@ -42,11 +44,13 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
     forbidden,
     blocks: movable,
     blocksWanted: blockTargets.reduce((sum, { blocks }) => sum + blocks, 0),
+    isScored: league !== undefined,
   };
 }
 
-/** True if there is something to do besides holding out: a place to reach, a block to deliver, a robot to beat. */
-export const hasGoal = ({ checkpoints, robotTargets, blockTargets, task }: TaskBrief): boolean =>
+/** True if there is something to do besides holding out: a place to reach, a block to deliver, a robot to beat, a line to follow to its end. */
+export const hasGoal = ({ checkpoints, robotTargets, blockTargets, task, isScored }: TaskBrief): boolean =>
+  isScored ||
   checkpoints.length + robotTargets.length + blockTargets.length > 0 ||
   task.robots === 'ring' ||
   task.robots === 'catch';
@@ -60,5 +64,5 @@ export const spikedIds = ({ objects }: Pick<Scene, 'objects'>): ReadonlySet<stri
   new Set(objects.filter(isSpiked).map(({ id }) => id));
 
 /** Whether a course has a task, or something that must not be touched: then there is a verdict. */
-export const hasTask = (course: Pick<Scene, 'task' | 'objects'>): boolean =>
+export const hasTask = (course: Pick<Scene, 'task' | 'objects' | 'league'>): boolean =>
   isTask(briefOf(course)) || spikedIds(course).size > 0;

@@ -3,7 +3,7 @@ import { briefOf } from './task-brief';
 import type { Verdict } from './verdict';
 
 /** The verdict before the start. */
-export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict {
+export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects' | 'league'>): Verdict {
   const { checkpoints, robotTargets, blocksWanted } = briefOf(scene);
   return {
     state: 'open',

@@ -1,3 +1,4 @@
+import type { Points } from '#rescue-line/points';
 import type { Help } from '#scene/scene';
 
 /** How well the robots do the course's task (`Zone`, `Spikes`, `Task` of `#scene/scene`), as plain data. */
@@ -34,6 +35,8 @@ export interface Verdict {
   readonly touches: number;
   /** The verdict on each robot, if the task is one for several (`Task.robots`); else empty. */
   readonly robots: readonly RobotVerdict[];
+  /** The points of a line that is scored by the rules of a league; left out: it is not. */
+  readonly points?: Points;
 }
 
 /** Why a task is failed. `robot`: another robot was touched. `left`: outside of the ring. */
