@@ -6,6 +6,8 @@ import { documentOf, textOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
 import { documentOfText, isOurs } from '#intake/text';
 import { MAIN, newWork } from '#project/project';
+import { mapNoteText } from '#rescue-line/say';
+import { scoredBy } from '#rescue-line/scored-by';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
@@ -43,9 +45,11 @@ const MAX_NAME_CHARACTERS = 120;
 export async function readRunFiles(options: SetupAsked): Promise<RunFiles | { readonly problem: string }> {
   try {
     const work = await readWork(options);
+    const read = options.scene === null ? { scene: work.scene ?? defaultScene(), notes: [] } : await readScene(options.scene);
     return {
       ...work,
-      scene: options.scene === null ? (work.scene ?? defaultScene()) : await readScene(options.scene),
+      scene: options.rules === null ? read.scene : scoredBy(read.scene, options.rules),
+      notes: [...work.notes, ...read.notes],
       added: await Promise.all(options.devices.map(readWork)),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
@@ -108,6 +112,7 @@ async function workOfFile(path: string): Promise<Work | { readonly problem: stri
   return isNamed || isOurs(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text }, newWork);
 }
 
+const MAP = /"startTile"\s*:/;
 const PROJECT = /^\s*\{\s*"format"\s*:\s*"parcours-project"/;
 
 function addFile(files: Record<string, string>, path: string): void {
@@ -123,18 +128,19 @@ function addFile(files: Record<string, string>, path: string): void {
 export const isNoFile = (path: string): boolean => !existsSync(path) || statSync(path).isDirectory();
 
 /** A course, that of a project or of a link, or a ready one by its id. */
-async function readScene(word: string): Promise<Scene> {
-  if (isAddress(word)) return sceneOfAddress(word);
+async function readScene(word: string): Promise<{ readonly scene: Scene; readonly notes: readonly string[] }> {
+  if (isAddress(word)) return { scene: await sceneOfAddress(word), notes: [] };
   const ready = isNoFile(word) ? (await import('./ready-courses')).readyCourse(word) : null;
-  if (ready !== null) return ready;
+  if (ready !== null) return { scene: ready, notes: [] };
   const text = readText(word, limits.json);
   const document = documentOfText(text, () => null);
-  if (document.kind === 'project') return document.project.scene;
-  if (document.kind === 'course') return document.scene;
+  if (document.kind === 'project') return { scene: document.project.scene, notes: [] };
+  if (document.kind === 'course')
+    return { scene: document.scene, notes: document.mapNotes.map((note) => mapNoteText(note, 'en')) };
   const parsed = parseScene(text);
-  if ('scene' in parsed) return parsed.scene;
-  // The problems inside a project are reported, instead of "not a project".
-  const { problems } = document.kind === 'unreadable' && PROJECT.test(text) ? document : parsed;
+  if ('scene' in parsed) return { scene: parsed.scene, notes: [] };
+  // The problems inside a project or a map are reported, instead of "not a course".
+  const { problems } = document.kind === 'unreadable' && (PROJECT.test(text) || MAP.test(text)) ? document : parsed;
   return refuse(word, problems.map((problem) => problem.message).join('\n'));
 }
 

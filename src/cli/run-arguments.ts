@@ -1,6 +1,7 @@
 import { parseDuration } from '#core/duration';
 import type { Language } from '#core/languages';
 import type { OptionValues } from '#core/option';
+import { leagueRules, type LeagueRules } from '#scene/league';
 import { command, type Given, type Options, type Problem, type TextOf } from './commands/about';
 import { langOption, languageOf } from './commands/shared-options';
 import { parseDevice, type DeviceOption } from './device-option';
@@ -13,6 +14,8 @@ export interface SetupAsked {
   /** Devices besides the first, which runs the program. */
   readonly devices: readonly DeviceOption[];
   readonly scene: string | null;
+  /** The rules of a scored line; `null`: the course's own. */
+  readonly rules: LeagueRules | null;
   readonly robot: string;
   readonly board: string;
   /** Id of a firmware of the board; empty: the board's usual one. */
@@ -56,7 +59,12 @@ export const setupOptions = {
     value: 'COURSE',
     choices: 'courses',
     path: 'reads',
-    help: 'the course: its file, a project or a link that has one, the id of a ready one such as closed-line; without it: an empty arena of 1200 x 900 mm, the robot in its centre, heading to the right',
+    help: 'the course: its file, a project or a link that has one, a map of the editor for RoboCup Junior Rescue Line, the id of a ready one such as closed-line; without it: an empty arena of 1200 x 900 mm, the robot in its centre, heading to the right',
+  },
+  rules: {
+    value: 'NAME',
+    choices: leagueRules,
+    help: 'of a rescue line: the rules by which its points are counted, with their year; default: those of the course, for a map line-2025',
   },
   robot: {
     value: 'NAME',
@@ -124,6 +132,7 @@ export const chanceOptions = {
       '  { "at": "4s", "radio": "go" },',
       '  { "at": "4s", "device": "remote", "button": "b", "down": true },',
       '  { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } },',
+      '  { "at": "5s", "noProgress": true },',
       '  { "at": "6s", "edit": { "type": "remove", "ids": ["stroke-1"] } } ]',
     ],
   },
@@ -240,11 +249,14 @@ export function readSetup(
   if (typeof robotOptions === 'string') return { problem: robotOptions };
   const devices = readDevices(given.all('device'));
   if (typeof devices === 'string') return { problem: devices };
+  const rules = rulesOf(given.last('rules'));
+  if ('problem' in rules) return rules;
   return {
     program,
     files: given.all('file'),
     devices,
     scene: given.last('scene'),
+    ...rules,
     robot: given.last('robot') ?? 'auto',
     board: given.last('board') ?? 'auto',
     firmware: given.last('firmware') ?? '',
@@ -254,6 +266,14 @@ export function readSetup(
     myRobot: given.last('my-robot'),
     input: given.last('input'),
   };
+}
+
+/** The rules of a scored line by their name. */
+export function rulesOf(word: string | null): Pick<SetupAsked, 'rules'> | Problem {
+  const rules = leagueRules.find((one) => one === word) ?? null;
+  if (rules === null && word !== null)
+    return { problem: `--rules: "${word}" is not known. Known: ${leagueRules.join(', ')}.` };
+  return { rules };
 }
 
 /** Time, seed and reality, or the problem with one of them. */

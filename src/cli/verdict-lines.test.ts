@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
+import type { PointLine } from '#rescue-line/points';
 import type { Verdict } from '#simulation/task/verdict';
 import { verdictAtStart } from '#simulation/task/verdict-at-start';
 import { verdictLines } from './verdict-lines';
@@ -47,6 +48,21 @@ describe('the line about the task', () => {
   ])('says how it came out', (verdict, line) => {
     expect(verdictLines(verdict, 'en')).toEqual([line]);
   });
+
+  it('adds the score sheet of a line that is scored', () => {
+    const line = (what: PointLine['what'], tile: number, points: number, state: PointLine['state']): PointLine => ({
+      ...{ what, tile, count: 1, points, state },
+    });
+    const lines = [line('gap', 1, 10, 'earned'), line('tiles', 3, 0, 'missed'), line('exit', 6, 60, 'open')];
+    const points = { rules: 'line-2025', score: 21, lines, factor: 1.4, lacks: 3, section: 2, attempt: 1, tile: 3 } as const;
+    expect(verdictLines({ ...open, points }, 'en').slice(1)).toEqual([
+      'Points: 21 (Rescue Line 2025). Lacks of progress: 3; section 2, try 1.',
+      '  Gaps on tile 2 (1): 10',
+      '  1 tiles up to tile 4: passed over',
+      '  Stop at the end: 60 still to be had',
+      '  Factor for victims: 1.4',
+    ]);
+  }); // prettier-ignore
 
   it('speaks the reader’s language, all of it', () => {
     const late = { ...failed, reason: 'time', help: ['hand'], early: { id: 'c', number: 2, before: 1 } } as const;

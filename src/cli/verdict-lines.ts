@@ -1,9 +1,11 @@
 import type { Language, Texts } from '#core/languages';
 import { filledIn } from '#core/words';
+import type { Points } from '#rescue-line/points';
+import { pointRules } from '#rescue-line/rules';
 import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 import words from './words';
 
-const { why, robots, ...said } = words.verdict;
+const { why, robots, points, ...said } = words.verdict;
 
 /** Goals reached; blocks are left out for one of several robots, as all robots share them. */
 type Progress = Pick<Verdict, 'checkpoints' | 'targets'> & Partial<Pick<Verdict, 'blocks'>>;
@@ -15,7 +17,21 @@ type Say = (texts: Texts, values?: Readonly<Record<string, string | number>>) =>
 export function verdictLines(verdict: Verdict | null, language: Language): readonly string[] {
   if (verdict === null) return [];
   const say: Say = (texts, values = {}) => filledIn(texts[language], values);
-  return [verdictLine(verdict, say), ...verdict.robots.map((robot) => `  ${robot.device}: ${robotWords(robot, say)}`)];
+  return [
+    verdictLine(verdict, say),
+    ...verdict.robots.map((robot) => `  ${robot.device}: ${robotWords(robot, say)}`),
+    ...(verdict.points === undefined ? [] : pointLines(verdict.points, say)),
+  ];
+}
+
+/** The score sheet of a line: the sum, and what has brought points or still may. */
+function pointLines({ rules, score, lacks, section, attempt, factor, lines }: Points, say: Say): readonly string[] {
+  const { name, year } = pointRules[rules];
+  const sum = say(points.sum, { score, name, year, lacks, section, attempt });
+  const all = lines.map(({ what, tile, count, points: worth, state }) =>
+    say(points[state], { what: say(points.what[what], { count, tile: tile + 1 }), points: worth }),
+  );
+  return [sum, ...all, ...(factor === undefined ? [] : [say(points.factor, { factor: Math.round(factor * 1000) / 1000 })])];
 }
 
 const secondsOf = (atMs: number | null): string => `${((atMs ?? 0) / 1000).toFixed(1)} s`;

@@ -8,6 +8,7 @@ import type { RewrittenLine as Rewritten } from '#advice/repeat';
 import type { Note } from '#project/webtigerpython/note';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { Scene } from '#scene/scene';
+import type { MapNote } from '#rescue-line/notes';
 import type { SceneProblem } from '#scene/problem';
 import type { HexBoard } from '#hex/firmware';
 import type { Decoded } from './decode';
@@ -112,6 +113,8 @@ export interface CourseDocument {
   readonly isFromWebTigerPython: boolean;
   /** Tell of everything in a world of WebTigerPython that could not be taken over, or was changed. */
   readonly notes: readonly Note[];
+  /** Tell of everything in a map of a rescue line that is not in its course. */
+  readonly mapNotes: readonly MapNote[];
 }
 
 /** A series; tasks in files beside it are not read yet (`readTasks`). */

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 
+import { demoMap, exit, mapFile, straight, tileOf } from '#rescue-line/testing/maps';
 import { describe, expect, it } from 'vitest';
 
 import { defaultScene, type Scene } from '#scene/scene';
@@ -29,7 +30,7 @@ describe('a JSON file', () => {
       project: fullProject(),
     });
     expect(read(`\ufeff${serializeScene(defaultScene())}`)).toEqual({
-      ...{ kind: 'course', device: null, isFromWebTigerPython: false, notes: [] },
+      ...{ kind: 'course', device: null, isFromWebTigerPython: false, notes: [], mapNotes: [] },
       scene: defaultScene(),
     });
     const old = readFileSync(new URL('../../courses/closed-line/scene.json', import.meta.url), 'utf8');
@@ -42,6 +43,31 @@ describe('a JSON file', () => {
     expect(problemIn({ format: 'parcours-scene', version: 99 })).toContain('newer');
   });
 });
+
+describe('a map of the editor of RoboCup Junior', () => {
+  it('is a course, with notes on what it cannot hold', () => {
+    expect(documentOfText(JSON.stringify(demoMap()), () => null)).toMatchObject({
+      ...{ kind: 'course', scene: { name: 'Demo', size: [900, 900] }, mapNotes: [] },
+    });
+    const bumpy = mapFile({ '0,0,0': straight(), '1,0,0': straight(0, { items: { speedbumps: 1 } }), '2,0,0': exit(90) });
+    expect(documentOfText(JSON.stringify(bumpy), () => null)).toMatchObject({ mapNotes: [{ code: 'bumps' }] });
+  });
+
+  it('is told what is wrong with it, also in the form of a list', () => {
+    const list = mapFile([{ ...straight(), x: 0, y: 0, rot: 5 }]);
+    expect(documentOfText(JSON.stringify(list), () => null)).toMatchObject({
+      ...{ kind: 'unreadable', message: 'tiles[0].rot: 5 is unknown. Known: 0, 90, 180, 270.' },
+    });
+  });
+
+  it('is refused if its course would have too many things', () => {
+    const crossing = tileOf('tile-30', 0, { left: 'top', right: 'left', top: 'left', bottom: 'top' }, { type: { intersections: 1 } }); // prettier-ignore
+    const places = Array.from({ length: 900 }, (_, index) => `${String(index % 30)},${String(Math.floor(index / 30))},0`);
+    const tiles = Object.fromEntries(places.map((place) => [place, crossing]));
+    const read = documentOfText(JSON.stringify(mapFile(tiles)), () => null);
+    expect(read).toMatchObject({ kind: 'unreadable', problems: [{ code: 'too-many', path: 'objects' }] });
+  });
+}); // prettier-ignore
 
 describe('a level of an earlier simulator', () => {
   it('has things in its lists: a robot beside empty ones, or alone in one, is no course', () => {

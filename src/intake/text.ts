@@ -1,19 +1,22 @@
 import { unread } from '#check/hand-in/unread';
 import { looksLikeSeries, parseSeries, type ReadSeries } from '#check/series/read-series';
 import { isClassFile } from '#school-class/class-file';
-import { parseSceneValue } from '#scene/parse';
+import { parseScene, parseSceneValue } from '#scene/parse';
 import { SCENE_FORMAT, type Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
 import { looksLikeEarlierLevel, sceneOfEarlierLevel } from '#project/earlier-levels';
 import { formatOf, isProjectFile, parseProject, parseProjectValue } from '#project/file';
 import type { ReadyCourses } from '#project/link/link';
 import { MAIN, projectLimits, type Project } from '#project/project';
+import { courseOfMap } from '#rescue-line/course-of-map';
+import { looksLikeMap, readMap } from '#rescue-line/read-map';
 import { isTapeFile } from '#tape/tape';
 import type { CourseDocument, Document, FileProblem, SeriesDocument, TextDocument, Unreadable } from './document';
 import { documentOfWorld } from './webtigerpython';
 
 /**
- * Reads a text of JSON of any known kind: a project, a course, a world of WebTigerPython, a level of an earlier simulator, a
- * series, a recorded run.
+ * Reads a text of JSON of any known kind: a project, a course, a map of a rescue line, a world of WebTigerPython, a level of an
+ * earlier simulator, a series, a recorded run.
  * Never throws.
  */
 export function documentOfText(text: string, courses: ReadyCourses): TextDocument {
@@ -24,6 +27,7 @@ export function documentOfText(text: string, courses: ReadyCourses): TextDocumen
   if (value === undefined || isProjectFile(value)) return projectDocument(value, text);
   if (isClassFile(value)) return CLASS;
   const format = formatOf(value);
+  if (format === undefined && looksLikeMap(value)) return mapDocument(value);
   const world = format === undefined ? documentOfWorld(value) : null;
   if (world !== null) return world;
   if (format !== SCENE_FORMAT && looksLikeEarlierLevel(value)) {
@@ -63,9 +67,20 @@ function projectDocument(value: unknown, text: string): TextDocument {
   return { kind: 'project', project: parsed.project, isCourseChanged: false };
 }
 
+function mapDocument(value: unknown): CourseDocument | Unreadable {
+  const read = readMap(value);
+  if ('problem' in read) return wrongInside(read.problem, read.problems);
+  const { scene, notes } = courseOfMap(read.map);
+  // The largest maps have more lines than a course may hold.
+  const parsed = parseScene(serializeScene(scene));
+  return 'scene' in parsed
+    ? { ...courseDocument(parsed.scene), mapNotes: notes }
+    : wrongInside(parsed.problem, parsed.problems);
+}
+
 const courseDocument = (scene: Scene): CourseDocument => ({
   ...{ kind: 'course', scene, device: null },
-  ...{ isFromWebTigerPython: false, notes: [] },
+  ...{ isFromWebTigerPython: false, notes: [], mapNotes: [] },
 });
 
 function wrongInside(message: string, problems: readonly FileProblem[]): Unreadable {

@@ -28,14 +28,14 @@ export function documentOfProgramLink(
   const ofProgram = rewritten.length === 0 ? [] : [note('repeat', { lines: namesTogether(rewritten.map(placeOf)) })];
   const notes = [...ofProgram, ...(world?.notes ?? []), ...read.notes];
   if (files.length === 0 && world !== null)
-    return { kind: 'course', scene: world.scene, device, isFromWebTigerPython: true, notes };
+    return { kind: 'course', scene: world.scene, device, isFromWebTigerPython: true, notes, mapNotes: [] };
   return { kind: 'program', files, device, course, scene: world?.scene ?? null, notes, rewritten };
 }
 
 /** The course in a world's file; `null`: the value is no such world. */
 export function documentOfWorld(value: unknown): CourseDocument | null {
   const read = readWorld(value);
-  return read && { kind: 'course', device: null, isFromWebTigerPython: true, ...placed(read, [], null) };
+  return read && { kind: 'course', device: null, isFromWebTigerPython: true, ...placed(read, [], null), mapNotes: [] };
 }
 
 /** The files with Python's loops, and the lines that have changed. */

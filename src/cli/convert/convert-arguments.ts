@@ -1,5 +1,7 @@
 import { extname } from 'node:path';
 import { hexBoards, type HexBoard } from '#hex/firmware';
+import { leagueRules, type LeagueRules } from '#scene/league';
+import { rulesOf } from '../run-arguments';
 import { command, type Given, type Options, type Problem } from '../commands/about';
 
 /** The forms into which work is converted. */
@@ -15,6 +17,8 @@ export interface ConvertOptions {
   /** `null`: to the terminal. */
   readonly out: string | null;
   readonly json: boolean;
+  /** The rules of a scored line; `null`: the course's own. */
+  readonly rules: LeagueRules | null;
   /** Hexes with the MicroPython for a hex. */
   readonly firmware: readonly string[];
   /** The board of a hex; `null`: all that the firmware is for. */
@@ -33,6 +37,11 @@ const options = {
     help: 'where it goes (default: here); .json: a project, .py: a program, .hex: a hex, folder/: all its files',
   },
   as: { value: 'FORM', choices: forms, help: 'what it shall be; webtigerpython is a link for it' },
+  rules: {
+    value: 'NAME',
+    choices: leagueRules,
+    help: 'for a rescue line: the rules by which its points are counted; default: those of the course, for a map line-2025',
+  },
   firmware: {
     value: 'FILE.hex',
     path: 'reads',
@@ -48,7 +57,7 @@ export const convertAbout = command({
   summary: 'turns one form of work into another, or says what it is',
   usage: ['IN [--as FORM] [--out PATH] [options]', 'IN --as hex --firmware FILE.hex [--out PATH] [options]'],
   text: [
-    'IN is a program (.py), a project or a course, a hex of a micro:bit or Calliope mini, a link of Parcours or of WebTigerPython (also in a file), a course file of WebTigerPython, the id of a ready course. What cannot be taken over is told.',
+    'IN is a program (.py), a project or a course, a hex of a micro:bit or Calliope mini, a link of Parcours or of WebTigerPython (also in a file), a course file of WebTigerPython, a map of the editor for RoboCup Junior Rescue Line, the id of a ready course. What cannot be taken over is told.',
   ],
   words: [{ name: 'IN', choices: 'courses', path: 'reads' }],
   options,
@@ -58,6 +67,7 @@ export const convertAbout = command({
   },
   examples: [
     'convert "https://webtigerpython.ethz.ch/#?code=…" --out anna.json',
+    'convert MAP.json --as course --rules line-entry-2026 --out line.json',
     'convert main.py --as hex --firmware my-board.hex --out main.hex',
   ],
   read: readConvert,
@@ -77,7 +87,9 @@ function readConvert([input, ...more]: readonly string[], given: ConvertGiven): 
     return { problem: `--out: ${out} does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder). Say what it shall be: --as ${forms.join('|')}.` }; // prettier-ignore
   if (as === 'files' && out === null) return { problem: '--as files: say which folder takes them: --out folder/' };
   const hex = hexOf(as, given);
-  return 'problem' in hex ? hex : { input, as, out, json: given.has('json'), ...hex };
+  if ('problem' in hex) return hex;
+  const rules = rulesOf(given.last('rules'));
+  return 'problem' in rules ? rules : { input, as, out, json: given.has('json'), ...rules, ...hex };
 }
 
 /** The options of a hex, or what is wrong with them. */

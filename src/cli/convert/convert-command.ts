@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { withLinesBack } from '#intake/lines-back';
 import { hardwareOf } from '#intake/webtigerpython';
 import { filesByName, MAIN } from '#project/project';
+import { scoredBy } from '#rescue-line/scored-by';
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import type { Hardware } from '#simulation/hardware';
@@ -31,8 +32,9 @@ export async function convert(
   const { input: word, as, out, json } = options;
   const unwritable = out === null || as === 'files' ? null : writeProblem({ option: '--out', path: out });
   if (unwritable !== null) return refuse(unwritable, terminal);
-  const input = await readInput(word);
-  if ('problem' in input) return refuse(input.problem, terminal);
+  const read = await readInput(word);
+  if ('problem' in read) return refuse(read.problem, terminal);
+  const input = withRules(read, options.rules);
   const made = as === null ? null : await makeForm(input, as, options);
   if (made !== null && 'problem' in made) return refuse(`${shortened(word)}: ${made.problem}`, terminal);
   if (made !== null && out !== null) {
@@ -53,6 +55,11 @@ export async function convert(
   else if (out === null) write(made.text);
   return 0;
 }
+
+const withRules = (input: Input, rules: ConvertOptions['rules']): Input =>
+  rules === null || input.work.scene === null
+    ? input
+    : { ...input, work: { ...input.work, scene: scoredBy(input.work.scene, rules) } };
 
 function refuse(problem: string, terminal: Terminal): 2 {
   terminal.message(`parcours: ${problem}`);

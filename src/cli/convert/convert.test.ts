@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { documentOfAddress } from '#intake/address';
 import { addresses, samples } from '#intake/testing/samples';
+import { demoMap, mapFile, straight } from '#rescue-line/testing/maps';
 import { parseProject, projectToText } from '#project/file';
 import { fullProject } from '#project/testing/projects';
 import { linkSamples } from '#project/webtigerpython/testing/links';
@@ -140,4 +141,21 @@ describe('parcours convert', () => {
     expect([code, out]).toEqual([2, '']);
     expect(err).toContain(sentence);
   }); // prettier-ignore
+});
+
+describe('parcours convert of a map of RoboCup Junior', () => {
+  const map = file('map.json', JSON.stringify(demoMap()));
+
+  it('makes the course of it, scored by the rules that are asked for', async () => {
+    const { out, err } = await converted(map, '--as', 'course', '--rules', 'line-entry-2026');
+    expect(err).toBe('');
+    expect(parseScene(out)).toMatchObject({ scene: { name: 'Demo', league: { rules: 'line-entry-2026' } } });
+    expect((await converted(map, '--rules', 'line-1999')).err).toContain('--rules: "line-1999" is not known.');
+  });
+
+  it('says what is wrong with it, and what is not in the course', async () => {
+    expect((await converted(file('bad.json', JSON.stringify(mapFile({ '0,0,0': 1 }))))).err).toContain('tiles["0,0,0"]: must be an object'); // prettier-ignore
+    const bumpy = file('bumpy.json', JSON.stringify(mapFile({ '0,0,0': straight(0, { items: { speedbumps: 1 } }) })));
+    expect((await converted(bumpy)).err).toContain('parcours: Courses are flat: speed bumps are left out');
+  });
 });

@@ -6,6 +6,7 @@ import { documentOfText } from '#intake/text';
 import { defaultProjectSettings, MAIN, newWork, type SourceFile } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import type { Note } from '#project/webtigerpython/note';
+import { mapNoteText } from '#rescue-line/say';
 import type { Linked } from '#project/webtigerpython/write-link';
 import { withoutReload } from '../check/series-task';
 import { unreadText } from '#check/report/say';
@@ -79,7 +80,7 @@ async function inputOf(document: Document | AddressDocument): Promise<Input | Pr
       return { kind: 'project', work, course, notes: document.isCourseChanged ? [changed] : [] };
     }
     case 'course':
-      return { kind: 'course', work: { files: [], scene: document.scene, ...settingsFor(document.device) }, course: null, notes: said(document.notes) }; // prettier-ignore
+      return { kind: 'course', work: { files: [], scene: document.scene, ...settingsFor(document.device) }, course: null, notes: [...said(document.notes), ...document.mapNotes.map((note) => mapNoteText(note, 'en'))] }; // prettier-ignore
     case 'ready':
       return inputOfReady(document.course, document.isWhole);
     case 'recording':

@@ -1,8 +1,9 @@
 import { hasFeedback } from '#check/feedback/has-feedback';
 import { unreadText } from '#check/report/say';
-import type { Document, HexDocument, Unreadable } from '#intake/document';
+import type { CourseDocument, Document, HexDocument, Unreadable } from '#intake/document';
 import { inMB, mostBytes, stemOf } from '#intake/formats';
 import { defaultProjectSettings, newWork } from '#project/project';
+import { mapNoteText } from '#rescue-line/say';
 
 import type { PageParts } from '../../kit/parts';
 import type { Workplace } from '../../session/work/model/parts';
@@ -82,6 +83,7 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       const name = scene.name === '' ? file : scene.name;
       useOpenings(app).openScene({ scene, course: null }, name, !isFromFile && isReadyArena(before.scene));
       tellOfCourse(app, document, false);
+      tellOfMap(app, document);
       return null;
     }
     case 'hex': {
@@ -107,9 +109,18 @@ function openHexDocument(app: TakesDocuments, { files, boards, ours, unfit }: He
     ...(ours.length === 0 ? [] : [t(words.hexOurs, { file, names: ours.join(', ') })]),
     ...(unfit.length === 0 ? [] : [t(words.hexUnfit, { file, names: unfit.join(', ') })]),
   ].join(' ');
-  if (told === '') return;
+  tell(app, told);
+}
+
+/** Tells what of a map of a rescue line is not in its course. */
+const tellOfMap = (app: TakesDocuments, { mapNotes }: CourseDocument): void =>
+  tell(app, mapNotes.map((note) => mapNoteText(note, shownLanguage())).join(' '));
+
+/** Tells something after work was opened; the button that goes back stays. */
+function tell(app: TakesDocuments, text: string): void {
+  if (text === '') return;
   const { action } = app.notices.current.value ?? {};
-  app.notices.show({ kind: 'info', key: 'notice.text', values: { text: told }, ...(action && { action }) });
+  app.notices.show({ kind: 'info', key: 'notice.text', values: { text }, ...(action && { action }) });
 }
 
 /** Id of the microcomputer for programs of any Calliope mini. */
