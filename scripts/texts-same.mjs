@@ -7,8 +7,8 @@
 export const sameWords = {
   fr: new Set(
     (
-      'apostrophe auto bot buzzer calli code console csv cyan date distance firmware lidar magenta max menu message messages min missions module modules obstacles page parcours ' +
-      'pause pdf place png point points radio rectangle repl robot servo servos signature simulation slalom suggestions svg variable variables visible zone zones'
+      'apostrophe auto bot buzzer calli code console csv cyan date distance firmware lidar magenta max menu message messages min missions module modules obstacle obstacles page parcours ' +
+      'pause pdf place png point points radio rectangle repl robot section servo servos signature simulation slalom suggestions svg variable variables visible zone zones'
     ).split(' '),
   ),
   it: new Set(

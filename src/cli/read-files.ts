@@ -45,7 +45,8 @@ const MAX_NAME_CHARACTERS = 120;
 export async function readRunFiles(options: SetupAsked): Promise<RunFiles | { readonly problem: string }> {
   try {
     const work = await readWork(options);
-    const read = options.scene === null ? { scene: work.scene ?? defaultScene(), notes: [] } : await readScene(options.scene);
+    const read =
+      options.scene === null ? { scene: work.scene ?? defaultScene(), notes: [] } : await readScene(options.scene);
     return {
       ...work,
       scene: options.rules === null ? read.scene : scoredBy(read.scene, options.rules),

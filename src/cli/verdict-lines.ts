@@ -31,7 +31,8 @@ function pointLines({ rules, score, lacks, section, attempt, factor, lines }: Po
   const all = lines.map(({ what, tile, count, points: worth, state }) =>
     say(points[state], { what: say(points.what[what], { count, tile: tile + 1 }), points: worth }),
   );
-  return [sum, ...all, ...(factor === undefined ? [] : [say(points.factor, { factor: Math.round(factor * 1000) / 1000 })])];
+  const victims = factor === undefined ? [] : [say(points.factor, { factor: Math.round(factor * 1000) / 1000 })];
+  return [sum, ...[...all, ...victims].map((line) => `  ${line}`)];
 }
 
 const secondsOf = (atMs: number | null): string => `${((atMs ?? 0) / 1000).toFixed(1)} s`;

@@ -1,24 +1,14 @@
-import type { Vec } from '#core/geometry';
 import { TILE_MM, type League, type LeagueRules, type LeagueTile } from '#scene/league';
 import { defaultScene, sceneDefaults, type Point, type Scene, type SceneObject } from '#scene/scene';
 import { floorOf, rounded, type Floor, type Unnamed } from './floor';
 import { follow, type Step, type Way } from './follow';
-import { EXIT, keyOf, ZONE, unlikes, type LineMap, type MapTile } from './map';
+import { EXIT, ZONE, unlikes, type LineMap, type MapTile } from './map';
 import type { MapNote } from './notes';
 import { pointRules } from './rules';
 import { headingOver, opposite } from './side';
-import { HALF_MM, LINE_MM, placeOnWay, shapeOf, turnedPlace } from './shapes';
+import { HALF_MM, shapeOf } from './shapes';
+import { linesOf, obstaclesOf } from './tile-objects';
 import { zoneOf } from './zone';
-
-/** Side of a green mark. */
-const MARK_MM = 25;
-
-/** Width of the red strip. */
-const STRIP_MM = 25;
-
-/** Chosen: as large as a milk carton; the robot has room beside it. The rules ask for 150 mm of height. */
-const OBSTACLE_MM = 90;
-const OBSTACLE_HEIGHT_MM = 150;
 
 /** Maximum number of pictures that a note names. */
 const NAMED = 6;
@@ -50,16 +40,10 @@ export function courseOfMap(map: LineMap, rules: LeagueRules = USUAL_RULES): Map
     robot: { ...start.robot, at: first?.at ?? [HALF_MM, HALF_MM], heading: first?.heading ?? 0 },
     task: { ...sceneDefaults.task, seconds: map.seconds ?? pointRules[rules].seconds },
     objects: numbered(objects),
-    ...(league.tiles.length > 1 ? { league } : {}),
+    league,
   };
   return { scene, notes: notesOn(map, way, tiles) };
 } // prettier-ignore
-
-/** A place on a tile in the arena. */
-const placed = ({ at, turns }: MapTile, place: Vec, floor: Floor): Point => {
-  const [middle, there] = [floor(at), turnedPlace(place, turns)];
-  return rounded({ x: middle.x + there.x, y: middle.y + there.y });
-};
 
 function leagueTile({ tile, entry, exit, isAfterZone }: Step, index: number, floor: Floor): LeagueTile {
   const { gaps, crossings, obstacles, isCheckpoint } = tile;
@@ -72,37 +56,6 @@ function leagueTile({ tile, entry, exit, isAfterZone }: Step, index: number, flo
     ...(isCheckpoint && index > 0 ? { checkpoint: true } : {}),
     ...(isAfterZone ? { afterZone: true } : {}),
   };
-}
-
-/** The lines and marks of a tile; several are a group. */
-function linesOf(tile: MapTile, floor: Floor): readonly Unnamed[] {
-  const { lines, marks } = shapeOf(tile);
-  const color = 'black' as const;
-  const objects: readonly Unnamed[] = [
-    ...lines.map((points): Unnamed => ({ type: 'stroke', points: points.map((point) => placed(tile, point, floor)), width: LINE_MM, color })),
-    ...marks.map((mark): Unnamed => ({ type: 'paper', at: placed(tile, mark, floor), size: [MARK_MM, MARK_MM], angle: 0, color: 'green' })),
-    ...(tile.image === EXIT ? [endStrip(tile, floor)] : []),
-  ]; // prettier-ignore
-  return objects.length < 2 ? objects : objects.map((object) => ({ ...object, group: `tile-${keyOf(tile.at)}` }));
-}
-
-/** The red strip across the last tile. */
-function endStrip(tile: MapTile, floor: Floor): Unnamed {
-  const size: Point = tile.turns % 2 === 0 ? [TILE_MM, STRIP_MM] : [STRIP_MM, TILE_MM];
-  return { type: 'paper', at: rounded(floor(tile.at)), size, angle: 0, color: 'red' };
-}
-
-/** The obstacles along the way; each stands once, also where the robot comes twice. */
-function obstaclesOf({ steps }: Way, floor: Floor): readonly Unnamed[] {
-  const first = steps.filter((step, index) => steps.findIndex(({ tile }) => tile === step.tile) === index);
-  return first.flatMap(({ tile, entry, exit }) =>
-    Array.from({ length: tile.obstacles }, (_, index): Unnamed => {
-      const middle = floor(tile.at);
-      const there = placeOnWay(entry, exit ?? opposite(entry), (index + 1) / (tile.obstacles + 1));
-      const at = rounded({ x: middle.x + there.x, y: middle.y + there.y });
-      return { type: 'fixed-block', at, size: [OBSTACLE_MM, OBSTACLE_MM], angle: 0, height: OBSTACLE_HEIGHT_MM };
-    }),
-  );
 }
 
 /** Objects with ids: `stroke-1`, `stroke-2`, `paper-1`, … */

@@ -33,7 +33,12 @@ function mapOf(file: Fields, reader: Reader): LineMap {
   const tiles = new Map(ground.map(({ tile }) => [keyOf(tile.at), tile]));
   const start = placeIn(file['startTile'], 'startTile', reader);
   if (reader.problems.length === 0 && !tiles.has(keyOf(start)))
-    reader.report('unknown-value', 'startTile', file['startTile'], 'there is no tile. Set the start in the map’s editor.');
+    reader.report(
+      'unknown-value',
+      'startTile',
+      file['startTile'],
+      'there is no tile. Set the start in the map’s editor.',
+    );
   const { victims, duration, name } = file;
   const counts = isRecord(victims) ? victims : {};
   const most = (side: 'x' | 'y'): number => ground.reduce((so, { tile }) => Math.max(so, tile.at[side] + 1), 1);
@@ -106,7 +111,9 @@ function tileIn(key: string, value: unknown, isListed: boolean, reader: Reader):
   const said = isListed ? [fields['x'], fields['y'], fields['z'] ?? 0] : key.split(',').map(numberOf);
   const [x, y, floor] = said.map((part, index) => reader.whole(part, `${path}.${'xyz'.charAt(index)}`, { min: 0, max: index === 2 ? mapLimits.floors : mapLimits.side - 1 })); // prettier-ignore
   if (x === undefined || y === undefined || floor === undefined) {
-    reader.report('unknown-value', path, key, 'must be the place of a tile: "x,y,z".', { known: '"0,0,0", "1,0,0", …' });
+    reader.report('unknown-value', path, key, 'must be the place of a tile: "x,y,z".', {
+      known: '"0,0,0", "1,0,0", …',
+    });
     return [];
   }
   return [{ floor, tile: { at: { x, y }, ...kindIn(fields, path, reader), ...thingsOn(fields, path, reader) } }];
@@ -115,7 +122,12 @@ function tileIn(key: string, value: unknown, isListed: boolean, reader: Reader):
 const numberOf = (text: string): unknown => (/^\d{1,4}$/.test(text) ? Number(text) : text);
 
 /** The tile's type, and how it is turned. */
-function kindIn(fields: Fields, path: string, reader: Reader): Pick<MapTile, 'turns' | 'image' | 'paths' | 'gaps' | 'crossings'> { // prettier-ignore
+function kindIn(
+  fields: Fields,
+  path: string,
+  reader: Reader,
+): Pick<MapTile, 'turns' | 'image' | 'paths' | 'gaps' | 'crossings'> {
+  // prettier-ignore
   const place = `${path}.tileType`;
   const type = recordIn(fields['tileType'], place, reader);
   const { rot = 0 } = fields;
@@ -143,7 +155,13 @@ const SPECIAL: Readonly<Record<string, string>> = {
 function imageOf({ image, _id: id }: Fields): string {
   const special = typeof id === 'string' && Object.hasOwn(SPECIAL, id) ? SPECIAL[id] : undefined;
   if (special !== undefined) return special;
-  const name = typeof image === 'string' ? image.slice(0, 60).replace(/^.*\//, '').replace(/\.\w+$/, '') : '';
+  const name =
+    typeof image === 'string'
+      ? image
+          .slice(0, 60)
+          .replace(/^.*\//, '')
+          .replace(/\.\w+$/, '')
+      : '';
   return /^ev[123]$/.test(name) ? ZONE : name;
 }
 
@@ -164,7 +182,12 @@ function pathsIn(value: unknown, path: string, image: string, reader: Reader): R
 
 const isSide = (index: number | undefined): index is Side => index !== undefined && index >= 0;
 
-function thingsOn(fields: Fields, path: string, reader: Reader): Pick<MapTile, 'obstacles' | 'isCheckpoint' | 'unlike'> { // prettier-ignore
+function thingsOn(
+  fields: Fields,
+  path: string,
+  reader: Reader,
+): Pick<MapTile, 'obstacles' | 'isCheckpoint' | 'unlike'> {
+  // prettier-ignore
   const items = isRecord(fields['items']) ? fields['items'] : {};
   const type = isRecord(fields['tileType']) ? fields['tileType'] : {};
   const has = (value: unknown): boolean => value === true || (typeof value === 'number' && value > 0);

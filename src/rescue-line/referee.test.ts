@@ -23,7 +23,13 @@ function run(file: unknown, rules?: LeagueRules) {
     return referee.look({ pose, middle: { x, y }, body: () => [square], reachMm: 60 }, timeUs);
   };
   const { tiles } = scene.league!;
-  const along = (heading: number): readonly number[] => [[1, 0], [0, 1], [-1, 0], [0, -1]][heading / 90]!;
+  const along = (heading: number): readonly number[] =>
+    [
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+      [0, -1],
+    ][heading / 90]!;
   /** The middle of the line on a tile: that of a bend lies nearer to its corner. */
   const tile = (index: number): Vec => {
     const [out, into] = [along(tiles[index]!.heading), along((tiles[index - 1] ?? tiles[index]!).heading)];

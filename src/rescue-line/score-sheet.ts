@@ -68,7 +68,13 @@ export function pointsOf(league: League, progress: Progress): Points {
   };
 }
 
-function linesOnWay({ tiles }: League, sections: readonly Section[], rules: PointRules, progress: Progress): readonly PointLine[] { // prettier-ignore
+function linesOnWay(
+  { tiles }: League,
+  sections: readonly Section[],
+  rules: PointRules,
+  progress: Progress,
+): readonly PointLine[] {
+  // prettier-ignore
   const lines: PointLine[] = [];
   const put = (what: PointLine['what'], tile: number, count: number, points: number, state: PointLine['state']): void => {
     if (points > 0 || state !== 'open' || what === 'tiles') lines.push({ what, tile, count, points, state });
@@ -124,3 +130,10 @@ function factorOf({ victims: rules }: PointRules, { victims, lacks, zoneSection 
   const each = Math.max(rules.least, rules.factor - rules.lack * (lacks[zoneSection] ?? 0));
   return Array.from({ length: count }).reduce<number>((product) => product * each, 1);
 }
+
+/** The points of a run that has not begun. */
+export const pointsAtStart = (league: League): Points =>
+  pointsOf(league, {
+    ...{ passed: new Set<number>(), missed: new Set<number>(), lacks: [], over: 0, tile: 0 },
+    ...{ isDone: false, victims: NO_VICTIMS, zoneSection: 0 },
+  });

@@ -95,7 +95,13 @@ function strip(opening: Opening, color: Paper['color'], floor: Floor): Unnamed {
 }
 
 /** The walls between the zone and the rest; along the arena's edge there is one anyway. */
-function wallsOf(cells: readonly Place[], openings: readonly Opening[], floor: Floor, map: LineMap): readonly Unnamed[] { // prettier-ignore
+function wallsOf(
+  cells: readonly Place[],
+  openings: readonly Opening[],
+  floor: Floor,
+  map: LineMap,
+): readonly Unnamed[] {
+  // prettier-ignore
   const zone = new Set(cells.map(keyOf));
   const isOpen = (cell: Place, side: Side): boolean =>
     openings.some((opening) => opening.side === side && keyOf(opening.at) === keyOf(cell));
@@ -120,7 +126,13 @@ interface Corner {
 }
 
 /** The corners without an opening beside them, in the order in which safe places take them: the seed's. */
-function freeCorners(zone: { readonly at: Point; readonly size: Point }, openings: readonly Opening[], floor: Floor, rng: Rng): readonly Corner[] { // prettier-ignore
+function freeCorners(
+  zone: { readonly at: Point; readonly size: Point },
+  openings: readonly Opening[],
+  floor: Floor,
+  rng: Rng,
+): readonly Corner[] {
+  // prettier-ignore
   const all = ([1, -1] as const).flatMap((inX) => ([1, -1] as const).map((inY): Corner => {
     const at: Point = [zone.at[0] - (inX * zone.size[0]) / 2, zone.at[1] - (inY * zone.size[1]) / 2];
     return { at, inX, inY };
@@ -143,7 +155,14 @@ function triangle({ at: [x, y], inX, inY }: Corner, color: Paper['color']): Unna
   return { type: 'paper', at, size: [SAFE_MM, SAFE_MM], angle: 0, corners, color };
 }
 
-function victimsOf(map: LineMap, zone: { readonly at: Point; readonly size: Point }, safe: readonly Corner[], isEntry: boolean, rng: Rng): readonly Unnamed[] { // prettier-ignore
+function victimsOf(
+  map: LineMap,
+  zone: { readonly at: Point; readonly size: Point },
+  safe: readonly Corner[],
+  isEntry: boolean,
+  rng: Rng,
+): readonly Unnamed[] {
+  // prettier-ignore
   const { living, dead } = map.victims;
   const said = living + dead > 0 ? map.victims : USUAL_VICTIMS;
   const colors = [...Array<'silver'>(said.living).fill('silver'), ...Array<'black'>(said.dead).fill('black')];

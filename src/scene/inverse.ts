@@ -19,7 +19,10 @@ export function inverse(scene: Scene, edit: SceneEdit): SceneEdit {
     case 'robot':
       return { type: 'robot', robot: valuesOf(robotValues(scene.robot), edit.robot) };
     case 'course':
-      return { type: 'course', changes: valuesOf<Required<CourseChanges>>({ ...scene, league: scene.league ?? null }, edit.changes) };
+      return {
+        type: 'course',
+        changes: valuesOf<Required<CourseChanges>>({ ...scene, league: scene.league ?? null }, edit.changes),
+      };
     case 'clear':
       return { type: 'add', objects: scene.objects };
     case 'all': {

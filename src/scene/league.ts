@@ -41,7 +41,7 @@ export const TILE_MM = 300;
 
 /** Limits of a league. */
 export const leagueLimits = {
-  tiles: { min: 2, max: 1_000 },
+  tiles: { min: 1, max: 1_000 },
   /** Gaps, crossings or obstacles of a tile. */
   perTile: { min: 0, max: 20 },
   zoneMm: { min: TILE_MM, max: 5_000 },

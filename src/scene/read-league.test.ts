@@ -47,7 +47,7 @@ describe('the league of a course', () => {
     const { tiles } = league;
     expect(problemsOf({ tiles })[0]).toBe('league.rules: is missing; it must be one of line-2025, line-entry-2026.');
     expect(problemsOf({ rules: 'line-1999', tiles })[0]).toContain('"line-1999" is unknown. Known: line-2025');
-    expect(problemsOf({ rules: 'line-2025', tiles: [] })[0]).toBe('league.tiles: 0 entries; there may be 2 … 1000.');
+    expect(problemsOf({ rules: 'line-2025', tiles: [] })[0]).toBe('league.tiles: 0 entries; there may be 1 … 1000.');
     const wrong = [tiles[0], { at: [0, 0], heading: 45, gaps: 30 }];
     expect(problemsOf({ rules: 'line-2025', tiles: wrong })).toEqual([
       'league.tiles[1].heading: must be one of 0, 90, 180, 270.',

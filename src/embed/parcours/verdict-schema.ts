@@ -52,7 +52,7 @@ const points = v.strictObject({
     ),
     description('What there is to earn, along the way.'),
   ),
-  factor: pipe(v.optional(v.number()), description('The factor for victims; left out: 1.')),
+  factor: v.exactOptional(pipe(v.number(), description('The factor for victims; left out: 1.'))),
   lacks: pipe(v.number(), description('Number of lacks of progress.')),
   section: pipe(v.number(), description('The section that the robot is in, from 1 on.')),
   attempt: pipe(v.number(), description('Its try at this section, from 1 on.')),
@@ -94,9 +94,8 @@ export const verdictSchema = pipe(
         v.array(robot),
         description('How it stands for each robot, where the task is one for several; else empty.'),
       ),
-      points: pipe(
-        v.optional(points),
-        description('Points of a line that is scored by the rules of a league; left out: it is not.'),
+      points: v.exactOptional(
+        pipe(points, description('Points of a line that is scored by the rules of a league; left out: it is not.')),
       ),
     }),
   ),

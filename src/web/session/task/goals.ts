@@ -16,6 +16,7 @@ export type GoalWords =
   | 'blocks'
   | 'ring'
   | 'catch'
+  | 'line'
   | 'holdOut';
 
 /** A goal, in words made from the course, and the progress towards it. */
@@ -43,7 +44,7 @@ export interface TaskRule {
   readonly isBroken: boolean;
 }
 
-type Course = Pick<Scene, 'task' | 'objects'>;
+type Course = Pick<Scene, 'task' | 'objects' | 'league'>;
 
 /** The goals, in the order in which they are reached. */
 export function goalsInWords(course: Course, verdict: Verdict | null): readonly TaskGoal[] {
@@ -79,6 +80,7 @@ export function goalsInWords(course: Course, verdict: Verdict | null): readonly 
   }
   const done = verdict?.state === 'passed' || verdict?.state === 'helped' ? 1 : 0;
   if (task.robots === 'ring' || task.robots === 'catch') goals.push({ words: task.robots, values: {}, done, of: 1 });
+  if (course.league !== undefined) goals.push({ words: 'line', values: {}, done, of: 1 });
   if (goals.length === 0 && task.seconds !== null)
     goals.push({ words: 'holdOut', values: { seconds: task.seconds }, done, of: 1 });
   return goals;

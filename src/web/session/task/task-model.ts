@@ -72,7 +72,9 @@ export function createTask(
   });
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
   const text = computed(() => textOf(work.scene.value, ready.value, hasGoals.value));
-  const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
+  const hasText = computed(
+    () => hasWords(text.value) || work.work.value.project.task !== undefined || work.scene.value.league !== undefined,
+  );
   const isKept = computed(() => {
     const { course, task } = work.work.value.project;
     return isOwnPage && (course === null || task !== undefined || hasGoals.value);

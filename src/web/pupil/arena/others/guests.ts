@@ -7,9 +7,10 @@ import type { ArenaOptions } from '../model/arena-model';
 
 type Parts = Pick<RunParts & WorkParts & CourseEditorParts, 'run' | 'work' | 'editor'>;
 
-/** True if something stands above the picture of the arena: other robots, ghosts, places to ask why, heights. */
+/** True if something stands above the picture of the arena: other robots, ghosts, places to ask why, heights, points. */
 export const hasGuests = (parts: Parts, options: ArenaOptions, scene: Scene): boolean =>
   parts.work.hasSeveral.value ||
+  scene.league !== undefined ||
   parts.run.earlier.value !== null ||
   parts.run.recording.value.setup !== null ||
   saysHeights(parts, options, scene);
