@@ -1,8 +1,8 @@
 import { TILE_MM, type League, type LeagueRules, type LeagueTile } from '#scene/league';
-import { defaultScene, sceneDefaults, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { defaultScene, sceneDefaults, type Scene, type SceneObject } from '#scene/scene';
 import { floorOf, rounded, type Floor, type Unnamed } from './floor';
 import { follow, type Step, type Way } from './follow';
-import { EXIT, ZONE, unlikes, type LineMap, type MapTile } from './map';
+import { ZONE, unlikes, type LineMap, type MapTile } from './map';
 import type { MapNote } from './notes';
 import { pointRules } from './rules';
 import { headingOver, opposite } from './side';

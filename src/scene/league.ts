@@ -1,8 +1,9 @@
-import type { Point } from './scene';
-
 /** The rules by which a line of RoboCup Junior is scored: the league and its year. */
 export const leagueRules = ['line-2025', 'line-entry-2026'] as const;
 export type LeagueRules = (typeof leagueRules)[number];
+
+/** A place or an extent in whole mm, as in the rest of the course. */
+type Point = readonly [x: number, y: number];
 
 /** A line of tiles that is scored by the rules of a league. */
 export interface League {

@@ -7,7 +7,7 @@ import type { ModeParts } from '../../../session/mode/parts';
 import type { WorkParts } from '../../../session/work/model/parts';
 
 /** The parts of the editor that have a window of their own. */
-export type EditorPanel = 'list' | 'course' | 'background' | 'print' | 'parts';
+export type EditorPanel = 'list' | 'course' | 'background' | 'print' | 'parts' | 'line';
 
 /** The editor's windows, of which at most one is open. */
 export interface EditorPanels {
