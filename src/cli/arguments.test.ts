@@ -44,13 +44,20 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --senses off --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --until-verdict --strict --lang de --quiet';
+      'run --json --file a.py --device remote=r.py,robot=none,option=gamepad,file=c.py --device two=t.py,option=S1=claw main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --senses off --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --until-verdict --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
       devices: [
-        { name: 'remote', program: 'r.py', files: ['c.py'], robot: 'none', board: 'auto' },
-        { name: 'two', program: 't.py', files: [], robot: 'auto', board: 'auto' },
+        {
+          name: 'remote',
+          program: 'r.py',
+          files: ['c.py'],
+          robot: 'none',
+          board: 'auto',
+          robotOptions: { inHand: 'gamepad' },
+        },
+        { name: 'two', program: 't.py', files: [], robot: 'auto', board: 'auto', robotOptions: { S1: 'claw' } },
       ],
       scene: 's.json',
       robot: 'none',

@@ -46,6 +46,30 @@ describe('parcours run with --device', { timeout: 60_000 }, () => {
     expect(told()).toEqual(told());
   });
 
+  it('puts a micro:bit in the hand into a gamepad, and refuses one for what has no slot', () => {
+    const pad = file('pad.py', 'from microbit import *\nsleep(300)\nprint(pin1.read_analog(), pin16.read_digital())\n');
+    const moves = file(
+      'moves.json',
+      JSON.stringify([
+        { at: '100ms', device: 'pad', stick: { x: -1, y: 0 } },
+        { at: '200ms', device: 'pad', gamepad: 'F', down: true },
+      ]),
+    );
+    const calm = file('calm.py', 'pass\n');
+    const run = (option: string) =>
+      parcours('run', calm, '--device', `pad=${pad},robot=none,${option}`, '--input', moves);
+    expect(run('option=gamepad')).toEqual({ code: 0, out: 'pad: 0 0\n', err: '' });
+    expect(run('board=microbit-v2')).toMatchObject({
+      code: 2,
+      err: expect.stringContaining('has no gamepad') as string,
+    });
+    expect(run('option=paddle')).toMatchObject({
+      code: 2,
+      err: expect.stringContaining('"paddle" is no choice of inHand. Known: nothing, gamepad.') as string,
+    });
+    expect(run('option=gamepad,board=calliope-mini-3').code).toBe(2);
+  });
+
   it('has one device, named by its program, without --device', () => {
     const { devices } = lastLine(parcours('run', file('alone.py', 'print(1)'), '--json').out);
     expect(devices).toMatchObject([{ name: 'alone', console: '1\n' }]);
@@ -106,7 +130,7 @@ describe('parcours run with --device', { timeout: 60_000 }, () => {
     [['--device', 'remote'], '--device: "remote" is not like remote=remote.py,robot=none.'],
     [
       ['--device', `a=${remote},speed=3`],
-      '--device a: "speed=3" is unknown here. Known: robot=ID, board=ID, file=DRIVER.py.',
+      '--device a: "speed=3" is unknown here. Known: robot=ID, board=ID, option=CHOICE, file=DRIVER.py.',
     ],
     [
       ['--device', `a=${remote},robot=tank`],

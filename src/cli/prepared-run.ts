@@ -1,11 +1,21 @@
 import { basename } from 'node:path';
 import { boardOf } from '#board/boards/board-of-device';
+import { optionProblem, type OptionValues } from '#core/option';
 import { traitsFor } from '#my-robot/my-robot';
 import { modulesImportedBy } from '#python/imports';
+import { bareOptions, IN_HAND } from '#robots/in-hand';
 import type { Traits } from '#robots/traits';
 import { feelingInputs } from '#simulation/feeling';
-import { AUTO, chooseFurtherHardware, chooseHardware, hardwareIds, type Hardware } from '#simulation/hardware';
-import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
+import {
+  AUTO,
+  chooseFurtherHardware,
+  chooseHardware,
+  furtherRobot,
+  hardwareIds,
+  type FurtherWish,
+  type Hardware,
+} from '#simulation/hardware';
+import { NO_ROBOT, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunFiles } from './read-files';
 import { isAddress } from './read-work';
@@ -31,8 +41,10 @@ export function preparedRun<Asked extends SetupAsked>(
   const hardware = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
   if ('problem' in hardware) return { problem: placed(hardware.problem, options) };
   const [option] = Object.keys(options.robotOptions);
-  if (hardware.robot === null && option !== undefined)
+  if (hardware.robot === null && option !== undefined && option !== IN_HAND)
     return { problem: `--option ${option}: there is no robot here. Leave it out, or choose --robot.` };
+  const bare = bareOptionsProblem(hardware, options.robotOptions);
+  if (bare !== null) return { problem: `--option: ${bare}` };
   const setup = setupOf(options, read, hardware);
   return 'problem' in setup ? setup : { options, hardware, setup };
 }
@@ -48,22 +60,45 @@ function furtherDevices(
   first: Hardware,
 ): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
   const { scene } = read;
-  const added = devices.map(({ name, ...asked }, place) => {
+  const added = devices.map(({ name, robotOptions: own, ...asked }, place) => {
     const { files = {}, settings = {} } = read.added[place] ?? {};
     const { robot, board, firmware } = withProject({ ...asked, firmware: '' }, settings);
-    return { name, robot, board, firmware, robotOptions: settings.robotOptions ?? {}, files, from: `--device ${name}` };
+    return {
+      name,
+      robot,
+      board,
+      firmware,
+      robotOptions: settings.robotOptions ?? {},
+      own,
+      files,
+      from: `--device ${name}`,
+    };
   });
-  const ofProject = read.devices.map((device) => ({ ...device, from: `device "${device.name}"` }));
+  const ofProject = read.devices.map((device) => ({ ...device, own: {}, from: `device "${device.name}"` }));
   const made: DeviceSetup[] = [];
   let robots = first.robot === null ? 0 : 1;
-  for (const { name, files, from, ...wish } of [...ofProject, ...added]) {
+  for (const { name, files, from, own, ...asked } of [...ofProject, ...added]) {
     const start = robots === 0 ? null : furtherStart(scene, robots);
-    const hardware = chooseFurtherHardware({ ...wish, scene, start, imports: modulesImportedBy(files) });
-    if ('problem' in hardware) return { problem: `${from}: ${hardware.problem}` };
+    const wish = withOwnOptions({ ...asked, scene, start, imports: modulesImportedBy(files) }, own);
+    const hardware = chooseFurtherHardware(wish);
+    const problem = 'problem' in hardware ? hardware.problem : bareOptionsProblem(hardware, own);
+    if ('problem' in hardware || problem !== null) return { problem: `${from}: ${problem ?? ''}` };
     if (hardware.robot !== null) robots++;
     made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
   }
   return { devices: made };
+}
+
+/** The wish with further options for the robot that it gives, or for the bare board. */
+function withOwnOptions(wish: FurtherWish, own: OptionValues): FurtherWish {
+  const id = furtherRobot(wish);
+  return { ...wish, robotOptions: { ...wish.robotOptions, [id]: { ...wish.robotOptions[id], ...own } } };
+}
+
+/** The mistake in options that were asked for a board without a robot; `null`: none, or it has one. */
+function bareOptionsProblem({ robot, board }: Hardware, own: OptionValues): string | null {
+  const problem = robot === null ? optionProblem(bareOptions(board), own) : null;
+  return problem === null ? null : `${board.name} without a robot: ${problem}`;
 }
 
 /** The run of the program on this hardware, with the devices that are added. */
@@ -73,7 +108,7 @@ function setupOf(options: SetupAsked, read: RunFiles, hardware: Hardware): RunSe
   const further = furtherDevices(options, read, hardware);
   if ('problem' in further) return further;
   const { scene, files, inputs, settings } = read;
-  const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? ''], ...options.robotOptions };
+  const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? NO_ROBOT], ...options.robotOptions };
   const first = {
     name: read.firstName ?? firstName(options),
     files,

@@ -93,9 +93,9 @@ export const setupOptions = {
     help: 'puts a further file on the board, for instance a module that MAIN.py imports',
   },
   device: {
-    value: 'NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]',
+    value: 'NAME=PROGRAM.py[,robot=ID|none][,board=ID][,option=CHOICE][,file=DRIVER.py]',
     isRepeated: true,
-    help: "a further microcomputer in the same arena, with a robot or without, which hears the others by radio; up to seven. Its robot stands at the course's next start, or beside the first. A project or a link in the place of PROGRAM.py gives its first device. What is printed has the name of its device before each line",
+    help: "a further microcomputer in the same arena, with a robot or without, which hears the others by radio; up to seven. Its robot stands at the course's next start, or beside the first. A project or a link in the place of PROGRAM.py gives its first device. option=gamepad: a micro:bit in the hand, in a gamepad with stick and keys; of a robot option=S1=claw. What is printed has the name of its device before each line",
   },
   'my-robot': {
     value: 'FILE',
@@ -124,13 +124,16 @@ export const chanceOptions = {
   input: {
     value: 'FILE.json',
     path: 'reads',
-    help: "buttons, sensors, typed text, the hand and changes of the course, each at its time; what is typed after the program's end goes to the REPL:",
+    help: "buttons, the infrared remote control, the gamepad, sensors, typed text, the hand and changes of the course, each at its time; what is typed after the program's end goes to the REPL:",
     sample: [
       '[ { "at": "1s", "button": "a", "down": true },',
       '  { "at": "2s", "serial": "hello\\r\\n" },',
       '  { "at": "3s", "sensor": "lightLevel", "value": 10 },',
       '  { "at": "4s", "radio": "go" },',
       '  { "at": "4s", "device": "remote", "button": "b", "down": true },',
+      '  { "at": "4s", "remote": "up", "for": "0.5s" },',
+      '  { "at": "4s", "device": "pad", "stick": { "x": 0.5, "y": -1 } },',
+      '  { "at": "4s", "device": "pad", "gamepad": "C", "down": true },',
       '  { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } },',
       '  { "at": "5s", "noProgress": true },',
       '  { "at": "6s", "edit": { "type": "remove", "ids": ["stroke-1"] } } ]',

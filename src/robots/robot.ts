@@ -27,6 +27,7 @@ import type { Vec } from '#core/geometry';
 import type { Option, OptionValues } from '#core/option';
 import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
+import type { InfraredLight } from '#devices/nec-remote';
 import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { DepthCell, DepthView } from '#world/probes/depth-grid';
@@ -150,6 +151,8 @@ export interface RobotContext {
   readonly miss: () => number;
   /** Present voltage of the battery, in mV. */
   readonly supplyMv: () => number;
+  /** The light of a remote control on this robot. */
+  readonly infrared: InfraredLight;
   /** A value for each option of the type. */
   readonly options: OptionValues;
   /** Size of this robot compared with the real one: 1 = as built. */

@@ -1,6 +1,8 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
+import type { Gamepad } from '#devices/gamepad';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
+import { NecRemote } from '#devices/nec-remote';
 import { readPosition } from '#vm/debug/frames';
 import type { Inspected } from '#vm/debug/inspected';
 import type { Hold } from '#vm/run/engine';
@@ -10,6 +12,7 @@ import type { World } from '#world/world';
 import { OutputWatch } from './causes/output-watch';
 import type { FittedDevice } from './fit-devices';
 import { Hearing } from './several/hearing';
+import { mountInHand } from './in-hand';
 import { poseOf, type InputAction } from './input';
 import { mountRobot, type Mounted } from './mount-robot';
 import { tellEvents, type DeviceOutlets } from './outlets';
@@ -50,6 +53,8 @@ export class Device {
   readonly mounted: Mounted | null;
   /** Reports the robot's path; call it after each step of the world. */
   readonly sendTrail: () => void;
+  private readonly remote: NecRemote;
+  private readonly gamepad: Gamepad | null;
   private readonly scale: number;
   private readonly ownAlarms: number;
   private readonly lights: LedChains;
@@ -73,7 +78,9 @@ export class Device {
     const watch = outlets.set ? this.watchOutputs(outlets.set) : null;
     const { reality } = around.setup;
     const own = { clock: this.clock, board: this.board, onSet: watch?.onSet };
-    const place = { ...own, world, start, seed, reality, traits: setup.traits };
+    this.remote = new NecRemote(this.clock);
+    this.gamepad = mountInHand(this.board, hardware);
+    const place = { ...own, infrared: this.remote, world, start, seed, reality, traits: setup.traits };
     this.mounted = mountRobot(hardware, place);
     this.hearing = new Hearing(this.board.sensors, around.heard);
     this.sendTrail =
@@ -161,6 +168,12 @@ export class Device {
         return this.board.sensors.set(action.button === 'a' ? 'buttonA' : 'buttonB', action.down ? 1 : 0);
       case 'touch':
         return this.board.sensors.set(action.pad, action.down ? 1 : 0);
+      case 'remote':
+        return this.remote.set(action.key, action.down);
+      case 'stick':
+        return this.gamepad?.move(action.x, action.y);
+      case 'gamepad':
+        return this.gamepad?.set(action.key, action.down);
       case 'serial':
         return this.vm.feed(action.text);
       case 'sensor':
@@ -195,6 +208,8 @@ export class Device {
       robot: this.mounted && robotSnapshot(this.mounted, this.scale),
       lights: this.lights.chains(),
       arenaSenses: this.hearing.isOn,
+      ...(this.remote.sent && { infrared: this.remote.sent }),
+      ...(this.gamepad && { gamepad: this.gamepad.state() }),
     };
   }
 

@@ -2,6 +2,7 @@ import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { completeOptions, optionProblem, type OptionValues } from '#core/option';
 import { bringsOneOf, robotOfDrivers } from '#robots/by-module';
+import { optionsInHand } from '#robots/in-hand';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import type { RobotStart, Scene } from '#scene/scene';
@@ -16,7 +17,7 @@ export interface Hardware {
   readonly firmware: FirmwareType;
   /** `null`: the bare board. */
   readonly robot: RobotType | null;
-  /** A value for each of the robot's options. */
+  /** A value for each of the robot's options; of a bare board: what it holds (`optionsInHand`). */
   readonly options: OptionValues;
 }
 
@@ -60,6 +61,7 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
   const firmware = wish.firmware ? board.firmwares.find(({ id }) => id === wish.firmware) : usual;
   if (firmware === undefined)
     return unknown('firmware', wish.firmware ?? '', board.firmwares, `firmwares of the ${board.name}`);
+  if (robot === null) return { board, firmware, robot, options: optionsInHand(board, wish.robotOptions) };
   const options = chooseOptions(robot, wish);
   return 'problem' in options ? options : { board, firmware, robot, options: options.values };
 }
@@ -95,13 +97,13 @@ export function sceneOfFurther({ scene, start }: Pick<FurtherWish, 'scene' | 'st
 
 /** A course made for another robot may name options that this one does not have; they are ignored. */
 function chooseOptions(
-  robot: RobotType | null,
+  robot: RobotType,
   { scene, robotOptions = {} }: HardwareWish,
 ): { readonly values: OptionValues } | { readonly problem: string } {
-  const known = robot?.options ?? [];
-  const wished = robot === null ? null : optionProblem(known, robotOptions);
-  if (wished !== null) return { problem: `${robot?.name ?? ''}: ${wished}` };
-  const inScene = robot?.id === scene.robot.type ? optionProblem(known, scene.robot.options) : null;
+  const known = robot.options;
+  const wished = optionProblem(known, robotOptions);
+  if (wished !== null) return { problem: `${robot.name}: ${wished}` };
+  const inScene = robot.id === scene.robot.type ? optionProblem(known, scene.robot.options) : null;
   if (inScene !== null) return { problem: `robot.options: ${inScene}` };
   return { values: completeOptions(known, { ...scene.robot.options, ...robotOptions }) };
 }

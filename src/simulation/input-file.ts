@@ -1,3 +1,5 @@
+import { isGamepadKey, gamepadKeys } from '#devices/gamepad';
+import { isRemoteKey, remoteKeys } from '#devices/nec-remote';
 import { parseEdit } from '#scene/check-edit';
 import type { InputAction, InputEvent, PlacedPose } from '#simulation/input';
 import { parseDuration } from '#core/duration';
@@ -28,16 +30,25 @@ export function parseInputs(text: string): ParsedInputs {
     return { problem: 'must be a list [ … ] of entries such as { "at": "1s", "button": "a", "down": true }.' };
   if (value.length > MAX_ENTRIES) return { problem: `has ${value.length} entries; the limit is ${MAX_ENTRIES}.` };
   const inputs: InputEvent[] = [];
+  const releases: InputEvent[] = [];
   for (const [index, entry] of value.entries()) {
     const read = readEntry(entry);
     if ('problem' in read)
       return { problem: `[${index}]${read.field === '' ? '' : `.${read.field}`}: ${read.problem}` };
-    inputs.push(read);
+    inputs.push(read.event);
+    if (read.release) releases.push(read.release);
   }
-  return { inputs };
+  // Behind all entries: the places that a run names in its problems are then those of the file.
+  return { inputs: [...inputs, ...releases] };
 }
 
-function readEntry(entry: unknown): InputEvent | Bad {
+/** An entry as what happens at its time, and the end of a press that has a duration. */
+interface ReadEntry {
+  readonly event: InputEvent;
+  readonly release: InputEvent | null;
+}
+
+function readEntry(entry: unknown): ReadEntry | Bad {
   if (!isObject(entry)) return { field: '', problem: `must be an object { … }, not ${JSON.stringify(entry)}.` };
   if (typeof entry.at !== 'string') {
     return {
@@ -62,8 +73,28 @@ function readEntry(entry: unknown): InputEvent | Bad {
   const { device } = entry;
   if (device !== undefined && typeof device !== 'string')
     return wrong('device', 'the name of a device in quotes', device);
-  const action = read(entry);
-  return 'problem' in action ? action : { timeUs: at.us, ...(device !== undefined && { device }), action };
+  const held = heldUs(kind, entry);
+  if (typeof held === 'object' && held !== null) return held;
+  const action = read(held === null ? entry : { ...entry, down: true });
+  if ('problem' in action) return action;
+  const whose = device !== undefined && { device };
+  const event = { timeUs: at.us, ...whose, action };
+  if (held === null || !('down' in action)) return { event, release: null };
+  // Just before the step at which it takes effect, so that a press at that step comes after it.
+  return { event, release: { timeUs: at.us + held - 1, ...whose, action: { ...action, down: false } } };
+}
+
+/** Duration of a press on the remote control that names none. Chosen: a finger's, long enough for a repeat frame. */
+const KEY_US = 200_000;
+
+/** Duration of a press in µs; `null`: the entry says `down`, or is none. */
+function heldUs(kind: string, { for: text, down }: Fields): number | Bad | null {
+  if (text === undefined) return kind === 'remote' && down === undefined ? KEY_US : null;
+  if (down !== undefined) return { field: 'for', problem: 'does not go with down: a press has the one or the other.' };
+  if (typeof text !== 'string') return wrong('for', 'a duration in quotes such as "0.5s"', text);
+  const duration = parseDuration(text);
+  if ('problem' in duration) return { field: 'for', problem: duration.problem };
+  return duration.us > 0 ? duration.us : wrong('for', 'longer than nothing, such as "0.5s"', text);
 }
 
 /** The pads of all boards together; whether the run's board has a pad is checked when the run is made. */
@@ -76,8 +107,11 @@ type ReadAction = (entry: Fields) => InputAction | Bad;
 
 /** How to read each kind of entry, and which further fields it has. */
 const readers: Readonly<Record<string, { readonly fields: readonly string[]; readonly read: ReadAction }>> = {
-  button: { fields: ['down'], read: readButton },
-  touch: { fields: ['down'], read: readTouch },
+  button: { fields: ['down', 'for'], read: readButton },
+  touch: { fields: ['down', 'for'], read: readTouch },
+  remote: { fields: ['down', 'for'], read: readRemote },
+  stick: { fields: [], read: readStick },
+  gamepad: { fields: ['down', 'for'], read: readGamepad },
   serial: { fields: [], read: readSerial },
   sensor: { fields: ['value'], read: readSensor },
   place: { fields: [], read: readPlace },
@@ -102,6 +136,33 @@ function readTouch(entry: Fields): InputAction | Bad {
     return wrong('touch', `one of ${touchPads.join(', ')}`, touch);
   if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
   return { type: 'touch', pad: touch, down };
+}
+
+const remoteNames = remoteKeys.map(([name]) => name).join(', ');
+
+function readRemote({ remote, down }: Fields): InputAction | Bad {
+  if (!isRemoteKey(remote)) return wrong('remote', `a key in quotes, one of ${remoteNames}`, remote);
+  if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
+  return { type: 'remote', key: remote, down };
+}
+
+function readStick({ stick }: Fields): InputAction | Bad {
+  if (!isObject(stick)) return wrong('stick', 'an object { "x": …, "y": … }', stick);
+  const strange = Object.keys(stick).find((key) => key !== 'x' && key !== 'y');
+  if (strange !== undefined)
+    return { field: `stick.${strange.slice(0, 40)}`, problem: 'is unknown here. Known: x, y.' };
+  const { x, y } = stick;
+  if (!isDeflection(x)) return wrong('stick.x', 'a number from -1 (left) to 1 (right)', x);
+  if (!isDeflection(y)) return wrong('stick.y', 'a number from -1 (down) to 1 (up)', y);
+  return { type: 'stick', x, y };
+}
+
+const isDeflection = (value: unknown): value is number => typeof value === 'number' && Math.abs(value) <= 1;
+
+function readGamepad({ gamepad, down }: Fields): InputAction | Bad {
+  if (!isGamepadKey(gamepad)) return wrong('gamepad', `a key in quotes, one of ${gamepadKeys.join(', ')}`, gamepad);
+  if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
+  return { type: 'gamepad', key: gamepad, down };
 }
 
 function readSerial({ serial }: Fields): InputAction | Bad {

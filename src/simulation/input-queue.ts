@@ -88,6 +88,7 @@ function pressOf(action: InputAction, device = ''): Press | null {
   const press = (sensor: string, down: boolean): Press => ({ id: `${sensor} ${device}`, down });
   if (action.type === 'button') return press(action.button === 'a' ? 'buttonA' : 'buttonB', action.down);
   if (action.type === 'touch') return press(action.pad, action.down);
+  if (action.type === 'remote' || action.type === 'gamepad') return press(`${action.type}-${action.key}`, action.down);
   if (action.type !== 'sensor' || typeof action.value !== 'number' || !/^(button|pin)/.test(action.id)) return null;
   return press(action.id, action.value >= 0.5);
 }

@@ -1,5 +1,7 @@
 import { radOf } from '#core/angle';
 import type { Pose } from '#core/geometry';
+import type { GamepadKey } from '#devices/gamepad';
+import type { RemoteKey } from '#devices/nec-remote';
 import type { SceneEdit } from '#scene/edit';
 
 /** A pose as people write it: degrees counter-clockwise from +x. */
@@ -14,6 +16,11 @@ export type InputAction =
   | { readonly type: 'button'; readonly button: 'a' | 'b'; readonly down: boolean }
   /** A finger on `pinLogo`, `pin0`, … */
   | { readonly type: 'touch'; readonly pad: string; readonly down: boolean }
+  /** The infrared remote control, pointed at a robot; without a device at all of them. */
+  | { readonly type: 'remote'; readonly key: RemoteKey; readonly down: boolean }
+  /** The stick of a gamepad is moved, −1 … 1; right and up are positive. */
+  | { readonly type: 'stick'; readonly x: number; readonly y: number }
+  | { readonly type: 'gamepad'; readonly key: GamepadKey; readonly down: boolean }
   /** Text typed into the console. */
   | { readonly type: 'serial'; readonly text: string }
   /** The value of a sensor of the board: `lightLevel`, `temperature`, `accelerometerX`, … */
@@ -37,10 +44,16 @@ export type InputAction =
 /** An action and the simulated time at which it takes effect. */
 export interface InputEvent {
   readonly timeUs: number;
-  /** Name of the device that it is for; left out: the first. A packet without a name reaches all of them. */
+  /**
+   * Name of the device that it is for; left out: the first. A packet or the remote control without a name reaches all of
+   * them.
+   */
   readonly device?: string;
   readonly action: InputAction;
 }
 
 /** A pose as the world has it. */
 export const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
+
+/** True for what reaches all devices unless it names one: what comes through the air. */
+export const reachesAll = ({ type }: InputAction): boolean => type === 'radio' || type === 'remote';

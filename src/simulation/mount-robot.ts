@@ -3,6 +3,7 @@ import { findBoard } from '#board/boards/index';
 import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
+import type { InfraredLight } from '#devices/nec-remote';
 import { heardCone } from '#robots/incidence';
 import { withColourSensors } from '#robots/colour-sensor';
 import { bodyOf, type OnSet, type Robot, type RobotContext, type RobotType } from '#robots/robot';
@@ -37,6 +38,8 @@ export interface Place {
   readonly start: RobotStart;
   readonly seed: number;
   readonly reality: number;
+  /** The light of a remote control on the robot. */
+  readonly infrared: InfraredLight;
   readonly traits?: Traits | undefined;
   /** Called when the program sets an output of the robot; left out: nothing is reported. */
   readonly onSet?: OnSet | undefined;
@@ -79,6 +82,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     },
     miss: () => reality.miss(),
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
+    infrared: place.infrared,
     options: hardware.options,
     scale,
     lineReadings: place.traits?.line ?? {},

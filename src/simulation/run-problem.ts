@@ -1,5 +1,7 @@
-import type { BoardType } from '#board/boards/board-type';
 import { askedSensors } from '#board/sensors/asked-sensors';
+import { gamepadKeys, isGamepadKey } from '#devices/gamepad';
+import { isRemoteKey, remoteKeys } from '#devices/nec-remote';
+import { holdsGamepad } from '#robots/in-hand';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
@@ -7,6 +9,7 @@ import { DAMAGED_BACKGROUND, runRefusal } from '#scene/run-refusal';
 import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import { fitDevices, type FittedDevice } from './fit-devices';
+import type { Hardware } from './hardware';
 import type { InputAction, PlacedPose } from './input';
 import { placeOfDevice } from './several/place-of-device';
 import type { RunSetup } from './run-setup';
@@ -30,7 +33,7 @@ export function fitRun(setup: RunSetup): { readonly devices: readonly FittedDevi
 function inputsProblem({ scene, inputs = [] }: RunSetup, devices: readonly FittedDevice[]): string | null {
   const targets = {
     names: devices.map(({ setup }) => setup.name),
-    checks: devices.map(({ hardware }) => createInputCheck(hardware.board, scene, hardware.robot !== null)),
+    checks: devices.map(({ hardware }) => createInputCheck(hardware, scene)),
   };
   const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
   let course = scene;
@@ -68,12 +71,15 @@ export function checkFor({ names, checks }: InputTargets, device: string | undef
   return typeof place === 'string' ? place : (checks[place] ?? 'This device has no board.');
 }
 
+/** The hardware of a device, as far as an action depends on it. */
+type Plugged = Pick<Hardware, 'board' | 'robot' | 'options'>;
+
 /**
  * Makes the check of one device of a run.
  *
  * @param began the course that the run begins with
  */
-export function createInputCheck(board: BoardType, began: Scene, hasRobot: boolean): InputCheck {
+export function createInputCheck({ board, robot, options }: Plugged, began: Scene): InputCheck {
   const sensors = askedSensors(board);
   return (action, course, movable) => {
     switch (action.type) {
@@ -84,12 +90,17 @@ export function createInputCheck(board: BoardType, began: Scene, hasRobot: boole
         return null;
       case 'radio':
         return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
+      case 'remote':
+        return isRemoteKey(action.key) ? null : `remote: ${keyProblem(action.key, remoteNames)}`;
+      case 'stick':
+      case 'gamepad':
+        return robot === null && holdsGamepad(options) ? gamepadProblem(action) : NO_GAMEPAD;
       case 'touch':
         return sensors.problemOf(action.pad, action.down ? 1 : 0);
       case 'sensor':
         return sensors.problemOf(action.id, action.value);
       case 'place':
-        return hasRobot ? poseProblem(action.pose, began) : 'There is no robot that could be placed.';
+        return robot !== null ? poseProblem(action.pose, began) : 'There is no robot that could be placed.';
       case 'place-block':
         return movable.has(action.id) ? poseProblem(action.pose, began) : blockProblem(action.id, movable);
       case 'no-progress':
@@ -101,6 +112,22 @@ export function createInputCheck(board: BoardType, began: Scene, hasRobot: boole
     }
   };
 }
+
+const remoteNames = remoteKeys.map(([name]) => name);
+
+const NO_GAMEPAD =
+  'This device has no gamepad. Give it one: --device "NAME=PROGRAM.py,robot=none,option=gamepad", with a micro:bit.';
+
+function gamepadProblem(action: Extract<InputAction, { readonly type: 'stick' | 'gamepad' }>): string | null {
+  if (action.type === 'gamepad')
+    return isGamepadKey(action.key) ? null : `gamepad: ${keyProblem(action.key, gamepadKeys)}`;
+  for (const side of ['x', 'y'] as const)
+    if (!(Math.abs(action[side]) <= 1)) return `stick.${side}: ${action[side]} is not within -1 … 1.`;
+  return null;
+}
+
+const keyProblem = (key: string, known: readonly string[]): string =>
+  `there is no key "${key}". Known: ${known.join(', ')}.`;
 
 /** The problem of an edit, in words. A damaged picture is one: else it would show only in the middle of the run. */
 function editInWords(course: Scene, edit: SceneEdit): string | null {

@@ -85,7 +85,7 @@ export class Simulation {
     this.recorder = new TraceRecorder(robotsOf(this.devices), setup.keepTrace === true);
     this.judge = judgeOf(setup.scene, this.devices, fitted, this.courseWorld);
     this.air = new Air(this.devices, (device) => this.placeOf(device), setup.seed, setup.reality);
-    const checks = fitted.map(({ hardware }) => createInputCheck(hardware.board, setup.scene, hardware.robot !== null));
+    const checks = fitted.map(({ hardware }) => createInputCheck(hardware, setup.scene));
     const names = this.devices.map(({ name }) => name);
     this.inputs = new RunInputs(setup.inputs ?? [], { names, checks }, this.courseWorld, this.first.clock);
   }
@@ -352,8 +352,10 @@ export class Simulation {
         this.judge?.takeHand();
         return this.courseWorld.block(action.id)?.place(poseOf(action.pose));
       case 'radio':
-        for (const { board } of device === null ? this.devices : this.devices.slice(device, device + 1))
-          board.radio.receive(packetOf(action));
+        for (const { board } of this.named(device)) board.radio.receive(packetOf(action));
+        return;
+      case 'remote':
+        for (const heard of this.named(device)) heard.act(action);
         return;
       case 'no-progress':
         return this.judge?.callLack();
@@ -363,6 +365,11 @@ export class Simulation {
       default:
         return this.devices[device ?? 0]?.act(action satisfies DeviceAction);
     }
+  }
+
+  /** The device at this place; without one all of them. */
+  private named(device: number | null): readonly Device[] {
+    return device === null ? this.devices : this.devices.slice(device, device + 1);
   }
 
   /** How loud the others are where the device at this place is. */

@@ -1,6 +1,8 @@
 import type { Pose } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
+import type { GamepadState } from '#devices/gamepad';
 import type { LedChain } from '#devices/led-chains';
+import type { SentKey } from '#devices/nec-remote';
 import type { RobotLights, RobotState } from '#robots/robot';
 import type { Position } from '#vm/debug/frames';
 import type { Verdict } from './task/verdict';
@@ -54,6 +56,10 @@ export interface DeviceSnapshot extends BoardSnapshot {
   readonly lights: readonly LedChain[];
   /** True if the board measures the arena: see the action `arena-senses`. */
   readonly arenaSenses: boolean;
+  /** The key of the remote control that was sent last; left out before the first. */
+  readonly infrared?: SentKey;
+  /** Left out for a board that is plugged into no gamepad. */
+  readonly gamepad?: GamepadState;
 }
 
 /** The whole run at one moment, as plain data: to be drawn, reported and sent. It begins with the first device. */

@@ -36,6 +36,9 @@ const OF_SOME: Readonly<Record<string, Check>> = {
 const ACTIONS: Readonly<Record<string, Readonly<Record<string, Check>>>> = {
   button: { button: (value) => value === 'a' || value === 'b', down: isFlag },
   touch: { pad: isText, down: isFlag },
+  remote: { key: isText, down: isFlag },
+  stick: { x: isNumber, y: isNumber },
+  gamepad: { key: isText, down: isFlag },
   serial: { text: isText },
   sensor: { id: isText, value: (value) => isText(value) || isNumber(value) },
   place: { pose: isPose },

@@ -114,10 +114,13 @@ describe('an analog pin', () => {
     expect(board.pin('pin1').readAnalog()).toBe(512);
   });
 
-  it('A2: reads 0 with nothing connected, also when it was pulled up as a digital input before', () => {
-    const { board } = createBench();
+  it('A2: reads 512 with nothing connected, also when it was pulled up as a digital input before', () => {
+    const { board, chip } = createBench();
     const pin = board.pin('pin1');
     pin.setPull('up');
+    expect(pin.readAnalog()).toBe(512);
+    expect(pin.readDigital()).toBe(1); // the pull that it chose
+    chip('P1').pull('down');
     expect(pin.readAnalog()).toBe(0);
     expect(pin.mode).toBe('unused');
   });

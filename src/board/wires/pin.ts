@@ -113,12 +113,13 @@ export class Pin {
     this.end.drive(level);
   }
 
-  /** Reads the mean voltage, 0 … 1023 (rule A1). The pin becomes an input without a pull. */
+  /** Reads the mean voltage, 0 … 1023 (rules A1, A2). The pin becomes an input without a pull. */
   readAnalog(): number {
     this.take('unused');
     this.become('nothing');
     this.end.release();
-    return Math.min(ANALOG_MAX, Math.floor(this.wire.fraction * (ANALOG_MAX + 1)));
+    const fraction = this.wire.isOpen ? OPEN_FRACTION : this.wire.fraction;
+    return Math.min(ANALOG_MAX, Math.floor(fraction * (ANALOG_MAX + 1)));
   }
 
   /**
@@ -221,6 +222,7 @@ export class Pin {
 }
 
 const ANALOG_MAX = 1023;
+const OPEN_FRACTION = 0.5; // rule A2
 const TONE_DUTY = 0.5; // chosen: the synthesiser's square wave is high half of the time
 
 /** The device's ValueError for a held pin. */

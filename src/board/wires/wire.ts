@@ -91,6 +91,11 @@ export class Wire {
     }
   }
 
+  /** True while nobody drives the wire and nobody pulls it. */
+  get isOpen(): boolean {
+    return this.ends.every(({ drive, pull }) => drive === null && pull === 'none');
+  }
+
   /** Connects a participant. */
   connect(owner: string): WireEnd {
     const end: EndState = { owner, drive: null, pull: 'none' };

@@ -328,7 +328,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   private inputCheck(): InputCheck {
     const { checked } = this;
     if (checked?.board === this.rehearsal && checked.scene === this.work.scene) return checked.check;
-    const check = createInputCheck(this.hardware().board, this.work.scene, this.hardware().robot !== null);
+    const check = createInputCheck(this.hardware(), this.work.scene);
     this.checked = { board: this.rehearsal, scene: this.work.scene, check };
     return check;
   }

@@ -83,7 +83,7 @@ function attach(context: RobotContext): Robot {
       sonar.distanceMm,
       echoOf(context.options),
     ),
-    attachIrReceiver(board.wire('P16')),
+    attachIrReceiver(board.wire('P16'), context.infrared),
     line.sensors.left.stop,
     line.sensors.right.stop,
     underglow.stop,

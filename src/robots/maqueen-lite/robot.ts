@@ -87,7 +87,7 @@ function attach(context: RobotContext): Robot {
     ),
     line.sensors.left.stop,
     line.sensors.right.stop,
-    attachIrReceiver(board.wire('P16')),
+    attachIrReceiver(board.wire('P16'), context.infrared),
     underglow.stop,
     servos.stop,
     motors.stop,

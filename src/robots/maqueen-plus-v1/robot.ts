@@ -84,7 +84,7 @@ function attach(context: RobotContext): Robot {
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => sonar.distanceMm()),
-    attachIrReceiver(board.wire('P16')),
+    attachIrReceiver(board.wire('P16'), context.infrared),
     servos.stop,
     drive.stop,
   ];

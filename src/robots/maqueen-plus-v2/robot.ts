@@ -77,7 +77,7 @@ function attach(context: RobotContext): Robot {
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, echoOf(options)),
     ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
-    attachIrReceiver(board.wire('P16')),
+    attachIrReceiver(board.wire('P16'), context.infrared),
     underglow.stop,
     servos.stop,
     motors.stop,

@@ -56,7 +56,7 @@ function attach(context: RobotContext): Robot {
   const underglow = attachWs2812(board.wire('P1'), RGB_COUNT, tellColors(context));
   const stops: readonly Stop[] = [
     ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
-    attachIrReceiver(board.wire('P16')),
+    attachIrReceiver(board.wire('P16'), context.infrared),
     ...(sonar === null ? [] : [sonar.stop]),
     ...(lidar === null ? [] : [lidar.stop]),
     underglow.stop,

@@ -12,6 +12,7 @@ import type { Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import { signedDuty, type Side } from '#devices/dc-motor';
 import { NEAREST_MM } from '#devices/hc-sr04';
+import { attachNecDecoder } from '#devices/nec-remote';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountMotors, mountServos, tellColors } from '../mounting';
 import {
@@ -57,6 +58,7 @@ function attach(context: RobotContext): Robot {
   const motors = mountMotors(context);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
+  const infrared = attachNecDecoder(clock, context.infrared);
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   let shown: Rgb = [0, 0, 0];
 
@@ -75,11 +77,11 @@ function attach(context: RobotContext): Robot {
       isBright: line.isBright,
       brightness: line.reading,
       distanceCm: oncePerMoment(clock, () => distanceCm(sonar.distanceMm(), options['echo'] === 'zero')),
-      infraredCode: () => 0, // there are no remote controls here
+      infraredCode: infrared.code,
     },
     sidesOf(options['sides']),
   );
-  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), servos.stop, motors.stop];
+  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), infrared.stop, servos.stop, motors.stop];
 
   const lights = (): RobotLights => ({
     ...noLights,

@@ -3,6 +3,7 @@ import { findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import type { Vec } from '#core/geometry';
 import { completeOptions, type OptionValues } from '#core/option';
+import { NecRemote, noInfrared } from '#devices/nec-remote';
 import { createVm } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/step';
@@ -18,6 +19,7 @@ export const nothingAround = {
   lightAhead: () => null,
   miss: () => 0,
   supplyMv: () => 4800,
+  infrared: noInfrared,
   options: {},
   scale: 1,
   lineReadings: {},
@@ -30,6 +32,8 @@ export interface Floor {
   readonly board: Board;
   readonly chassis: Chassis;
   readonly robot: Robot;
+  /** A remote control that points at the robot. */
+  readonly remote: NecRemote;
   /** Lets simulated time pass. */
   readonly passMs: (ms: number) => void;
   /** Writes to a chip on the bus; false if no chip answers. */
@@ -79,6 +83,7 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
   const pose = { xMm: startMm.x, yMm: startMm.y, headingRad: 0 };
   const all = completeOptions(build.type.options, options);
   const chassis = world.addChassis({ ...bodyOf(build.type, all), strength }, pose, () => clock.nowUs);
+  const remote = new NecRemote(clock);
   const robot = build.attach({
     clock,
     board,
@@ -91,6 +96,7 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     lightAhead: () => null,
     miss: () => miss,
     supplyMv: () => supplyMv,
+    infrared: remote,
     options: all,
     scale,
     lineReadings: {},
@@ -108,6 +114,7 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     board,
     chassis,
     robot,
+    remote,
     passMs: (ms) => clock.advanceTo(clock.nowUs + ms * 1000),
     send,
     readFrom: (address, register, count) => {

@@ -1,6 +1,6 @@
 import type { Refusal } from '#embed/simulator';
 import { movableIds } from '#simulation/at-once';
-import type { InputAction } from '#simulation/input';
+import { reachesAll, type InputAction } from '#simulation/input';
 import { placeOfDevice } from '#simulation/several/place-of-device';
 import { createInputCheck } from '#simulation/run-problem';
 
@@ -10,7 +10,7 @@ import { hardwareNow } from '../../session/work/hardware/use-hardware';
 
 /** A host's actions on the run, separate from a user's actions on the page: they need no echo. */
 export interface HostInputs {
-  /** @param device its name; left out: the first, and for radio all */
+  /** @param device its name; left out: the first, or all that it reaches */
   take(action: InputAction, device?: string): Refusal;
   /** True while an action of the host is being done to the run. */
   isOwn(): boolean;
@@ -38,10 +38,10 @@ export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts)
       const hardware = hardwareNow(parts, place);
       if (hardware === null) return 'The course names a board or a robot that this app does not have.';
       const scene = work.scene.value;
-      const check = createInputCheck(hardware.board, scene, hardware.robot !== null);
+      const check = createInputCheck(hardware, scene);
       const problem = check(action, scene, movableIds(new Set(), scene, scene));
       if (problem !== null) return problem;
-      const isTaken = act(action, device === undefined && action.type === 'radio' ? undefined : place);
+      const isTaken = act(action, device === undefined && reachesAll(action) ? undefined : place);
       return isTaken ? null : 'The task that is open is done without the hand.';
     },
   };

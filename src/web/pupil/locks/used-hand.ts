@@ -53,10 +53,14 @@ function nameOf(action: InputAction): string | null {
       return `touch ${action.pad}`;
     case 'sensor':
       return `sensor ${action.id}`;
+    case 'remote':
+    case 'gamepad':
+      return `${action.type} ${action.key}`;
     case 'place-block':
       return `block ${action.id}`;
     case 'place':
     case 'serial':
+    case 'stick':
     case 'radio':
       return action.type;
     default:

@@ -1,6 +1,6 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-import type { InputAction } from '#simulation/input';
+import { reachesAll, type InputAction } from '#simulation/input';
 import { SPEEDS, type RunPhase, type Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
@@ -278,15 +278,15 @@ export class RunModel {
    * Sends an input to the run; if the run is still starting, at its first moment. Without a run only the host hears of
    * it.
    *
-   * @param device its place; left out: the one that is shown, and for a radio packet all of them
+   * @param device its place; left out: the one that is shown, or all that it reaches
    * @returns whether the action is allowed at all
    */
   input(action: InputAction, device?: number): boolean {
     if (this.host.refuses?.(action) === true) return false;
     this.look.leave(); // inputs affect the present
     this.host.onInput(action, device ?? this.device);
-    const place = device ?? (action.type === 'radio' ? null : this.device);
-    const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
+    const place = device ?? (reachesAll(action) ? null : this.device);
+    const name = place === null || (place === 0 && !reachesAll(action)) ? undefined : this.names[place];
     const message = { type: 'input', action, ...(name !== undefined && { device: name }) } as const;
     if (this.isActive.value && !this.send(message)) this.host.onRefused('Too much is done before the program begins.');
     return true;

@@ -1,9 +1,11 @@
 import { completeOptions, type OptionValues } from '#core/option';
 import { filesByName, type SourceFile } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
+import { optionsInHand } from '#robots/in-hand';
 import type { RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
+import { NO_ROBOT } from '#simulation/run-setup';
 
 import { AUTO_DEVICE, AUTO_ROBOT, boardWish, firmwareOf } from '../settings/devices';
 import type { Settings } from '../settings/settings';
@@ -32,8 +34,9 @@ export function hardwareOf({ scene, files }: Surroundings, settings: HardwareSet
   const chosen = chooseHardware({ scene, imports, robot: settings.robot, board: boardWish(settings.device) });
   if ('problem' in chosen) return null;
   const { board, robot } = chosen;
-  const changed = settings.robotOptions[robot?.id ?? ''];
-  const options = completeOptions(robot?.options ?? [], { ...chosen.options, ...changed });
+  const changed = settings.robotOptions[robot?.id ?? NO_ROBOT];
+  const options =
+    robot === null ? optionsInHand(board, changed) : completeOptions(robot.options, { ...chosen.options, ...changed });
   return { board, robot, options, firmware: firmwareOf(board, settings.firmware) };
 }
 

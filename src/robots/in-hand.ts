@@ -1,0 +1,24 @@
+import { optionOf, type Option, type OptionValues } from '#core/option';
+import words from './words';
+
+/** Id of the option of a board without a robot: what it is plugged into. */
+export const IN_HAND = 'inHand';
+
+/** The choice for DFRobot's gamepad. */
+export const GAMEPAD = 'gamepad';
+
+/** The board whose edge connector the gamepad has a slot for. */
+const GAMEPAD_BOARD = 'microbit-v2';
+
+const inHand = optionOf(IN_HAND, words.inHand, ['nothing', GAMEPAD]);
+
+/** The options of a board that carries no robot. */
+export const bareOptions = (board: { readonly id: string }): readonly Option[] =>
+  board.id === GAMEPAD_BOARD ? [inHand] : [];
+
+/** The chosen options that mean something on a board without a robot; those of robots do not. */
+export const optionsInHand = (board: { readonly id: string }, chosen: OptionValues = {}): OptionValues =>
+  board.id === GAMEPAD_BOARD && holdsGamepad(chosen) ? { [IN_HAND]: GAMEPAD } : {};
+
+/** True if a board with these options is plugged into a gamepad. */
+export const holdsGamepad = (options: OptionValues): boolean => options[IN_HAND] === GAMEPAD;
