@@ -57,6 +57,34 @@ export const sweepSubject: Subject<undefined> = {
   },
 };
 
+/** Programs of a tournament. */
+const PROGRAMS = 24;
+
+/** How long the command line takes for everyone against everyone: programs that look for the rival, each a little otherwise. */
+export const tournamentSubject: Subject<undefined> = {
+  budgets: [
+    { what: `CLI, tournament of ${PROGRAMS} in sumo, 276 pairs, both sides, on two threads`, budget: '<= 120 s' },
+  ],
+  async measure() {
+    const folder = mkdtempSync(join(tmpdir(), 'parcours-bench-'));
+    try {
+      const program = readFileSync('courses/sumo/main.py', 'utf8');
+      const paths = Array.from({ length: PROGRAMS }, (_, place) => join(folder, `${place}.py`));
+      for (const [place, path] of paths.entries())
+        writeFileSync(path, program.replace('SEEN = 32', `SEEN = ${20 + 2 * place}`));
+      const startMs = performance.now();
+      const words = ['tournament', 'sumo', ...paths, '--jobs', '2', '--quiet'];
+      const child = spawn(process.execPath, ['dist/cli/main.mjs', ...words]);
+      const [code] = (await once(child, 'exit')) as [number];
+      if (code !== 0) throw new Error(`The tournament ended with ${code}.`);
+      const seconds = (performance.now() - startMs) / 1000;
+      return [{ text: `${seconds.toFixed(0)} s`, met: seconds <= 120 }];
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  },
+};
+
 /** True if its memory stays what it is, however many hand-ins there are: programs that end at once, on one thread. */
 export const checkMemorySubject: Subject<undefined> = {
   budgets: [

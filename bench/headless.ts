@@ -8,7 +8,7 @@ import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup'
 import { Simulation } from '#simulation/simulation';
 import { TapeBox } from '#web/session/run/worker/tape-box';
 import { atBreakPoints } from '#vm/debug/stops';
-import { checkMemorySubject, checkSubject, sweepSubject } from './check';
+import { checkMemorySubject, checkSubject, sweepSubject, tournamentSubject } from './check';
 import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
 
@@ -109,6 +109,7 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   checkSubject,
   checkMemorySubject,
   sweepSubject,
+  tournamentSubject,
   {
     budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
     async measure() {

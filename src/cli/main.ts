@@ -42,6 +42,8 @@ async function carryOut(asked: Asked): Promise<number> {
       return (await import('./lab/sweep-command')).sweep(asked.options, terminal(asked.options.quiet));
     case 'hint':
       return (await import('./hint/hint-command')).giveHint(asked.options, terminal());
+    case 'tournament':
+      return (await import('./lab/tournament-command')).tournament(asked.options, terminal(asked.options.quiet));
     case 'class add':
     case 'class set':
     case 'class merge':

@@ -10,6 +10,7 @@ import { commandList } from './commands/commands';
 import { convert } from './convert/convert-command';
 import { outputProblem } from './outputs';
 import { sweep } from './lab/sweep-command';
+import { tournament } from './lab/tournament-command';
 import { run } from './run';
 import { createTerminal } from './terminal';
 import { useFolder } from './testing/parcours';
@@ -79,6 +80,7 @@ describe('a file that cannot be written', () => {
   const lines: Readonly<Record<string, readonly string[]>> = {
     run: ['run', program],
     check: ['check', 'closed-line', program],
+    tournament: ['tournament', 'sumo', program, program],
     sweep: ['sweep', program, '--vary', 'seed=1'],
     'class report': ['class', 'report', file('8b.json', classToText(newClass('8b')))],
     convert: ['convert', program],
@@ -95,6 +97,7 @@ describe('a file that cannot be written', () => {
       if (asked.type === 'run') return run(asked.options, terminal);
       if (asked.type === 'class report') return changeClass(asked.options, terminal);
       if (asked.type === 'sweep') return sweep(asked.options, terminal);
+      if (asked.type === 'tournament') return tournament(asked.options, terminal);
       if (asked.type === 'check') return checkHandIns(asked.options, terminal);
       return asked.type === 'convert' ? convert(asked.options, terminal, () => undefined) : `${name} is not tried here`;
     };

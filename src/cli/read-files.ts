@@ -43,7 +43,7 @@ const MAX_NAME_CHARACTERS = 120;
 
 /** Reads everything a run needs; a problem is one line or several, each naming the file. */
 export async function readRunFiles(options: SetupAsked): Promise<RunFiles | { readonly problem: string }> {
-  try {
+  return orProblemOf(async () => {
     const work = await readWork(options);
     const read =
       options.scene === null ? { scene: work.scene ?? defaultScene(), notes: [] } : await readScene(options.scene);
@@ -55,11 +55,26 @@ export async function readRunFiles(options: SetupAsked): Promise<RunFiles | { re
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
     };
+  });
+}
+
+/** Reads something, or says what is wrong with a file. */
+async function orProblemOf<T>(read: () => Promise<T>): Promise<T | { readonly problem: string }> {
+  try {
+    return await read();
   } catch (error) {
     if (error instanceof BadFile) return { problem: error.problem };
     throw error;
   }
 }
+
+/** The course behind a word of the command line. */
+export const readCourse = (word: string): Promise<{ readonly scene: Scene } | { readonly problem: string }> =>
+  orProblemOf(async () => ({ scene: await readScene(word) }));
+
+/** The program behind a word of the command line: its first device's, of a project. */
+export const filesOfWord = (word: string): Promise<Pick<Work, 'files'> | { readonly problem: string }> =>
+  orProblemOf(() => readWork({ program: word, files: [] }));
 
 /** The text of a file of at most this many bytes, or one line about the problem with it. */
 export const readLimited = (path: string, maxBytes: number): { readonly text: string } | { readonly problem: string } =>

@@ -1,6 +1,6 @@
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
-import type { OutcomeReason } from './outcome';
+import type { MatchReason } from './tournament/match';
 import { passedOf, type SweepResult, type SweepRun } from './sweep-texts';
 import words from './words';
 
@@ -8,7 +8,7 @@ import words from './words';
 export const secondsText = (ms: number): string => `${(ms / 1000).toFixed(1)} s`;
 
 /** Why a run has not passed, in a few words. */
-export const reasonText = (reason: OutcomeReason, language: Language): string => words.reasons[reason][language];
+export const reasonText = (reason: MatchReason, language: Language): string => words.reasons[reason][language];
 
 /** The result of a run in a line: the values, passed or not, the time, the reason. */
 export function runText(run: SweepRun, varied: readonly string[], language: Language): string {

@@ -12,6 +12,7 @@ const least: Readonly<Record<CommandName, readonly string[]>> = {
   check: ['closed-line', 'class/'],
   sweep: ['main.py', '--vary', 'seed=1..3/1'],
   hint: ['closed-line', 'main.py'],
+  tournament: ['sumo', 'a.py', 'b.py'],
   'class add': ['8b.json', 'closed-line', 'class/'],
   'class set': ['8b.json'],
   'class merge': ['8b.json', 'copy.json'],
@@ -39,12 +40,14 @@ function sampleOf({ value = '', choices }: OptionAbout): string {
     'PERCENT|even': '50',
     'TASK=DAY': 'bend=2026-12-01',
     N: '201',
+    'N,N': '1,2,3',
     NUMBER: '1',
     'I/N': '2/7',
     '1|2|3|4': '3',
     'FILE:LINE': 'main.py:3',
   };
-  if (choices !== undefined) return valuesOf(choices, listsWith(['slalom'])).find((one) => one !== 'en') ?? '';
+  if (choices !== undefined)
+    return valuesOf(choices, listsWith(['slalom'])).find((one) => !['en', 'league'].includes(one)) ?? '';
   return said[value] ?? (value.includes('=') ? 'two=b.py' : 'x.json');
 }
 

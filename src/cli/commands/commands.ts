@@ -4,6 +4,7 @@ import { convertAbout } from '../convert/convert-arguments';
 import { hintAbout } from '../hint/hint-arguments';
 import { probeCompareAbout } from '../probe/probe-arguments';
 import { sweepAbout } from '../lab/sweep-arguments';
+import { tournamentAbout } from '../lab/tournament-arguments';
 import { replayAbout } from '../replay/replay-arguments';
 import { runAbout } from '../run-arguments';
 import type { CommandAbout, Options } from './about';
@@ -17,6 +18,7 @@ export const commands = {
   check: checkAbout,
   sweep: sweepAbout,
   hint: hintAbout,
+  tournament: tournamentAbout,
   'class add': classAddAbout,
   'class set': classSetAbout,
   'class merge': classMergeAbout,

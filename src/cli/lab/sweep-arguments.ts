@@ -69,7 +69,7 @@ export const sweepAbout = command({
   exits: { 0: 'all runs are made, passed or not', 2: 'something is wrong with the command or a file' },
   examples: [
     'sweep main.py --scene slalom --vary main.py:5=500..900/50',
-    'sweep main.py --scene slalom --vary main.py:7.2=20..80#13 --vary seed=1..9/1 --report r.html',
+    'sweep main.py --scene slalom --vary main.py:7.2=20..80#13 --report sweep.html',
     'sweep main.py --scene slalom --vary seed=1..50/1 --reality 1 --resume r --shard 2/7',
     'sweep --merge r --csv sweep.csv',
   ],

@@ -1,0 +1,126 @@
+import { resolve } from 'node:path';
+import type { RunEnd } from '#lab/run-end';
+import { progressText } from '#lab/say';
+import { isForOne, matchSetup, type Files } from '#lab/tournament/match-setup';
+import { resultOfRun, type MatchResult, type Pairing } from '#lab/tournament/match';
+import { programNames } from '#lab/tournament/names';
+import { leagueCount, matchCount, played, type Draw, type Tournament } from '#lab/tournament/play';
+import { playedText, rowText, tournamentCsv, tournamentHtml, tournamentJson } from '#lab/tournament/texts';
+import { MOST_RUNS } from '#lab/values';
+import type { Scene } from '#scene/scene';
+import { hasTask } from '#simulation/task/task-brief';
+import { outputProblem } from '../outputs';
+import { DEFAULT_LIMIT_US } from '../prepared-run';
+import { filesOfWord, readCourse } from '../read-files';
+import { isAddress, shortened } from '../read-work';
+import { CountProgress, refuse, writeReports } from '../results-out';
+import { printable, type Terminal } from '../terminal';
+import { makeRuns, type Wanted } from './make-runs';
+import type { TournamentOptions } from './tournament-arguments';
+
+type Problem = { readonly problem: string };
+
+/** Course and programs, read. */
+interface Entered {
+  readonly scene: Scene;
+  readonly programs: readonly Files[];
+  readonly draw: Draw;
+}
+
+/** A match is over when the task is decided, or when nothing more can happen. */
+const END: RunEnd = { untilUs: DEFAULT_LIMIT_US, untilProgramEnds: false, untilVerdict: true };
+
+/**
+ * Carries out `parcours tournament`.
+ *
+ * @returns the exit code: 0 all matches are played, 2 bad usage or a bad file
+ */
+export async function tournament(options: TournamentOptions, terminal: Terminal): Promise<0 | 2> {
+  const entered = await enter(options);
+  if ('problem' in entered) return refuse(entered.problem, terminal);
+  const found = await playAll(entered, options, terminal);
+  if ('problem' in found) return refuse(found.problem, terminal);
+  const { lang, course } = options;
+  const problems = writeReports([
+    ['--report', options.report, () => tournamentHtml(found, entered.scene.name || shortened(course), lang)],
+    ['--csv', options.csv, () => tournamentCsv(found)],
+  ]);
+  if (options.json) terminal.line(tournamentJson(found));
+  else if (!options.quiet) {
+    for (const [place, row] of found.table.entries()) terminal.line(printable(rowText(row, place)));
+    terminal.line(playedText(found.matches.length, lang));
+  }
+  for (const problem of problems) refuse(problem, terminal);
+  return problems.length > 0 ? 2 : 0;
+}
+
+/** Reads everything, and says what is wrong with it before a match is played. */
+async function enter({
+  course,
+  programs: paths,
+  mode,
+  seeds,
+  report,
+  csv,
+}: TournamentOptions): Promise<Entered | Problem> {
+  const read = await readCourse(course);
+  if ('problem' in read) return read;
+  const { scene } = read;
+  if (!hasTask(scene)) return { problem: `${shortened(course)}: the course has no task that anybody could win.` };
+  const programs: Files[] = [];
+  for (const path of paths) {
+    const work = await filesOfWord(path);
+    if ('problem' in work) return work;
+    programs.push(work.files);
+  }
+  const outputs = [
+    { option: '--report', path: report },
+    { option: '--csv', path: csv },
+  ];
+  const unwritable = outputProblem(outputs, [course, ...paths], 'tournament');
+  if (unwritable !== null) return { problem: unwritable };
+  const names = programNames(
+    paths.map((path) => (isAddress(path) ? shortened(path) : resolve(path).replaceAll('\\', '/'))),
+  );
+  const draw: Draw = { mode, names, seeds, isAlone: isForOne(scene) };
+  const problem = drawProblem(draw, course);
+  return problem === null ? { scene, programs, draw } : { problem };
+}
+
+function drawProblem(draw: Draw, course: string): string | null {
+  if (draw.isAlone && draw.mode === 'knockout')
+    return `--mode knockout: ${shortened(course)} is a course for one robot, in which nobody meets. Leave it out.`;
+  if (!draw.isAlone && draw.names.length < 2) return 'One program has nobody to meet. Name another one.';
+  return leagueCount(draw) > MOST_RUNS && draw.mode === 'league'
+    ? `${leagueCount(draw)} matches are too many, at most ${MOST_RUNS}.`
+    : null;
+}
+
+async function playAll(
+  { scene, programs, draw }: Entered,
+  { jobs, quiet, json, lang }: TournamentOptions,
+  terminal: Terminal,
+): Promise<Tournament | Problem> {
+  const of = matchCount(draw);
+  const progress = new CountProgress(terminal, of, quiet || json, (done) => progressText(done, of, lang));
+  let problem = '';
+  const play = async (pairings: readonly Pairing[]): Promise<readonly MatchResult[] | null> => {
+    const results: MatchResult[] = [];
+    const runs: Wanted<number>[] = [];
+    for (const [place, { a, b, seed }] of pairings.entries()) {
+      const setup = matchSetup(scene, programs[a] ?? {}, b === null ? null : (programs[b] ?? {}), seed);
+      if ('problem' in setup) problem = setup.problem;
+      else runs.push({ is: place, request: { setup, end: END } });
+    }
+    if (problem !== '') return null;
+    const refused = await makeRuns(runs, Math.min(jobs, runs.length), (place, made) => {
+      results[place] = resultOfRun(made, draw.isAlone);
+      progress.add(1);
+    });
+    if (refused !== null) problem = refused.problem;
+    return refused === null ? results : null;
+  };
+  const found = await played(draw, play);
+  terminal.clearProgress();
+  return found ?? { problem };
+}

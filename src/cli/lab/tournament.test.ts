@@ -1,0 +1,59 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { parcours, useFolder } from '../testing/parcours';
+
+const { file } = useFolder();
+
+/** Two robots in a ring, for five seconds; both are Maqueens, whatever the programs import. */
+const ring = file(
+  'ring.json',
+  JSON.stringify({
+    ...{ format: 'parcours-scene', version: 7, size: [1200, 900] },
+    robot: { type: 'maqueen-lite', at: [450, 450], heading: 0 },
+    task: { robots: 'ring', seconds: 5 },
+    objects: [
+      { id: 'ring', type: 'target', at: [600, 450], size: [700, 500] },
+      { id: 'start', type: 'start', at: [750, 450], heading: 180, robot: 'maqueen-lite' },
+    ],
+  }),
+);
+const leaves = file('leaves.py', 'from mbrobot import *\nsetSpeed(100)\nbackward()\ndelay(9000)\n');
+const stays = file('stays.py', 'from callibot import *\n');
+
+describe('parcours tournament', { timeout: 120_000 }, () => {
+  it('plays each pair on both sides, the same with one and with four threads', () => {
+    const [one, four] = ['1', '4'].map((jobs) => parcours('tournament', ring, leaves, stays, '--json', '--jobs', jobs));
+    expect(one).toEqual(four);
+    expect(one?.err).toBe('');
+    const { mode, matches, table } = JSON.parse(one?.out ?? '') as Record<string, readonly object[]>;
+    expect(mode).toBe('league');
+    expect(matches).toMatchObject([
+      { a: 'leaves.py', b: 'stays.py', seed: 1, winner: 'b', reason: 'left' },
+      { a: 'stays.py', b: 'leaves.py', seed: 1, winner: 'a', reason: 'left' },
+    ]);
+    expect(table).toEqual([
+      { name: 'stays.py', points: 6, won: 2, drawn: 0, lost: 0 },
+      { name: 'leaves.py', points: 0, won: 0, drawn: 0, lost: 2 },
+    ]);
+  });
+
+  it('writes a page and a table of a knockout', () => {
+    const [report, csv] = [file('t.html', ''), file('t.csv', '')];
+    const { out } = parcours('tournament', ring, stays, leaves, '--mode', 'knockout', '--report', report, '--csv', csv);
+    expect(out).toBe('1. stays.py  6  (2/0/0)\n2. leaves.py  0  (0/0/2)\n2 matches\n');
+    expect(readFileSync(csv, 'utf8')).toBe('name,points,won,drawn,lost\r\nstays.py,6,2,0,0\r\nleaves.py,0,0,0,2\r\n');
+    expect(readFileSync(report, 'utf8')).toContain('<td>stays.py</td><td class="number">6</td>');
+  });
+
+  it.each([
+    [[ring, stays], 'has nobody to meet'],
+    [['slalom', stays, leaves, '--mode', 'knockout'], 'a course for one robot'],
+    [['empty', stays, leaves], 'has no task'],
+    [[ring, stays, leaves, '--seeds', '1,1'], '--seeds: "1,1" is not like 1,2,3'],
+    [[ring, stays, 'nobody.py'], 'nobody.py'],
+  ])('ends with 2 for %j', (words, problem) => {
+    const { code, err } = parcours('tournament', ...words);
+    expect(code).toBe(2);
+    expect(err).toContain(problem);
+  });
+});
