@@ -68,9 +68,9 @@ async function orProblemOf<T>(read: () => Promise<T>): Promise<T | { readonly pr
   }
 }
 
-/** The course behind a word of the command line. */
-export const readCourse = (word: string): Promise<{ readonly scene: Scene } | { readonly problem: string }> =>
-  orProblemOf(async () => ({ scene: await readScene(word) }));
+/** The course behind a word of the command line, with what is to be said about it. */
+export const readCourse = (word: string): Promise<CourseRead | { readonly problem: string }> =>
+  orProblemOf(() => readScene(word));
 
 /** The program behind a word of the command line: its first device's, of a project. */
 export const filesOfWord = (word: string): Promise<Pick<Work, 'files'> | { readonly problem: string }> =>
@@ -94,6 +94,12 @@ function orProblem<T>(read: () => T): T | { readonly problem: string } {
     if (error instanceof BadFile) return { problem: error.problem };
     throw error;
   }
+}
+
+/** A course, and what is to be said about it. */
+interface CourseRead {
+  readonly scene: Scene;
+  readonly notes: readonly string[];
 }
 
 /** Ends the reading from any depth; only the functions above catch it. */
@@ -144,7 +150,7 @@ function addFile(files: Record<string, string>, path: string): void {
 export const isNoFile = (path: string): boolean => !existsSync(path) || statSync(path).isDirectory();
 
 /** A course, that of a project or of a link, or a ready one by its id. */
-async function readScene(word: string): Promise<{ readonly scene: Scene; readonly notes: readonly string[] }> {
+async function readScene(word: string): Promise<CourseRead> {
   if (isAddress(word)) return { scene: await sceneOfAddress(word), notes: [] };
   const ready = isNoFile(word) ? (await import('./ready-courses')).readyCourse(word) : null;
   if (ready !== null) return { scene: ready, notes: [] };

@@ -23,6 +23,8 @@ type Problem = { readonly problem: string };
 /** Course and programs, read. */
 interface Entered {
   readonly scene: Scene;
+  /** Of the course. */
+  readonly notes: readonly string[];
   readonly programs: readonly Files[];
   readonly draw: Draw;
 }
@@ -38,6 +40,7 @@ const END: RunEnd = { untilUs: DEFAULT_LIMIT_US, untilProgramEnds: false, untilV
 export async function tournament(options: TournamentOptions, terminal: Terminal): Promise<0 | 2> {
   const entered = await enter(options);
   if ('problem' in entered) return refuse(entered.problem, terminal);
+  for (const note of entered.notes) terminal.message(`parcours: ${note}`);
   const found = await playAll(entered, options, terminal);
   if ('problem' in found) return refuse(found.problem, terminal);
   const { lang, course } = options;
@@ -65,7 +68,7 @@ async function enter({
 }: TournamentOptions): Promise<Entered | Problem> {
   const read = await readCourse(course);
   if ('problem' in read) return read;
-  const { scene } = read;
+  const { scene, notes } = read;
   if (!hasTask(scene)) return { problem: `${shortened(course)}: the course has no task that anybody could win.` };
   const programs: Files[] = [];
   for (const path of paths) {
@@ -84,7 +87,7 @@ async function enter({
   );
   const draw: Draw = { mode, names, seeds, isAlone: isForOne(scene) };
   const problem = drawProblem(draw, course);
-  return problem === null ? { scene, programs, draw } : { problem };
+  return problem === null ? { scene, notes, programs, draw } : { problem };
 }
 
 function drawProblem(draw: Draw, course: string): string | null {

@@ -316,7 +316,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   }
 
   /** The hardware for a run of the present work; only the first board if the course names unknown things. */
-  private hardware(): Pick<Hardware, 'board' | 'firmware' | 'robot'> {
+  private hardware(): Hardware {
     const chosen = chooseHardware(wishOf(this.work, this.held));
     if (!('problem' in chosen)) return chosen;
     const plain = chooseHardware({ scene: defaultScene(), imports: new Set(), robot: 'none', board: 'auto' });
