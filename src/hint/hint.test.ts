@@ -16,9 +16,7 @@ const hinted = (task: ClassTask, text: string, budget = 100): Promise<Hint | nul
 const ahead = taskWith(sceneWith([targetAt(420, 450)], { task: { ...sceneWith([]).task, seconds: 8 } }));
 const DRIVES = 'from mbrobot import *\nsetSpeed(50)\nforward()\ndelay(1100)\nstop()\n';
 /** Small enough for a unit test; `npm run bench -- --hints` has all of them. */
-const some = corpus.filter(
-  ({ course, kind }) => course === 'push' && ['polarity', 'comparison'].includes(kind),
-);
+const some = corpus.filter(({ course, kind }) => course === 'push' && ['polarity', 'comparison'].includes(kind));
 
 describe('a hint', () => {
   it('is none to a program that passes', async () => expect(await hinted(ahead, DRIVES)).toBeNull());

@@ -57,11 +57,23 @@ export function nameChanges(program: Program): readonly Change[] {
   ]);
 }
 
-/** Names of the robots' libraries in the place of others with which they are less often confused. */
-export const relatedNameChanges = (program: Program): readonly Change[] =>
-  renamed(program, (name) => RELATED.filter((names) => names.includes(name)).flat());
+/** Names in the place of others with which they are less often confused: they do another thing, or stand in the line already. */
+export const relatedNameChanges = (program: Program): readonly Change[] => [
+  ...renamed(program, (name) => RELATED.filter((names) => names.includes(name)).flat()),
+  ...allRenamed(program, oppositesOf),
+];
 
-const renamed = (program: Program, others: (name: string) => readonly string[]): readonly Change[] =>
+/** Those of `allRenamed` by which no name comes twice into a line. */
+const renamed: typeof allRenamed = (program, others) =>
+  allRenamed(program, others).filter(({ before, after }) => wordsTwice(after) <= wordsTwice(before));
+
+/** How often a name stands in a line once more. */
+function wordsTwice([line = '']: readonly string[]): number {
+  const words = line.match(/[A-Za-z_]\w*/g) ?? [];
+  return words.length - new Set(words).size;
+}
+
+const allRenamed = (program: Program, others: (name: string) => readonly string[]): readonly Change[] =>
   usedNames(program).flatMap((node) => {
     const name = program.textOf(node);
     const names = [...new Set(others(name))].filter((one) => one !== name);

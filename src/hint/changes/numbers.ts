@@ -40,7 +40,7 @@ const isInText = (node: SyntaxNode): boolean => Array.from(parentsOf(node)).some
 const rounded = (value: number): number => Number(value.toPrecision(3));
 
 /** Factors of the coarse steps, in the order in which they are tried. Chosen: a slip is seldom beyond ten times. */
-const FACTORS = [2, 0.5, 1.4, 0.7, 1.2, 0.85, 3, 0.33, 10, 0.1, 5, 0.2] as const;
+const FACTORS = [2, 0.5, 1.4, 0.7, 0.1, 10, 1.2, 0.85, 3, 0.33, 5, 0.2] as const;
 /** For small whole numbers, which count something. */
 const STEPS = [1, -1, 2, -2, 3, -3, 4] as const;
 /** Instead of 0. */

@@ -18,7 +18,7 @@ const [push, parking, maze, carry, guard] = ['push', 'parking', 'small-maze', 'c
 
 /** The corpus: ten courses, all kinds. */
 export const corpus: readonly Fault[] = [
-  line!('number', 'setSpeed(40)', 'setSpeed(100)'),
+  line!('number', 'leftArc(0.06)', 'leftArc(0.2)'),
   line!('number', 'leftArc(0.06)', 'leftArc(0.6)'),
   line!('number', 'rightArc(0.06)', 'rightArc(0.5)'),
   line!('number', 'delay(10)', 'delay(700)'),
@@ -96,7 +96,7 @@ export const corpus: readonly Fault[] = [
   push!('number', 'setSpeed(50)', 'setSpeed(1)'),
   push!('number', 'setSpeed(50)\n\n', 'setSpeed(0)\n\n'),
   push!('missing', 'forward()\nwhile', 'while'),
-  push!('missing', '    delay(10)\nstop()\n', '    delay(10)\n'),
+  push!('extra', '    delay(10)\nstop()', '    delay(10)\n    break\nstop()'),
   push!('logic', 'while irLeft', 'if irLeft'),
   push!('extra', 'forward()\nwhile', 'forward()\nstop()\nwhile'),
   push!('name', 'irRight.read', 'irLeft.read'),

@@ -7,8 +7,11 @@ import type { Simulation } from '#simulation/simulation';
 const LOOK_US = 100_000;
 /** Side of the squares by which a place counts as new, in mm. Chosen: half a robot. */
 const SQUARE_MM = 50;
-/** Simulated time without a new place after which nothing comes of a run. Chosen: longer than a robot has to wait for a gate. */
-const STALL_US = 15_000_000;
+/**
+ * Simulated time without a new place, or away from the line that was left, after which nothing comes of a run. Chosen: longer
+ * than a robot has to wait for a gate.
+ */
+const STALL_US = 10_000_000;
 /** The same where places come again. */
 const ROUNDS_US = 60_000_000;
 
@@ -56,7 +59,9 @@ export class Stall implements Onlooker {
     if (reached > this.reached || !this.squares.has(square)) this.newUs = nowUs;
     this.squares.add(square);
     this.reached = Math.max(this.reached, reached);
-    this.isStalled = nowUs - this.newUs > (this.comesAgain ? ROUNDS_US : STALL_US);
+    const { leftUs } = this.approach;
+    const isLost = leftUs !== null && nowUs - leftUs > STALL_US;
+    this.isStalled = isLost || nowUs - this.newUs > (this.comesAgain ? ROUNDS_US : STALL_US);
   }
 }
 
