@@ -18,7 +18,7 @@ const [push, parking, maze, carry, guard] = ['push', 'parking', 'small-maze', 'c
 
 /** The corpus: ten courses, all kinds. */
 export const corpus: readonly Fault[] = [
-  line!('number', 'leftArc(0.06)', 'leftArc(0.2)'),
+  line!('number', 'leftArc(0.06)', 'leftArc(1.5)'),
   line!('number', 'leftArc(0.06)', 'leftArc(0.6)'),
   line!('number', 'rightArc(0.06)', 'rightArc(0.5)'),
   line!('number', 'delay(10)', 'delay(700)'),
@@ -99,7 +99,7 @@ export const corpus: readonly Fault[] = [
   push!('extra', '    delay(10)\nstop()', '    delay(10)\n    break\nstop()'),
   push!('logic', 'while irLeft', 'if irLeft'),
   push!('extra', 'forward()\nwhile', 'forward()\nstop()\nwhile'),
-  push!('name', 'irRight.read', 'irLeft.read'),
+  push!('logic', 'irLeft.read_digital() == 1 and', 'irLeft.read_digital() == 1 and not'),
   push!('comparison', 'irRight.read_digital() == 1', 'irRight.read_digital() < 1'),
 
   parking!('number', 'QUARTER_TURN = 590', 'QUARTER_TURN = 400'),
