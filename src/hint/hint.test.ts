@@ -39,6 +39,13 @@ describe('a hint', () => {
     expect(hintText(hint!, 1, 'en')).not.toMatch(/line|forward/);
   });
 
+  it('tries nothing of a program that stays broken, and names the line of the error', async () => {
+    const hint = await hinted(ahead, DRIVES.replace('forward()', 'forward('));
+    expect(hint).toMatchObject({ change: null, tried: 0 });
+    expect(hintText(hint!, 2, 'en')).toMatch(/^Your program does not run.* Look at line \d\. No change/);
+    expect(JSON.parse(hintJson(hint, 1, 'en'))).toMatchObject({ hint: { line: null } });
+  });
+
   it.each(some)('holds: $course, $kind, $wrong', async (fault) => {
     const task = taskWith(readyScene(fault.course));
     const { text } = faulty(readySolution(fault.course), fault);

@@ -57,7 +57,8 @@ export async function hintFor(given: ClassTask, handIn: HandIn, hinter: Hinter):
   const reason = mainReason(task, result) ?? { code: 'open', params: {} };
   const happened = happenedIn({ reason, result: failed.result, seen, course: task.project.scene });
   const suspects = suspectsIn(mainOf(handIn), seen, happened);
-  const search = { task, handIn, firmware, budget, beat, failedIn: failed.world, suspects };
+  const isBroken = happened.fact === 'error' && ['SyntaxError', 'IndentationError'].includes(happened.type);
+  const search = { task, handIn, firmware, budget, beat, failedIn: failed.world, suspects, isBroken };
   const { change, tried } = await findChange(search);
   return { reason, atMs: failed.result?.atMs ?? null, happened, change, tried, program: mainOf(handIn) };
 }

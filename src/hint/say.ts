@@ -18,8 +18,11 @@ export function hintText(hint: Hint, level: HintLevel, language: Language): stri
 /** The sentence to a program that passes. */
 export const passedText = (language: Language): string => words.passed[language];
 
-const nothingText = ({ tried }: Hint, language: Language): string =>
-  filledIn((tried === 0 ? words.untried : words.nothing)[language], { tried });
+function nothingText({ tried, happened }: Hint, language: Language): string {
+  const said = filledIn((tried === 0 ? words.untried : words.nothing)[language], { tried });
+  const line = happened.fact === 'error' ? happened.line : 0;
+  return line === 0 ? said : `${filledIn(words.look.one[language], { line })} ${said}`;
+}
 
 /** Says what happened, in one sentence. The first level names no line. */
 function happenedText(happened: Happened, level: HintLevel, language: Language): string {

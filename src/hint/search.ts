@@ -8,7 +8,7 @@ import { runFilesOf, withFiles } from '#project/devices';
 import { MAIN } from '#project/project';
 import type { Change } from './changes/change';
 import { withChange } from './changes/change';
-import { extraChanges, indentChanges, orderChanges } from './changes/lines';
+import { extraChanges, indentChanges, isWellFormed, orderChanges } from './changes/lines';
 import { elseChanges, missingChanges } from './changes/missing';
 import { nameChanges, relatedNameChanges } from './changes/names';
 import { between, coarseValues, FIRST_STEPS, numbersOf, type NumberPlace, type Tried } from './changes/numbers';
@@ -28,6 +28,8 @@ export interface Search {
   readonly failedIn: WorldVariant;
   /** How likely it is that the fault is in a line: the lines from the most likely on. */
   readonly suspects: readonly number[];
+  /** True if the program does not even begin: then only changes count that make it one. */
+  readonly isBroken: boolean;
   /** Called often. */
   readonly beat: () => void;
 }
@@ -98,7 +100,8 @@ class Trials {
 
   /** True if the text is as the task wants it, and keeps the lines that are locked. */
   private isAllowed(text: string): boolean {
-    const { task, handIn } = this.search;
+    const { task, handIn, isBroken } = this.search;
+    if (isBroken && !isWellFormed(text)) return false;
     const { lines } = task.locks;
     const start = runFilesOf(task.project, 0)[MAIN] ?? '';
     const isKept = (program: string): boolean => lines.length === 0 || keptLines(start, program, lines) !== null;

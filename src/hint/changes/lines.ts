@@ -56,6 +56,9 @@ export const simple = ({ lines }: Program): readonly ProgramLine[] =>
 /** True for an import. */
 export const isImport = ({ statement }: ProgramLine): boolean => statement === 'ImportStatement';
 
+/** True if a text is a program by its syntax and its indentation. */
+export const isWellFormed = (text: string): boolean => !parsePython(text).hasErrors && !isBroken(text);
+
 /** True if the syntax is right after a change; one that mends a mistake somewhere else is not known. */
 export function isRight({ source }: Program, change: Change): boolean {
   const text = withChange(source.text, change);
