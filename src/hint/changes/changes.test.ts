@@ -107,6 +107,14 @@ describe('lines', () => {
   it('are moved in and out where that leaves a program', () =>
     expect(made(indentChanges, text)).toEqual(['delay(3)', '    stop()']));
 
+  it('are moved into the block that they were left out of', () =>
+    expect(made(indentChanges, 'if a:\nleft()\n')).toContain('    left()'));
+
+  it('come once more with all names opposite', () =>
+    expect(made(missingChanges, 'left_dark = irLeft.read_digital()\n')).toContain(
+      'right_dark = irRight.read_digital()',
+    ));
+
   it('come once more, the likely ones first: a wait after a command that drives', () => {
     const changes = made(missingChanges, 'forward()\ndelay(500)\nstop()\nleft()\nstop()\n');
     expect(changes[0]).toBe('delay(500)');

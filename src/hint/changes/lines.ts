@@ -29,7 +29,8 @@ export function indentChanges(program: Program): readonly Change[] {
     const beside = [before?.indent ?? '', next?.indent ?? '', `${before?.indent ?? ''}${step}`];
     const out = line.indent.length >= step.length ? [line.indent.slice(step.length)] : [];
     // The first line of a block further in is the same block.
-    const inwards = before?.kind === 'head' ? [] : [`${line.indent}${step}`];
+    const inwards =
+      before?.kind === 'head' && line.indent.length > before.indent.length ? [] : [`${line.indent}${step}`];
     const indents = [...inwards, ...out, ...(line.indent.length % step.length === 0 ? [] : beside)];
     return [...new Set(indents)].flatMap((indent) => {
       if (indent === line.indent) return [];

@@ -112,5 +112,7 @@ function isNear(one: string, other: string): boolean {
 const LEAST = 4;
 
 /** The simple statements of a program with the opposites of each: `left()` → `right()`. */
-export const oppositeCodes = (code: string): readonly string[] =>
-  nameChanges(readProgram(code)).flatMap(({ after }) => after);
+export const oppositeCodes = (code: string): readonly string[] => {
+  const all = code.replace(/[A-Za-z_]\w*/g, (name) => oppositesOf(name)[0] ?? name);
+  return [...nameChanges(readProgram(code)).flatMap(({ after }) => after), all].filter((one) => one !== code);
+};

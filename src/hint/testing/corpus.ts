@@ -49,7 +49,7 @@ export const corpus: readonly Fault[] = [
   bends!('indent', '    delay(5)', '        delay(5)\n        stop()'),
 
   corners!('number', 'TO_WHEELS = 370', 'TO_WHEELS = 3700'),
-  corners!('number', 'setSpeed(40)\n', 'setSpeed(90)\n'),
+  corners!('number', 'setSpeed(40)\n\nwhile', 'setSpeed(90)\n\nwhile'),
   corners!('polarity', 'sensor.read_digital() == 0', 'sensor.read_digital() == 1'),
   corners!('name', 'turn_corner(left)', 'turn_corner(right)'),
   corners!('name', 'leftArc(0.1)', 'rightArc(0.1)'),
