@@ -6,11 +6,14 @@ import { paints } from '../paints';
 import { group, type Shape } from '../shapes';
 import { boxFrame, type PictureKind } from './kind';
 
-/** Coloured sheets: filled to their edge, which has the ink of their colour. */
+/**
+ * Coloured sheets: filled to their edge, which has the ink of their colour. On paper true to scale only the edge: a sheet of
+ * that colour is glued there.
+ */
 export const paper: PictureKind<Paper> = {
   ground: (paper, look) => [group(paper.at, sheet(paper, look), paper.angle)],
   paper: (paper) => [
-    group(paper.at, [{ ...geometryOf(formOf(paper), 0, 0), fill: paints[paper.color].fill }], paper.angle),
+    group(paper.at, [{ ...geometryOf(formOf(paper), 0, 0), stroke: paints[paper.color].ink, width: 0.6 }], paper.angle),
   ],
   frame: boxFrame,
 };

@@ -174,6 +174,13 @@ describe('blocks', () => {
     expect(verdict()).toMatchObject({ state: 'open', blocks: { delivered: 2, of: 3 } });
   });
 
+  it('count only in the colour that a target wants', () => {
+    const red = { ...target, blocks: 1, blockColor: 'red' as const };
+    const blocks = [block('a', [860, 500]), { ...block('b', [930, 500]), color: 'red' as const }];
+    expect(start([red, ...blocks]).verdict()).toMatchObject({ blocks: { delivered: 1, of: 1 } });
+    expect(start([red, block('a', [860, 500])]).verdict()?.blocks).toEqual({ delivered: 0, of: 1 });
+  });
+
   it('pass the task if the robot pushes them there', () => {
     const { drive, verdict } = start([{ ...target, blocks: 1 }, block('a', [500, 500])], { noTouch: true });
     drive(6);

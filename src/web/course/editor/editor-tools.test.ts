@@ -82,7 +82,7 @@ describe('the options of a tool', () => {
     await optionsOf('pen');
     await openCard('Farbe: Schwarz');
     const rows = [...document.querySelectorAll('.card .row .what')].map(textOf);
-    expect(rows).toHaveLength(7);
+    expect(rows).toHaveLength(11);
     expect(rows[0]).toBe('SchwarzLiniensensor: dunkel');
     expect(rows.filter((text) => text.includes('hell') || text.includes('unsichtbar')).length).toBeGreaterThan(0);
   });
