@@ -97,7 +97,7 @@ function zoneSign(zone: Zone, look: Look, isReached = false): readonly Shape[] {
   return [group(signPlace(zone), isReached ? reached(radius, look) : signShapes(zone, radius, look))];
 }
 
-function signShapes({ type, number, blocks }: Zone, radius: number, look: Look): readonly Shape[] {
+function signShapes({ type, number, blocks, blockColor }: Zone, radius: number, look: Look): readonly Shape[] {
   const { signGround, [type]: color } = look.colors;
   if (type === 'checkpoint')
     return [
@@ -111,7 +111,7 @@ function signShapes({ type, number, blocks }: Zone, radius: number, look: Look):
       { form: 'lines', lines: [[[-end, -end], [end, end]]], ...line }, // prettier-ignore
     ];
   }
-  if (blocks > 0) return wanted(blocks, radius, look);
+  if (blocks > 0) return wanted(blocks, radius, look, blockColor);
   const flag = { form: 'icon', path: mdiFlagCheckered, across: radius * 2.2 } as const;
   // The rim fills the white squares of the flag as well.
   return [
@@ -121,10 +121,11 @@ function signShapes({ type, number, blocks }: Zone, radius: number, look: Look):
 }
 
 /** "3 ×" and a small block as those that can be pushed, on a ground of their own. */
-function wanted(count: number, radius: number, { colors }: Look): readonly Shape[] {
+function wanted(count: number, radius: number, { colors }: Look, color: Zone['blockColor']): readonly Shape[] {
+  const { fill, ink } = color === undefined ? { fill: colors.movable, ink: colors.movableInk } : paints[color];
   const side = radius * 1.15;
   const block = rect([side, side], side * 0.16, {
-    ...{ fill: colors.movable, stroke: colors.movableInk, width: side * 0.13 },
+    ...{ fill, stroke: ink, width: side * 0.13 },
   });
   return [
     {
