@@ -1,7 +1,7 @@
 import { parseDuration } from '#core/duration';
 import type { Language } from '#core/languages';
 import type { OptionValues } from '#core/option';
-import { leagueRules, type LeagueRules } from '#scene/league';
+import { leagueRules, type LeagueRules } from '#scene/league/league';
 import { command, type Given, type Options, type Problem, type TextOf } from './commands/about';
 import { langOption, languageOf } from './commands/shared-options';
 import { parseDevice, type DeviceOption } from './device-option';

@@ -1,5 +1,5 @@
 import { freeId, type SceneEdit } from '#scene/edit';
-import { TILE_MM, type League, type LeagueTile } from '#scene/league';
+import { TILE_MM, type League, type LeagueTile } from '#scene/league/league';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import type { Step } from './follow';
 import { EXIT, type MapTile } from './map';

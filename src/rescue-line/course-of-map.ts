@@ -1,4 +1,4 @@
-import { TILE_MM, type League, type LeagueRules, type LeagueTile } from '#scene/league';
+import { TILE_MM, type League, type LeagueRules, type LeagueTile } from '#scene/league/league';
 import { defaultScene, sceneDefaults, type Scene, type SceneObject } from '#scene/scene';
 import { floorOf, rounded, type Floor, type Unnamed } from './floor';
 import { follow, type Step, type Way } from './follow';

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Point, SceneObject } from '#scene/scene';
-import { TILE_MM } from '#scene/league';
+import { TILE_MM } from '#scene/league/league';
 import type { LineMap, Place } from './map';
 import { HALF_MM } from './shapes';
 

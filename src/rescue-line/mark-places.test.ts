@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { League } from '#scene/league';
+import type { League } from '#scene/league/league';
 import { markPlaces } from './mark-places';
 import { pointsAtStart } from './score-sheet';
 

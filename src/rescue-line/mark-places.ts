@@ -1,7 +1,7 @@
 import { radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import type { League } from '#scene/league';
+import type { League } from '#scene/league/league';
 import type { PointLine } from './points';
 
 /** A mark on a tile: the number of a checkpoint, or points. */

@@ -1,4 +1,4 @@
-import type { LeagueRules } from '#scene/league';
+import type { LeagueRules } from '#scene/league/league';
 
 /** The points of a run by the rules of a league, as plain data. */
 export interface Points {

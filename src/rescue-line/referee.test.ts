@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Pose, Vec } from '#core/geometry';
-import type { LeagueRules } from '#scene/league';
+import type { LeagueRules } from '#scene/league/league';
 import { courseOfMap } from './course-of-map';
 import { readMap } from './read-map';
 import { Referee } from './referee';

@@ -1,7 +1,7 @@
 import { radOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
-import { TILE_MM, type League, type LeagueTile, type RescueZone } from '#scene/league';
+import { TILE_MM, type League, type LeagueTile, type RescueZone } from '#scene/league/league';
 import type { Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import { linePlaces, type LinePlaces } from './line-places';

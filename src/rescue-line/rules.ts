@@ -1,4 +1,4 @@
-import type { LeagueRules } from '#scene/league';
+import type { LeagueRules } from '#scene/league/league';
 
 /** The points of a league in a year. Rules change every year: each is one entry here, with the year in its name. */
 export interface PointRules {

@@ -1,4 +1,4 @@
-import type { League, LeagueTile } from '#scene/league';
+import type { League, LeagueTile } from '#scene/league/league';
 import type { PointLine, Points } from './points';
 import { pointRules, type PointRules } from './rules';
 

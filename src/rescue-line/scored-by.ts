@@ -1,4 +1,4 @@
-import type { LeagueRules } from '#scene/league';
+import type { LeagueRules } from '#scene/league/league';
 import type { Scene } from '#scene/scene';
 import { pointRules } from './rules';
 

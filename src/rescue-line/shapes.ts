@@ -1,7 +1,7 @@
 import { radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { TILE_MM } from '#scene/league';
+import { TILE_MM } from '#scene/league/league';
 import { EXIT, type MapTile } from './map';
 import { BOTTOM, LEFT, opposite, turned, type Side } from './side';
 

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { TILE_MM } from '#scene/league';
+import { TILE_MM } from '#scene/league/league';
 import type { Point } from '#scene/scene';
 import { rounded, type Floor, type Unnamed } from './floor';
 import type { Way } from './follow';

@@ -1,5 +1,5 @@
 import { createRng, type Rng } from '#core/rng';
-import { TILE_MM, type League, type LeagueRules } from '#scene/league';
+import { TILE_MM, type League, type LeagueRules } from '#scene/league/league';
 import type { Block, Paper, Point, Wall } from '#scene/scene';
 import type { Floor, Unnamed } from './floor';
 import type { Way } from './follow';

@@ -1,7 +1,7 @@
 import { isSame } from '#core/same';
 
 import { withRobot } from './robot-values';
-import type { League } from './league';
+import type { League } from './league/league';
 import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */

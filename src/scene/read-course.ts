@@ -1,6 +1,6 @@
 import type { CourseChanges } from './edit';
 import { PICTURE, readBase64 } from './read-base64';
-import { readLeague } from './read-league';
+import { readLeague } from './league/read-league';
 import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
 import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/reading/robot-values';

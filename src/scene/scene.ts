@@ -5,7 +5,7 @@
  * counter-clockwise from +x. The robot's `at` is the middle of its axle.
  */
 
-import type { League } from './league';
+import type { League } from './league/league';
 import type { Painted, PaintColor } from './paint';
 
 /** A place or an extent `[x, y]` in whole mm. */

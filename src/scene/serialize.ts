@@ -3,7 +3,7 @@ import { tidied } from './groups';
 import { asAngle, asTurn, braces, pair, property, type Rotation } from './json-text';
 import { ownHeightOf } from './kinds/heights';
 import { kindOf } from './kinds/index';
-import type { League, LeagueTile } from './league';
+import type { League, LeagueTile } from './league/league';
 import { hasNews } from './news';
 import { optionsProperty } from './robot-values';
 import {

@@ -1,6 +1,6 @@
 import { extname } from 'node:path';
 import { hexBoards, type HexBoard } from '#hex/firmware';
-import { leagueRules, type LeagueRules } from '#scene/league';
+import { leagueRules, type LeagueRules } from '#scene/league/league';
 import { rulesOf } from '../run-arguments';
 import { command, type Given, type Options, type Problem } from '../commands/about';
 

@@ -1,7 +1,7 @@
 import * as v from 'valibot';
 
 import { pointKinds } from '#rescue-line/points';
-import { leagueRules } from '#scene/league';
+import { leagueRules } from '#scene/league/league';
 import { helps } from '#scene/scene';
 
 const { pipe, description } = v;

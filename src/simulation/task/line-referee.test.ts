@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { League } from '#scene/league';
+import type { League } from '#scene/league/league';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { testChassis } from '#world/testing/rig';
 import { STEP_US } from '#world/step';

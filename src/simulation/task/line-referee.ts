@@ -2,7 +2,7 @@ import { isSame } from '#core/same';
 import type { Pose, Vec } from '#core/geometry';
 import type { Points } from '#rescue-line/points';
 import { Referee } from '#rescue-line/referee';
-import type { League } from '#scene/league';
+import type { League } from '#scene/league/league';
 import { lengthOf, type Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import type { BlockHandle } from '#world/shapes';

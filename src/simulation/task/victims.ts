@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { pointRules } from '#rescue-line/rules';
 import { NO_VICTIMS, type Victims } from '#rescue-line/score-sheet';
-import type { League } from '#scene/league';
+import type { League } from '#scene/league/league';
 import { lengthOf } from '#scene/outline';
 import type { Paper, Scene } from '#scene/scene';
 import { outlineHolds, shapeOutline } from '#scene/shape/shape';

@@ -1,6 +1,6 @@
 import { leagueLimits, leagueRules, tileHeadings, type League, type LeagueTile, type RescueZone } from './league';
-import type { Reader } from './reader';
-import { sceneLimits } from './scene';
+import type { Reader } from '../reader';
+import { sceneLimits } from '../scene';
 
 /** Reads how a line is scored by the rules of a league; `null`: it is not. */
 export function readLeague(value: unknown, path: string, reader: Reader): League | null {

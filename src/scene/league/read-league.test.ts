@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { applyEdit } from './edit';
-import { inverse } from './inverse';
+import { applyEdit } from '../edit';
+import { inverse } from '../inverse';
 import type { League } from './league';
-import { parseScene, parseSceneValue } from './parse';
-import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from './scene';
-import { serializeScene } from './serialize';
+import { parseScene, parseSceneValue } from '../parse';
+import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '../scene';
+import { serializeScene } from '../serialize';
 
 const league: League = {
   rules: 'line-entry-2026',
