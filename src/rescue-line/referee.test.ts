@@ -138,6 +138,24 @@ describe('the entry league of 2026', () => {
   });
 });
 
+describe('a line that ends in the evacuation zone', () => {
+  it('gives the tiles up to there, 10 for each victim that is moved and 30 more for each in safety, and is done with the last', () => {
+    const zone = tileOf('ev1', 0, {});
+    const map = mapFile({ '0,0,0': straight(), '1,0,0': straight(), '2,0,0': zone, '2,1,0': zone }, { victims: { live: 2, dead: 0 } });
+    const { drive, look, score, referee } = run(map, 'line-entry-2026');
+    drive(0, 1);
+    expect(look({ x: 750, y: 750 })).toBeNull();
+    expect(score()).toBe(5);
+    const of = { living: 2, dead: 0 };
+    referee.see({ living: 1, dead: 0, moved: 1, of });
+    look({ x: 750, y: 750 });
+    expect([score(), referee.isDone]).toEqual([5 + 20 + 30, false]);
+    referee.see({ living: 2, dead: 0, moved: 0, of });
+    look({ x: 750, y: 750 });
+    expect([score(), referee.isDone]).toEqual([5 + 20 + 60, true]);
+  });
+}); // prettier-ignore
+
 describe('victims', () => {
   const zone = tileOf('ev1', 0, {});
   const map = mapFile(

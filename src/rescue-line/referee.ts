@@ -48,6 +48,7 @@ export class Referee {
   /** True while the robot is on the next tile, but has not found the line there. */
   private isSearching = false;
   private isThrough = false;
+  private isInLastZone = false;
   private victims: Victims = NO_VICTIMS;
   private stood: { readonly pose: Pose; readonly sinceUs: number } | null = null;
   private given: Points | null = null;
@@ -72,8 +73,8 @@ export class Referee {
 
   /** The points now: the same object as long as nothing has changed. */
   points(): Points {
-    const { passed, over, lacks, missed, tile, victims, isThrough: isDone } = this;
-    return (this.given ??= pointsOf(this.league, { passed, over, lacks, missed, tile, victims, isDone, zoneSection: this.zoneSection })); // prettier-ignore
+    const { passed, over, lacks, missed, tile, victims, isInLastZone, isThrough: isDone } = this;
+    return (this.given ??= pointsOf(this.league, { passed, over, lacks, missed, tile, victims, isDone, isInLastZone, zoneSection: this.zoneSection })); // prettier-ignore
   }
 
   /** True if the robot is in the evacuation zone, where victims are to be looked at. */
@@ -154,8 +155,9 @@ export class Referee {
   private inZone(next: LeagueTile | undefined): null {
     const { living, dead, of } = this.victims;
     if (next !== undefined) return null;
-    if (!this.passed.has(this.tile)) {
+    if (!this.isInLastZone) {
       this.passed.add(this.tile);
+      this.isInLastZone = true;
       this.given = null;
     }
     if (of.living + of.dead > 0 && living + dead === of.living + of.dead) this.finish();

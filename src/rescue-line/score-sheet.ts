@@ -28,8 +28,10 @@ export interface Progress {
   readonly lacks: readonly number[];
   /** Numbers of sections that were passed over. */
   readonly missed: ReadonlySet<number>;
-  /** It stands on the last tile, and has stood there long enough. */
+  /** It has stood on the last tile long enough, or all victims are in safety where the line ends in their zone. */
   readonly isDone: boolean;
+  /** It has come into the zone where the line ends: the tiles up to there count. */
+  readonly isInLastZone?: boolean;
   readonly tile: number;
   /** Victims in their safe places, and those that were moved. */
   readonly victims: Victims;
@@ -92,7 +94,7 @@ function linesOnWay(
     }
     const isLast = number === sections.length - 1;
     const count = to - from;
-    const isOver = isLast ? progress.isDone : progress.over > number;
+    const isOver = isLast ? progress.isDone || progress.isInLastZone === true : progress.over > number;
     const each = rules.tile[progress.lacks[number] ?? 0] ?? 0;
     put('tiles', to, count, isMissed ? 0 : count * each, isMissed ? 'missed' : isOver ? 'earned' : 'open');
   }

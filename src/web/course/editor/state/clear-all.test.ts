@@ -26,4 +26,9 @@ describe('clearing all', () => {
 
   it('leaves what an author has written of a course of their own', () =>
     expect(applyEdit(scene, clearAll(false))).toEqual({ ...scene, objects: [] }));
+
+  it('does not score a line any more whose tiles are gone', () => {
+    const scored = { ...scene, league: { rules: 'line-2025', tiles: [{ at: [150, 150], heading: 0 }] } } as const;
+    expect(applyEdit(scored, clearAll(false, true))).toEqual({ ...scene, objects: [] });
+  });
 });

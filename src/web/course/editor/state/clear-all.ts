@@ -6,10 +6,14 @@ import { sceneDefaults } from '#scene/scene';
  *
  * @param isReady whether it is a ready-made course: its task and rules describe the removed objects, so they go, too.
  *   The name and an author's own texts stay.
+ * @param isScored whether its line is scored: the tiles are gone with the line
  */
-export const clearAll = (isReady: boolean): SceneEdit => {
+export const clearAll = (isReady: boolean, isScored = false): SceneEdit => {
   const clear = { type: 'clear' } as const;
-  if (!isReady) return clear;
-  const changes = { description: '', task: sceneDefaults.task };
+  if (!isReady && !isScored) return clear;
+  const changes = {
+    ...(isReady && { description: '', task: sceneDefaults.task }),
+    ...(isScored && { league: null }),
+  };
   return { type: 'all', edits: [clear, { type: 'course', changes }] };
 };
