@@ -40,10 +40,10 @@ function run(file: unknown, rules?: LeagueRules) {
     referee,
     look,
     /** Drives over the tiles from one to another. */
-    drive(from: number, to: number): void {
+    drive: (from: number, to: number): void => {
       for (let index = from; index <= to; index++) expect(look(tile(index))).toBeNull();
     },
-    stand(index: number, seconds: number): void {
+    stand: (index: number, seconds: number): void => {
       for (let step = 0; step <= seconds * 250; step++) look(tile(index));
     },
     score: () => referee.points().score,

@@ -67,7 +67,7 @@ function openingsOf({ steps, end }: Way): { readonly entrance: Opening | null; r
   const behind = after < 0 ? undefined : steps[after];
   const isLed = after >= 0 || end === 'zone';
   return {
-    entrance: isLed && before?.exit != null ? openingAt(before.tile.at, before.exit) : null,
+    entrance: isLed && before !== undefined && before.exit !== null ? openingAt(before.tile.at, before.exit) : null,
     exit: behind === undefined ? null : openingAt(behind.tile.at, behind.entry),
   };
 }

@@ -25,10 +25,12 @@ function readTile(value: unknown, path: string, reader: Reader): LeagueTile {
     const known = tileHeadings.join(', ');
     reader.report('unknown-value', `${path}.heading`, heading, `must be one of ${known}.`, { known });
   }
-  const given = Object.fromEntries([
-    ...counts.map((name) => [name, reader.whole(fields[name], `${path}.${name}`, leagueLimits.perTile, 0)] as const),
-    ...flags.map((name) => [name, reader.flag(fields[name], `${path}.${name}`, false)] as const),
-  ].filter(([, said]) => said !== 0 && said !== false)); // prettier-ignore
+  const given = Object.fromEntries<number | boolean>(
+    [
+      ...counts.map((name) => [name, reader.whole(fields[name], `${path}.${name}`, leagueLimits.perTile, 0)] as const),
+      ...flags.map((name) => [name, reader.flag(fields[name], `${path}.${name}`, false)] as const),
+    ].filter(([, said]) => said !== 0 && said !== false),
+  ) as Omit<LeagueTile, 'at' | 'heading'>;
   return { at: reader.point(at, `${path}.at`, sceneLimits.placeMm), heading: Number(heading), ...given };
 }
 
