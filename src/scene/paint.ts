@@ -7,7 +7,7 @@
 export const firstColors = ['black', 'gray', 'white', 'red', 'yellow', 'green', 'blue'] as const;
 
 /** The colours that paint may have. */
-export const paintColors = [...firstColors, 'orange', 'purple', 'brown', 'silver'] as const;
+export const paintColors = ['black', 'gray', 'white', 'red', 'yellow', 'green', 'blue', 'orange', 'purple', 'brown', 'silver'] as const; // prettier-ignore
 export type PaintColor = (typeof paintColors)[number];
 
 /** Something that may be painted. */
