@@ -130,7 +130,10 @@ describe('the command line', () => {
     ['probe compar a.csv', /^Unknown command "probe compar"\. Did you mean probe compare\?$/],
     ['probe compare', /Which output of a board\?/],
     ['run a.py b.py', /what is "b\.py"\? Further files come with --file/],
-    ['run main.py --turbo 3', /^Unknown option --turbo\. Known: --scene, --rules, --robot, [^]*--quiet, --help, --version\.$/],
+    [
+      'run main.py --turbo 3',
+      /^Unknown option --turbo\. Known: --scene, --rules, --robot, [^]*--quiet, --help, --version\.$/,
+    ],
     ['check a b --rapport r.html', /^Unknown option --rapport\. Did you mean --report\?$/],
     ['run main.py --until', /^Unknown option --until\. Did you mean --until-verdict\?$/],
     ['run main.py --toString', /^Unknown option --toString\. Known: /],
