@@ -19,7 +19,7 @@ const exits: Readonly<Record<ShelfTile, Side>> = {
   ...{ left: TOP, toLeft: TOP, right: 2, toRight: 2 },
 };
 
-/** What is on a tile of the shelf, as it lies for a robot with this heading. */
+/** A tile of the shelf, as it lies for a robot with this heading. */
 function tileFor(kind: ShelfTile, heading: number): MapTile {
   const exit = exits[kind];
   const isCrossing = kind === 'toLeft' || kind === 'toRight';
@@ -108,6 +108,6 @@ function withIds(scene: Scene, objects: ReturnType<typeof linesOf>): readonly Sc
     const id = freeId(scene, object.type, ids);
     ids.push(id);
     const group = object.group === undefined ? {} : { group: `tile-${String(number)}` };
-    return { ...object, id, ...group } as SceneObject;
+    return { ...object, id, ...group };
   });
 }

@@ -64,7 +64,7 @@ function numbered(objects: readonly Unnamed[]): readonly SceneObject[] {
   return objects.map((object) => {
     const number = (counts.get(object.type) ?? 0) + 1;
     counts.set(object.type, number);
-    return { ...object, id: `${object.type}-${String(number)}` } as SceneObject;
+    return { ...object, id: `${object.type}-${String(number)}` };
   });
 }
 

@@ -23,7 +23,7 @@ export function exitOf({ paths, turns }: MapTile, entry: Side): Side | null {
   return exit === undefined ? null : turned(exit, turns);
 }
 
-/** Where a robot comes to: a tile, and its side. */
+/** The tile that a robot comes to, and the side over which it comes. */
 interface Arrival {
   readonly tile: MapTile;
   readonly entry: Side;
@@ -62,7 +62,7 @@ export function beside(map: LineMap, { at }: MapTile, side: Side): MapTile | und
   return map.tiles.get(keyOf({ x: at.x + x, y: at.y + y }));
 }
 
-/** Of the two ways over the first tile the last that leads to a neighbour. */
+/** The side over which the first tile is entered: that of the last of its ways that leads to a neighbour. */
 function firstEntry(map: LineMap, start: MapTile): Side {
   const entries = [...start.paths.keys()].map((side) => turned(side, start.turns));
   const leading = entries.filter((entry) => {

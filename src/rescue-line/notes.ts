@@ -1,6 +1,6 @@
 import type { Unlike } from './map';
 
-/** What of a map is not in its course, or not as it was: the codes of the sentences in `words`. */
+/** The codes of what of a map is not in its course, or not as it was: each has a sentence in `words`. */
 export type MapNoteCode = Unlike | 'drawn' | 'upstairs' | 'open';
 
 /** A note on a map. */

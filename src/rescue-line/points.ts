@@ -5,7 +5,7 @@ export interface Points {
   readonly rules: LeagueRules;
   /** All points so far. */
   readonly score: number;
-  /** What there is to earn, along the way. */
+  /** All that can be earned, along the way. */
   readonly lines: readonly PointLine[];
   /** The factor for victims by which all points are multiplied; left out: 1. */
   readonly factor?: number;
