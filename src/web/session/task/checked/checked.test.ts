@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { nextTick } from 'vue';
+import { flushPromises } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 
 import type { StartThread } from '#check/lane';
@@ -45,7 +45,7 @@ async function pupil(checks: readonly string[], objects = [samples.target]) {
     show(page, { timeUs, verdict: { state, stars: null } as unknown as Verdict });
   const answer = async (result: CheckResult) => {
     heard({ result });
-    await nextTick();
+    await flushPromises();
   };
   return { ...page, checked, tell, answer };
 }
