@@ -3,7 +3,8 @@ import { boardOf } from '#board/boards/board-of-device';
 import { optionProblem, type OptionValues } from '#core/option';
 import { traitsFor } from '#my-robot/my-robot';
 import { modulesImportedBy } from '#python/imports';
-import { bareOptions, IN_HAND } from '#robots/in-hand';
+import { bareOptions } from '#robots/bare-options';
+import { IN_HAND } from '#robots/in-hand';
 import type { Traits } from '#robots/traits';
 import { feelingInputs } from '#simulation/feeling';
 import {

@@ -1,5 +1,4 @@
-import { optionOf, type Option, type OptionValues } from '#core/option';
-import words from './words';
+import type { OptionValues } from '#core/option';
 
 /** Id of the option of a board without a robot: what it is plugged into. */
 export const IN_HAND = 'inHand';
@@ -8,13 +7,7 @@ export const IN_HAND = 'inHand';
 export const GAMEPAD = 'gamepad';
 
 /** The board whose edge connector the gamepad has a slot for. */
-const GAMEPAD_BOARD = 'microbit-v2';
-
-const inHand = optionOf(IN_HAND, words.inHand, ['nothing', GAMEPAD]);
-
-/** The options of a board that carries no robot. */
-export const bareOptions = (board: { readonly id: string }): readonly Option[] =>
-  board.id === GAMEPAD_BOARD ? [inHand] : [];
+export const GAMEPAD_BOARD = 'microbit-v2';
 
 /** The chosen options that mean something on a board without a robot; those of robots do not. */
 export const optionsInHand = (board: { readonly id: string }, chosen: OptionValues = {}): OptionValues =>

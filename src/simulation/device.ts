@@ -1,8 +1,9 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
-import type { Gamepad } from '#devices/gamepad';
+import { attachGamepad, type Gamepad } from '#devices/gamepad';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { NecRemote } from '#devices/nec-remote';
+import { holdsGamepad } from '#robots/in-hand';
 import { readPosition } from '#vm/debug/frames';
 import type { Inspected } from '#vm/debug/inspected';
 import type { Hold } from '#vm/run/engine';
@@ -12,7 +13,6 @@ import type { World } from '#world/world';
 import { OutputWatch } from './causes/output-watch';
 import type { FittedDevice } from './fit-devices';
 import { Hearing } from './several/hearing';
-import { mountInHand } from './in-hand';
 import { poseOf, type InputAction } from './input';
 import { mountRobot, type Mounted } from './mount-robot';
 import { tellEvents, type DeviceOutlets } from './outlets';
@@ -79,7 +79,8 @@ export class Device {
     const { reality } = around.setup;
     const own = { clock: this.clock, board: this.board, onSet: watch?.onSet };
     this.remote = new NecRemote(this.clock);
-    this.gamepad = mountInHand(this.board, hardware);
+    const isInGamepad = hardware.robot === null && holdsGamepad(hardware.options);
+    this.gamepad = isInGamepad ? attachGamepad((wire) => this.board.wire(wire)) : null;
     const place = { ...own, infrared: this.remote, world, start, seed, reality, traits: setup.traits };
     this.mounted = mountRobot(hardware, place);
     this.hearing = new Hearing(this.board.sensors, around.heard);

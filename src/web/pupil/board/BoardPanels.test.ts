@@ -6,7 +6,7 @@ import { mountOn, named } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import BoardPanels from './BoardPanels.vue';
 
-/** The three buttons below the board. */
+/** The four buttons below the board. */
 function panels() {
   const page = createPage();
   page.settings.change({ panel: null });
@@ -20,20 +20,22 @@ function panels() {
 }
 
 describe('what can be unfolded below the board', () => {
-  it('is called sensors, radio and data log; at first all is folded', () => {
+  it('is called sensors, radio, data log and in the hand; at first all is folded', () => {
     const { mounted, unfolded } = panels();
-    expect(mounted.findAll('.tabs button').map((it) => it.text())).toEqual(['Sensoren', 'Funk', 'Datenlog']);
-    expect(unfolded()).toEqual(['false', 'false', 'false']);
+    expect(mounted.findAll('.tabs button').map((it) => it.text())).toEqual([
+      ...['Sensoren', 'Funk', 'Datenlog', 'In der Hand'],
+    ]);
+    expect(unfolded()).toEqual(['false', 'false', 'false', 'false']);
     named('Sensoren, Funk und Datenlog', '[role="group"]');
   });
 
   it('is one thing at a time, and the page remembers which', async () => {
     const { page, press, unfolded } = panels();
     await press('Funk');
-    expect(unfolded()).toEqual(['false', 'true', 'false']);
+    expect(unfolded()).toEqual(['false', 'true', 'false', 'false']);
     expect(page.settings.current.value.panel).toBe('radio');
     await press('Datenlog');
-    expect(unfolded()).toEqual(['false', 'false', 'true']);
+    expect(unfolded()).toEqual(['false', 'false', 'true', 'false']);
     expect(page.settings.current.value.panel).toBe('log');
   });
 
@@ -41,7 +43,7 @@ describe('what can be unfolded below the board', () => {
     const { page, press, unfolded } = panels();
     await press('Sensoren');
     await press('Sensoren');
-    expect(unfolded()).toEqual(['false', 'false', 'false']);
+    expect(unfolded()).toEqual(['false', 'false', 'false', 'false']);
     expect(page.settings.current.value.panel).toBeNull();
   });
 
@@ -56,12 +58,12 @@ describe('what can be unfolded below the board', () => {
   it('has a dot at what holds something that is not in sight', async () => {
     const { page, press, mounted } = panels();
     const dots = () => mounted.findAll('.tabs button').map((it) => it.find('.badge').exists());
-    expect(dots()).toEqual([false, false, false]);
+    expect(dots()).toEqual([false, false, false, false]);
     page.radio.send('hallo');
     page.dataLog.take([{ type: 'row', headings: ['x'], values: ['1'], timeUs: 0 }]);
     await nextTick();
-    expect(dots()).toEqual([false, true, true]);
+    expect(dots()).toEqual([false, true, true, false]);
     await press('Funk');
-    expect(dots()).toEqual([false, false, true]);
+    expect(dots()).toEqual([false, false, true, false]);
   });
 });

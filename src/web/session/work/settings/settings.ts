@@ -15,7 +15,7 @@ export const THEMES = ['system', 'light', 'dark'] as const;
 export type Theme = (typeof THEMES)[number];
 
 /** The panels below the board. */
-export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
+export const BOARD_PANELS = ['sensors', 'radio', 'log', 'hand'] as const;
 export type BoardPanel = (typeof BOARD_PANELS)[number];
 
 /** The units in which a lidar's picture is shown. */

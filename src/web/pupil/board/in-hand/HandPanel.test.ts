@@ -1,0 +1,38 @@
+// @vitest-environment happy-dom
+import { describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
+
+import { remoteKeys } from '#devices/nec-remote';
+import { mountOn } from '../../../app/testing/mount-on';
+import { createPage } from '../../../app/testing/page';
+import HandPanel from './HandPanel.vue';
+
+describe('the panel of what is in the hand', () => {
+  it('has the 21 keys of the remote control in their order, each with its code', () => {
+    const mounted = mountOn(createPage(), HandPanel);
+    const keys = mounted.findAll('.remote button');
+    expect(keys.map((key) => key.attributes('data-testid'))).toEqual(remoteKeys.map(([name]) => `remote-${name}`));
+    expect(keys[8]?.attributes('aria-label')).toBe('Pfeil nach oben, sendet 10');
+  });
+
+  it('plugs a micro:bit without a robot into a gamepad, and takes it out again', async () => {
+    const page = createPage();
+    page.settings.change({ robot: 'none' });
+    const mounted = mountOn(page, HandPanel);
+    expect(mounted.find('.gamepad').exists()).toBe(false);
+    const box = mounted.get('[data-testid=plug-gamepad]');
+    await box.setValue(true);
+    expect(page.settings.current.value.robotOptions).toEqual({ none: { inHand: 'gamepad' } });
+    expect(mounted.findAll('.gamepad .keys button').map((key) => key.text())).toEqual([
+      ...['DGelb', 'ERot', 'CGrün', 'FBlau'],
+    ]);
+    await box.setValue(false);
+    await nextTick();
+    expect(mounted.find('.gamepad').exists()).toBe(false);
+  });
+
+  it('has no gamepad for a board that is on a robot', () => {
+    const mounted = mountOn(createPage(), HandPanel);
+    expect(mounted.find('[data-testid=plug-gamepad]').exists()).toBe(false);
+  });
+});
