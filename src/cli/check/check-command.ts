@@ -20,7 +20,7 @@ import { startThread } from './pool';
 import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from '../shard';
-import { every } from '../threads';
+import { every } from '../threads/threads';
 import { findHandIns } from './sources';
 import { howToTake, withTaken } from './take';
 import words from './words';

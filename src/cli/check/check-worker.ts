@@ -3,8 +3,8 @@ import { workerData } from 'node:worker_threads';
 import { check } from '#check/check';
 import type { CheckRequest } from '#check/lane';
 import { taskOf } from '#check/task/read-task';
-import { answering } from '../answering';
-import { BEAT, WORLD } from '../threads';
+import { answering } from '../threads/answering';
+import { BEAT, WORLD } from '../threads/threads';
 import type { CheckerData } from './pool-messages';
 
 const { task: project, firmware, starts, shared } = workerData as CheckerData;

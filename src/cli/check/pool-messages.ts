@@ -1,5 +1,5 @@
 import type { Project } from '#project/project';
-import type { SharedWords } from '../threads';
+import type { SharedWords } from '../threads/threads';
 
 /** The initial data of a thread that checks. */
 export interface CheckerData extends SharedWords {

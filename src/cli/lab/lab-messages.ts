@@ -2,7 +2,7 @@ import type { Outcome } from '#lab/outcome';
 import type { RunEnd } from '#lab/run-end';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Verdict } from '#simulation/task/verdict';
-import type { SharedWords } from '../threads';
+import type { SharedWords } from '../threads/threads';
 
 /** The initial data of a thread that makes runs. */
 export interface RunnerData extends SharedWords {

@@ -2,8 +2,8 @@
 import { workerData } from 'node:worker_threads';
 import { ranTo } from '#lab/outcome';
 import { fitRun } from '#simulation/run-problem';
-import { answering } from '../answering';
-import { BEAT } from '../threads';
+import { answering } from '../threads/answering';
+import { BEAT } from '../threads/threads';
 import type { RunAnswer, RunnerData, RunRequest } from './lab-messages';
 
 const { firmware, shared } = workerData as RunnerData;

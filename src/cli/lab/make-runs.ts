@@ -2,7 +2,7 @@ import { Asker, inLanes } from '#check/lane';
 import { stuckOutcome } from '#lab/outcome';
 import { hasTask } from '#simulation/task/task-brief';
 import { readFirmware } from '../firmware';
-import { every, threads } from '../threads';
+import { every, threads } from '../threads/threads';
 import type { RunAnswer, RunnerData, RunRequest } from './lab-messages';
 
 type Problem = { readonly problem: string };

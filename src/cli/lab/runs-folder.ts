@@ -16,7 +16,7 @@ type Problem = { readonly problem: string };
 /** The description of the sweep, and the folder of its runs, one file each. */
 const [SWEEP, RUNS] = ['sweep.json', 'runs'];
 
-/** What varies in the runs of a folder. */
+/** The sweep of a folder. */
 export interface FolderSweep {
   /** Name of the program. */
   readonly name: string;

@@ -3,7 +3,9 @@ import type { SweepResult, SweepRun } from '../sweep-texts';
 
 /** A drawing in its own pixels: the curve, below it the lane of those that have no figure. */
 const [WIDE, HIGH, LANE] = [800, 300, 34] as const;
-const [LEFT, RIGHT, TOP, FOOT] = [64, 16, 16, 30] as const;
+const [LEFT, RIGHT, TOP, FOOT] = [64, 16, 24, 30] as const;
+/** Room for the signs above and below the curve. */
+const GAP = 12;
 
 /** Most points that get a sign of their own. Chosen: beyond it they would touch each other. */
 const MOST_SIGNS = 200;
@@ -23,24 +25,27 @@ export function curveOf({ varied: [name = ''], runs }: SweepResult, { title, of 
     WIDE - RIGHT,
   );
   const figures = points.flatMap(({ figure }) => (figure === null ? [] : [figure]));
-  const ys = scale([0, ...figures], HIGH - LANE, TOP);
-  const on = points.flatMap(({ x, figure }) => (figure === null ? [] : [[xs(x), ys(figure)] as const]));
+  const ys = scale(figures, HIGH - LANE - GAP, TOP + GAP);
   const hasLane = figures.length < points.length;
-  const signs = points.length > MOST_SIGNS ? 2 : 5;
+  const size = points.length > MOST_SIGNS ? 2 : 5;
   const marks = points.map(({ x, figure, run }) =>
-    figure === null ? cross(xs(x), HIGH - LANE / 2, signs) : ring(xs(x), ys(figure), signs, run),
+    figure === null ? cross(xs(x), HIGH - LANE / 2, size) : ring(xs(x), ys(figure), size, run),
   );
-  const top = Math.max(0, ...figures);
+  const [low, high] = [figures.reduce(least, Infinity), figures.reduce(most, -Infinity)];
+  const lines = stretchesOf(points).map((stretch) => {
+    const places = stretch.map(({ x, figure }) => `${xs(x)},${ys(figure)}`);
+    return `<polyline class="curve" points="${places.join(' ')}"/>`;
+  });
   return `<svg viewBox="0 0 ${WIDE} ${HIGH + FOOT}" role="img" aria-label="${escaped(`${name}: ${title}`)}">
 ${hasLane ? `<rect class="lane" x="${LEFT}" y="${HIGH - LANE}" width="${WIDE - LEFT - RIGHT}" height="${LANE}"/>` : ''}
 <path class="axis" d="M${LEFT} ${TOP}V${HIGH}H${WIDE - RIGHT}"/>
-<text x="${LEFT - 8}" y="${TOP + 5}" text-anchor="end">${escaped(shownNumber(top))}</text>
-<text x="${LEFT - 8}" y="${HIGH - LANE}" text-anchor="end">0</text>
-<text x="${LEFT}" y="${TOP - 3}">${escaped(title)}</text>
+${figures.length === 0 ? '' : `<text x="${LEFT - 8}" y="${ys(high) + 5}" text-anchor="end">${shownNumber(high)}</text>`}
+${low < high ? `<text x="${LEFT - 8}" y="${ys(low) + 5}" text-anchor="end">${shownNumber(low)}</text>` : ''}
+<text x="${LEFT}" y="${TOP - 8}">${escaped(title)}</text>
 <text x="${LEFT}" y="${HIGH + 20}">${escaped(String(runs[0]?.values[0] ?? ''))}</text>
 <text x="${(LEFT + WIDE - RIGHT) / 2}" y="${HIGH + 20}" text-anchor="middle">${escaped(name)}</text>
 <text x="${WIDE - RIGHT}" y="${HIGH + 20}" text-anchor="end">${escaped(String(runs.at(-1)?.values[0] ?? ''))}</text>
-<polyline class="curve" points="${on.map(([x, y]) => `${x},${y}`).join(' ')}"/>
+${lines.join('\n')}
 ${marks.join('\n')}
 </svg>`;
 }
@@ -56,10 +61,24 @@ const shownNumber = (value: number): string => String(Math.round(value * 10) / 1
 
 /** Maps numbers evenly onto a stretch. */
 function scale(values: readonly number[], from: number, to: number): (value: number) => number {
-  const least = values.reduce((low, value) => Math.min(low, value), Infinity);
-  const most = values.reduce((high, value) => Math.max(high, value), -Infinity);
-  const span = most - least || 1;
-  return (value) => Math.round((from + ((value - least) / span) * (to - from)) * 10) / 10;
+  const low = values.reduce(least, Infinity);
+  const span = values.reduce(most, -Infinity) - low || 1;
+  return (value) => Math.round((from + ((value - low) / span) * (to - from)) * 10) / 10;
+}
+
+const least = (one: number, other: number): number => Math.min(one, other);
+const most = (one: number, other: number): number => Math.max(one, other);
+
+/** The stretches of the curve between runs that have no figure. */
+function stretchesOf(
+  points: readonly { readonly x: number; readonly figure: number | null }[],
+): readonly (readonly { readonly x: number; readonly figure: number }[])[] {
+  const stretches: { readonly x: number; readonly figure: number }[][] = [[]];
+  for (const { x, figure } of points) {
+    if (figure === null) stretches.push([]);
+    else stretches.at(-1)?.push({ x, figure });
+  }
+  return stretches.filter(({ length }) => length > 1);
 }
 
 const ring = (x: number, y: number, size: number, { passed }: SweepRun): string =>

@@ -13,7 +13,7 @@ export interface Row {
 
 const [WIN, DRAW] = [3, 1];
 
-/** What one program has come to in some matches. */
+/** The matches of one program, counted. */
 export interface Score {
   readonly won: number;
   readonly drawn: number;

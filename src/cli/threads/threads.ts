@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Answer, Every, Start } from '#check/lane';
-import { STACK_MB } from './supervise';
+import { STACK_MB } from '../supervise';
 
 /** JavaScript's memory of a thread. Chosen: many times what a run takes; beyond it only the thread ends. */
 const HEAP_MB = 512;
