@@ -1,5 +1,6 @@
 import { escaped } from '#check/report/escaped';
 import type { Language } from '#core/languages';
+import { filledIn } from '#core/words';
 import { reasonText, secondsText, sumText } from '../say';
 import type { SweepResult, SweepRun } from '../sweep-texts';
 import words from '../words';
@@ -12,7 +13,7 @@ import { pageOf, tableOf } from './page';
  * @param name of the program
  */
 export function sweepHtml(result: SweepResult, name: string, language: Language): string {
-  const title = `${words.title[language]}: ${name}`;
+  const title = filledIn(words.title[language], { name });
   const say = (key: 'time' | 'way' | 'touches' | 'result' | 'end'): string => words[key][language];
   const columns = [
     ...result.varied.map((one) => ({ title: one, isNumber: true })),
@@ -27,7 +28,7 @@ export function sweepHtml(result: SweepResult, name: string, language: Language)
     language,
     `<h1>${escaped(title)}</h1>
 <p class="sum">${escaped(sumText(result, language))}</p>
-${drawingOf(result, language)}
+<div class="wide">${drawingOf(result, language)}</div>
 ${tableOf(
   columns,
   result.runs.map((run) => rowOf(run, language)),

@@ -41,7 +41,7 @@ export const playedText = (of: number, language: Language): string =>
 /** The report of a tournament as one HTML file: the table, and each match. */
 export function tournamentHtml(found: Tournament, course: string, language: Language): string {
   const say = words.tournament;
-  const title = `${say.title[language]}: ${course}`;
+  const title = filledIn(say.title[language], { name: course });
   const { table, matches, names } = found;
   const fields = fieldsOf(table);
   const columns = [
