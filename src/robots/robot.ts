@@ -34,6 +34,7 @@ import type { DepthCell, DepthView } from '#world/probes/depth-grid';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
 import type { Light } from '#devices/tcs34725';
 import type { ColourName, RawColour } from './colour-names';
+import type { LightEye } from './light-eyes';
 import type { LineReadings } from './traits';
 
 /** A kind of robot, as everyone may know it. Light, as the page loads it before anything runs. */
@@ -147,6 +148,11 @@ export interface RobotContext {
   readonly light: (spot: Vec, radiusMm: number) => Light;
   /** The nearest thing ahead of `from` (robot frame) and the light that it returns; `null`: nothing is in range. */
   readonly lightAhead: (from: Vec, cone: Cone) => { readonly distanceMm: number; readonly light: Light } | null;
+  /**
+   * The level that a light sensor sees, 0 … 255 like a board's and on the same law: as the board's was set by hand, or in
+   * an arena with lamps as the light falls on this eye.
+   */
+  readonly lightLevel: (eye: LightEye) => number;
   /** How far a move that the robot measures by itself misses its end now, in standard deviations; 0 on an ideal robot. */
   readonly miss: () => number;
   /** Present voltage of the battery, in mV. */

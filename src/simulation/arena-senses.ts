@@ -10,6 +10,8 @@ export interface Surroundings {
   readonly chassis: Pick<Chassis, 'pose' | 'turnedRad' | 'collisions'>;
   /** Reflectance under a round spot given in the robot frame, 0 black … 1 bare floor. */
   readonly ground: (spot: Vec, radiusMm: number) => number;
+  /** The light level of the board in an arena with lamps; `null`: there are none, and the floor's brightness stands in. */
+  readonly light?: () => number | null;
 }
 
 /**
@@ -45,12 +47,13 @@ const FELT = ['accelerometerX', 'accelerometerY', 'accelerometerZ'];
  * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north. x
  * points to the robot's right, y backwards (towards the board's edge connector), z up.
  */
-export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroundings): ArenaSenses {
+export function createArenaSenses(sensors: Sensors, around: Surroundings): ArenaSenses {
+  const { chassis } = around;
   let before: ReadonlyMap<string, number> | null = null;
   const byHand = new Set<string>();
   let motion = createMotion(chassis);
   let turnedDeg = turnOf(chassis);
-  const measures = measuresOf({ chassis, ground });
+  const measures = measuresOf(around);
   const set = (id: string, value: number): void => {
     if (!byHand.has(id) && sensors.get(id) !== whole(value)) sensors.set(id, whole(value));
   };
@@ -82,7 +85,11 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
         motion = createMotion(chassis);
         feel();
       } else if (before !== null) {
-        for (const [id, value] of before) if (!byHand.has(id)) sensors.set(id, value);
+        for (const [id, value] of before) {
+          // In an arena with lamps the board sees them, whether it feels the rest of the arena or not.
+          const isLamps = id === 'lightLevel' && (around.light?.() ?? null) !== null;
+          if (!byHand.has(id) && !isLamps) sensors.set(id, value);
+        }
         byHand.clear();
         before = null;
         turnedDeg = turnOf(chassis);
@@ -99,7 +106,7 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
 }
 
 /** Compass and light, by sensor id. Programs ask for them now and then, the world goes on 250 times a second. */
-function measuresOf({ chassis, ground }: Surroundings): Readonly<Record<string, () => number>> {
+function measuresOf({ chassis, ground, light }: Surroundings): Readonly<Record<string, () => number>> {
   const headingDeg = (): number => onCircle(Math.round(90 - degOf(chassis.pose().headingRad)));
   const headingRad = (): number => radOf(headingDeg());
   return {
@@ -107,7 +114,7 @@ function measuresOf({ chassis, ground }: Surroundings): Readonly<Record<string, 
     compassX: () => whole(FIELD_HORIZONTAL_NT * exactCos(headingRad())),
     compassY: () => whole(-FIELD_HORIZONTAL_NT * exactSin(headingRad())),
     compassZ: () => -FIELD_DOWN_NT,
-    lightLevel: () => whole(255 * ground({ x: 0, y: 0 }, SPOT_MM)),
+    lightLevel: () => light?.() ?? whole(255 * ground({ x: 0, y: 0 }, SPOT_MM)),
   };
 }
 

@@ -1,6 +1,7 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
 import { attachGamepad, type Gamepad } from '#devices/gamepad';
+import type { Vec } from '#core/geometry';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { NecRemote } from '#devices/nec-remote';
 import { holdsGamepad } from '#robots/in-hand';
@@ -20,6 +21,7 @@ import { robotLibraries } from './robot-libraries';
 import type { RunSetup } from './run-setup';
 import type { DeviceSnapshot, Lights } from './snapshot';
 import { boardSnapshot, robotSnapshot } from './take-snapshot';
+import { createLampSense, lampLevel } from './light-sense';
 import { createTrailSender } from './trail';
 
 /** How and when a program ended. */
@@ -36,6 +38,8 @@ export interface Around {
   /** Whole number from which this device's random numbers are drawn. */
   readonly seed: number;
   readonly outlets: DeviceOutlets;
+  /** The place where a board without a robot is held, in mm. */
+  readonly heldAt: Vec;
   /** How loud the other devices are where this one is, 0 … 255. */
   readonly heard: () => number;
   /** Moves the world on, every `STEP_US` of this device's clock; left out: another device does. */
@@ -55,6 +59,8 @@ export class Device {
   readonly sendTrail: () => void;
   private readonly remote: NecRemote;
   private readonly gamepad: Gamepad | null;
+  /** Lets the board see the lamps; call it when the course has changed. */
+  readonly seeLamps: () => void;
   private readonly scale: number;
   private readonly ownAlarms: number;
   private readonly lights: LedChains;
@@ -83,6 +89,9 @@ export class Device {
     this.gamepad = isInGamepad ? attachGamepad((wire) => this.board.wire(wire)) : null;
     const place = { ...own, infrared: this.remote, world, start, seed, reality, traits: setup.traits };
     this.mounted = mountRobot(hardware, place);
+    const level = this.mounted?.boardLevel ?? (() => lampLevel(world, around.heldAt));
+    this.seeLamps = createLampSense(this.board.sensors, level);
+    this.seeLamps();
     this.hearing = new Hearing(this.board.sensors, around.heard);
     this.sendTrail =
       this.mounted && outlets.trail ? createTrailSender(this.mounted.chassis, outlets.trail) : () => undefined;

@@ -15,6 +15,7 @@ import type { Shares } from '#world/shapes';
 import type { World } from '#world/world';
 import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import type { Hardware } from './hardware';
+import { lampLevel, robotLight } from './light-sense';
 import { isMisplugged } from './robot-fit';
 import { createReality, FULL_MV } from './reality';
 import { findBuild } from './robot-libraries';
@@ -26,6 +27,8 @@ export interface Mounted {
   readonly robot: Robot;
   readonly chassis: Chassis;
   readonly senses: ArenaSenses;
+  /** The light level of the board, see `lampLevel`. */
+  readonly boardLevel: () => number | null;
   /** Call it after each step of the world. */
   step(): void;
 }
@@ -80,6 +83,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const hit = world.colorAhead(chassis.toWorld(from), headingRad, cone, chassis);
       return hit && { distanceMm: hit.distanceMm, light: reality.light(litBy(hit.shares)) };
     },
+    lightLevel: robotLight(world, { chassis, sensors: place.board.sensors, nowUs: () => clock.nowUs }),
     miss: () => reality.miss(),
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
     infrared: place.infrared,
@@ -89,15 +93,17 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     ...(place.onSet && { onSet: place.onSet }),
   };
   const robot = withColourSensors(build.attach(context), type, context);
+  const boardLevel = () => lampLevel(world, chassis.toWorld({ x: 0, y: 0 }), chassis);
   const senses = createArenaSenses(place.board.sensors, {
     chassis,
     ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+    light: boardLevel,
   });
   const step = (): void => {
     robot.step();
     senses.step();
   };
-  return { type, robot, chassis, senses, step };
+  return { type, robot, chassis, senses, step, boardLevel };
 }
 
 /** The light that something returns, from its shares compared with bare floor. */

@@ -72,9 +72,10 @@ export class Simulation {
   ) {
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
+    const heldAt = heldIn(setup.scene);
     this.devices = fitted.map((device, place) => {
       const heard = (): number => this.heardBy(place);
-      const around = { firmware, world: this.world, setup, seed: seedOfDevice(setup.seed, place), heard };
+      const around = { firmware, world: this.world, setup, seed: seedOfDevice(setup.seed, place), heldAt, heard };
       const own = { ...around, outlets: outletsOf(outlets, place) };
       return new Device(device, place === 0 ? { ...own, step: () => this.step() } : own);
     });
@@ -341,6 +342,7 @@ export class Simulation {
     const course = applyEdit(this.courseWorld.course, edit);
     this.courseWorld.take(course);
     this.judge?.take(course);
+    for (const device of this.devices) device.seeLamps();
   }
 
   /** @param device its place, or `null` if the action names none */
@@ -380,13 +382,16 @@ export class Simulation {
     return device === undefined ? 0 : levelAt(this.placeOf(device), speakers);
   }
 
-  /** Place of a device; one without a robot is held at the lower edge of the arena. */
+  /** Place of a device. */
   private placeOf({ mounted }: Device): Vec {
-    if (mounted === null) return { x: this.scene.size[0] / 2, y: 0 };
+    if (mounted === null) return heldIn(this.scene);
     const { xMm, yMm } = mounted.chassis.pose();
     return { x: xMm, y: yMm };
   }
 }
+
+/** The place of a board without a robot: a person holds it at the lower edge of the arena. */
+const heldIn = ({ size: [width] }: Scene): Vec => ({ x: width / 2, y: 0 });
 
 const robotsOf = (devices: readonly Device[]) =>
   devices.flatMap(({ name, mounted }) => (mounted === null ? [] : [{ device: name, mounted }]));

@@ -47,6 +47,20 @@ export interface BlockShape extends Named, BodyForm {
   readonly atMm: Vec;
   readonly angleRad: number;
   readonly fixed: boolean;
+  /** Left out: by its area, like beech. */
+  readonly massG?: number;
+  /** Ratio of the floor's friction to its weight; left out: that of wood, or of a ball that rolls. */
+  readonly friction?: number;
+  /** True for a ball, which rolls on and jumps back from what it hits. */
+  readonly rolls?: boolean;
+}
+
+/** A barrier in the world. */
+export interface BarrierHandle {
+  /** True while it is no obstacle. */
+  readonly isOpen: boolean;
+  /** Opens it at once, or closes it as soon as nothing that moves stands in it. */
+  set(isOpen: boolean): void;
 }
 
 /** A block in the world. */

@@ -4,6 +4,7 @@ import { createPaintedFloor } from './ground/painted-floor';
 import type { BlockBody } from './physics/block-body';
 import { createPhysics } from './physics/physics';
 import type { RobotBody } from './physics/robot-body';
+import { createLight, type Eye, type Light } from './light/light';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
 import { nearestColor, type ColorHit } from './probes/nearest-color';
@@ -11,6 +12,7 @@ import { depthGrid, type DepthCell, type DepthView } from './probes/depth-grid';
 import { circleRadiusMm, formParts } from './physics/form';
 import { wallCorners } from './shapes';
 import type {
+  BarrierHandle,
   BlockHandle,
   BlockShape,
   BodyForm,
@@ -29,6 +31,8 @@ import type {
 export interface World {
   /** Throws RangeError if the wall has no length or no thickness. */
   addWall(wall: WallShape): void;
+  /** Adds a wall that can be opened; it is open. Throws RangeError as `addWall`. */
+  addBarrier(wall: WallShape): BarrierHandle;
   /** Throws RangeError if a side is not above 0. */
   addBlock(block: BlockShape): BlockHandle;
   /** Removes a block, also from a robot that holds it. */
@@ -72,6 +76,10 @@ export interface World {
    * @param except the robot that carries it
    */
   depthGrid(from: Vec, headingRad: number, view: DepthView, except?: Chassis): readonly DepthCell[];
+  /** Its light: that of the room, and lamps and tunnels that are added to it. */
+  readonly light: Omit<Light, 'at'>;
+  /** The light that an eye receives, in lx. Walls, blocks, movers and robots throw shadows. @param except see `depthGrid` */
+  luxAt(eye: Eye, except?: Chassis): number;
 }
 
 /** Thickness in mm of the wall around the arena for a beam. Any value above 0 will do. */
@@ -87,25 +95,22 @@ const EDGE_HEIGHT_MM = 250;
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const ground = createPaintedFloor();
-  const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall), EDGE_HEIGHT_MM));
-  const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacles: readonly Obstacle[] }>();
-  const robots: { readonly body: RobotBody; readonly heightMm: number; readonly parts: readonly Obstacle[] }[] = [];
-
-  function* obstacles(except: Chassis | undefined): Iterable<Obstacle> {
-    yield* things;
-    for (const block of blocks.values()) yield* block.obstacles;
-    for (const { body, parts, heightMm } of robots) {
-      if (body === except) continue;
-      yield* parts;
-      yield* addedTo(body, heightMm);
-    }
-  }
+  const light = createLight();
+  const solids: Solids = { things: edgesOf(size), barriers: [], blocks: new Map(), robots: [] };
+  const { things, barriers, blocks, robots } = solids;
+  const obstacles = (except: Chassis | undefined): Iterable<Obstacle> => obstaclesIn(solids, except);
 
   return {
     addWall(wall) {
       const corners = wallCorners(wall);
       physics.addFixture(corners, wall.id);
       things.push({ ...stillObstacle(corners, wall.heightMm), ...sharesOf(wall) });
+    },
+    addBarrier(wall) {
+      const corners = wallCorners(wall);
+      const barrier = physics.addBarrier(corners, wall.id);
+      barriers.push({ barrier, obstacle: stillObstacle(corners, wall.heightMm) });
+      return barrier;
     },
     addBlock(block) {
       const body = physics.addBlock(block);
@@ -144,8 +149,32 @@ export function createWorld(size: WorldSize): World {
     colorAhead: (from, headingRad, cone, except) => nearestColor(from, headingRad, cone, obstacles(except)),
     depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
+    light,
+    luxAt: (eye, except) => light.at(eye, () => obstacles(except)),
   };
 }
+
+/** Everything that a beam can meet. */
+interface Solids {
+  readonly things: Obstacle[];
+  readonly barriers: { readonly barrier: BarrierHandle; readonly obstacle: Obstacle }[];
+  readonly blocks: Map<BlockHandle, { readonly body: BlockBody; readonly obstacles: readonly Obstacle[] }>;
+  readonly robots: { readonly body: RobotBody; readonly heightMm: number; readonly parts: readonly Obstacle[] }[];
+}
+
+function* obstaclesIn({ things, barriers, blocks, robots }: Solids, except: Chassis | undefined): Iterable<Obstacle> {
+  yield* things;
+  for (const { barrier, obstacle } of barriers) if (!barrier.isOpen) yield obstacle;
+  for (const block of blocks.values()) yield* block.obstacles;
+  for (const { body, parts, heightMm } of robots) {
+    if (body === except) continue;
+    yield* parts;
+    yield* addedTo(body, heightMm);
+  }
+}
+
+const edgesOf = (size: WorldSize): Obstacle[] =>
+  edges(size).map((wall) => stillObstacle(wallCorners(wall), EDGE_HEIGHT_MM));
 
 /** The colour of a solid, if it has one. */
 const sharesOf = ({ shares }: { readonly shares?: Shares }): { readonly shares?: Shares } =>

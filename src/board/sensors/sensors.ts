@@ -113,6 +113,11 @@ export class Sensors {
     this.measures.set(id, read);
   }
 
+  /** True while a value is measured: nobody has set it since. */
+  isMeasured(id: string): boolean {
+    return this.measures.has(id);
+  }
+
   /** Sets a value. @throws RangeError with the words of `problemOf` */
   set(id: string, value: number | string): void {
     const problem = this.problemOf(id, value);

@@ -20,6 +20,7 @@ import { createLineComparator } from '#devices/line-sensor';
 import { createPca9557 } from '#devices/pca9557';
 import { attachWs2812 } from '#devices/ws2812';
 import { echoOf } from '../echo';
+import { lightEyes, type LightEye } from '../light-eyes';
 import { mountLinePair } from '../line-row';
 import { mountMotors, tellColors } from '../mounting';
 import {
@@ -52,7 +53,10 @@ const SONAR_AT: Vec = { x: 70, y: 0 };
 
 const RGB_COUNT = 12; // 4T; 0 … 5 left arm, 6 … 11 right arm: GMC, BitBotXL_LEDs
 
-const LIGHT_FULL = 255; // the highest level of the board's sensor
+const LIGHT_FULL = 255; // the highest light level
+
+/** On the two arms: chosen. */
+const LIGHT_EYES = lightEyes({ x: 55, y: 38 });
 
 const WIRES: Robot['wires'] = { P1: [], P2: [], P8: [], P12: [], P13: [], P14: [], P15: [], P16: [] };
 
@@ -70,7 +74,10 @@ function attach(context: RobotContext): Robot {
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => 0 });
   const drive = mountDrive(context);
   const arms = attachWs2812(board.wire('P13'), RGB_COUNT, tellColors(context));
-  const lightSensors = [attachLightSensor(context, board.wire('P2')), attachLightSensor(context, board.wire('P1'))];
+  const lightSensors = [
+    attachLightSensor(context, board.wire('P2'), LIGHT_EYES.left),
+    attachLightSensor(context, board.wire('P1'), LIGHT_EYES.right),
+  ];
   const sonarWire = board.wire('P15');
   const stops = [
     board.i2c.attach(LINE_ADDRESS, createPca9557(levels)),
@@ -114,12 +121,12 @@ function mountDrive(context: RobotContext) {
   return { duty: motors.duty, stop: (): void => stops.forEach((stop) => stop()) };
 }
 
-/** A light sensor on a wire: the more light the board feels, the higher its voltage, up to the supply's. */
-function attachLightSensor({ board }: RobotContext, wire: Wire) {
+/** A light sensor on a wire: the more light it sees, the higher its voltage, up to the supply's. */
+function attachLightSensor({ lightLevel }: RobotContext, wire: Wire, eye: LightEye) {
   const output = wire.connect('light sensor');
   let level = -1;
   const sample = (): void => {
-    const now = board.sensors.get('lightLevel');
+    const now = lightLevel(eye);
     if (now === level) return;
     level = now;
     output.driveAnalog(level / LIGHT_FULL);

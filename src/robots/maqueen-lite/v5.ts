@@ -25,6 +25,7 @@ import type { Vec } from '#core/geometry';
 import { BOTH_SIDES } from '#devices/dc-motor';
 import { bitsOf, liveRegisters, memoryRegisters, wordRegisters, type RegisterPart } from '#devices/i2c-registers';
 import type { Motors } from '../mounting';
+import { lightEyes, type LightEye } from '../light-eyes';
 import { createLineWalker } from '../line-walking';
 import { mountLineRow, type LineRow } from '../line-row';
 import type { OnSet, RobotContext } from '../robot';
@@ -51,6 +52,9 @@ const BRIGHTNESS = { black: 1000, floor: 3500 } as const;
 
 /** Chosen: 12 bits again; a torch reads 2040, because public programs turn to a light from a sum of 3000 on. */
 const LIGHT_PER_LEVEL = 8;
+
+/** Chosen: near the front edge, 60 mm apart. */
+const LIGHT_EYES = lightEyes({ x: 48, y: 30 });
 
 /**
  * Voltages of full and empty cells, in mV, by kind: chosen, one lithium cell behind a converter, three alkaline cells.
@@ -95,7 +99,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
     isWalking = isOn;
   };
   const sees = (name: LineName): boolean => !line.now().isBright(name);
-  const level = (): number => context.board.sensors.get('lightLevel') * LIGHT_PER_LEVEL;
+  const light = (eye: LightEye): number => Math.round(context.lightLevel(eye) * LIGHT_PER_LEVEL);
   return {
     registers: [
       ...lightRegisters(lights, onSet),
@@ -104,7 +108,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
         const name = CHANNELS[channel] ?? null;
         return name === null ? 0 : line.now().reading(name);
       }),
-      wordRegisters(LIGHT, 2, 'high-first', level),
+      wordRegisters(LIGHT, 2, 'high-first', (word) => light(word === 0 ? LIGHT_EYES.left : LIGHT_EYES.right)),
       ...batteryRegisters(context.supplyMv),
       memoryRegisters(START_ANEW, 1, () => {
         for (const light of lights) light.colour(0);

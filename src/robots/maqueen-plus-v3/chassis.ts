@@ -4,6 +4,7 @@ import type { Stop } from '#core/stop';
 import type { I2cTarget } from '#board/wires/i2c-bus';
 import { BOTH_SIDES } from '#devices/dc-motor';
 import type { Touched } from '#devices/i2c-registers';
+import { lightEyes } from '../light-eyes';
 import type { LineRow } from '../line-row';
 import { mountMotors } from '../mounting';
 import { bodyOf, type RobotContext, type RobotState } from '../robot';
@@ -17,8 +18,11 @@ import { createWheels } from './wheels';
 /** Time for which it does not answer after a reset. Chosen: drivers wait 100 ms without asking (DFRobot) or ask (K10). */
 const RESET_US = 80_000;
 
-/** Chosen: a board's light level of 0 … 255 as 10 bits; by itself 508, a room. Both sensors see the same. */
+/** Chosen: a light level of 0 … 255 as 10 bits; by itself 508, a room. */
 const LIGHT_PER_LEVEL = 4;
+
+/** Chosen: near the front edge, 70 mm apart. */
+const LIGHT_EYES = lightEyes({ x: 60, y: 35 });
 
 const DARK: Rgb = [0, 0, 0];
 
@@ -33,7 +37,6 @@ export interface MountedChassis {
 
 /** Puts the controller on the bus. */
 export function mountChassis(context: RobotContext, line: LineRow<LineName>): MountedChassis {
-  const { board } = context;
   const motors = mountMotors(context);
   const own = ownDrive(context, line, () => controller.patrol());
   const lamps = createLamps(context);
@@ -41,7 +44,7 @@ export function mountChassis(context: RobotContext, line: LineRow<LineName>): Mo
     ...own.parts,
     isBright: line.isBright,
     brightness: line.reading,
-    light: () => board.sensors.get('lightLevel') * LIGHT_PER_LEVEL,
+    light: (side) => Math.round(context.lightLevel(LIGHT_EYES[side === 0 ? 'left' : 'right']) * LIGHT_PER_LEVEL),
     motors: (left, right, sides) => {
       own.drop();
       motors.set(left, right, sides);

@@ -1,11 +1,11 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose, Vec } from '#core/geometry';
 import type { BlockHandle, BlockShape } from '../shapes';
-import { BLOCK_FRICTION, FloorJoint } from './floor-joint';
+import { dragOn, FloorJoint } from './floor-joint';
 import { centroidOf, engineShapes, formParts, meanRadiusMm } from './form';
 import { Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
-import { GRAVITY, MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
+import { MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
 import { Kind, Solid } from './solid';
 import { moveBody } from './solver-body';
 
@@ -14,6 +14,9 @@ const BLOCK_G_PER_MM2 = 40 / 2500;
 
 /** Block against block, wall or robot. Chosen: like the robot against walls. */
 const BLOCK_CONTACT_FRICTION = 0.3;
+
+/** A ball touches at a point, and jumps back with half of its speed. Chosen: a rubber or table tennis ball against wood. */
+const BALL_CONTACT = { friction: 0.1, restitution: 0.5 };
 
 /** The tool that holds blocks: a gripper or a fork. */
 export interface Holder {
@@ -80,14 +83,24 @@ export class BlockBody implements BlockHandle {
         shape,
         density: BLOCK_G_PER_MM2 * MM_PER_UNIT * MM_PER_UNIT,
         friction: BLOCK_CONTACT_FRICTION,
+        ...(block.rolls === true ? BALL_CONTACT : {}),
         filterCategoryBits: block.fixed ? Kind.other : Kind.movableBlock,
         userData: block.id,
       }),
     );
     this.body.setUserData(this.fixtures[0]);
-    this.drag = BLOCK_FRICTION * this.body.getMass() * GRAVITY;
-    this.joint = block.fixed ? null : new FloorJoint(floor, this.body, this.meanRadius);
+    if (block.massG !== undefined) this.weigh(block.massG);
+    this.drag = dragOn(block, this.body.getMass());
+    this.joint = block.fixed ? null : new FloorJoint(floor, this.body, this.drag, this.meanRadius);
     if (this.joint) world.createJoint(this.joint);
+  }
+
+  /** Gives it another mass, spread evenly. Fixed blocks have none. */
+  private weigh(massG: number): void {
+    const now = this.body.getMass();
+    if (!this.body.isDynamic()) return;
+    for (const fixture of this.fixtures) fixture.setDensity((fixture.getDensity() * massG) / now);
+    this.body.resetMassData();
   }
 
   get isMovable(): boolean {

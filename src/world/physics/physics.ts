@@ -3,6 +3,7 @@ import type { ChassisType } from '../chassis';
 import { rectangleCorners } from '../shapes';
 import type { BlockShape, MoverShape, WorldSize } from '../shapes';
 import { STEP_S } from '../step';
+import { BarrierBody } from './barrier-body';
 import { BlockBody } from './block-body';
 import { PlanckWorld, PolygonShape, Vec2 } from './planck';
 import type { Body, Contact, Fixture } from './planck';
@@ -28,6 +29,8 @@ const EDGE_MM = 200;
 export interface Physics {
   /** Adds something solid that never moves: a convex outline, counter-clockwise, world mm. */
   addFixture(cornersMm: readonly Vec[], id?: string): void;
+  /** Adds an open barrier. */
+  addBarrier(cornersMm: readonly Vec[], id?: string): BarrierBody;
   addBlock(block: BlockShape): BlockBody;
   /** Takes a block out of the world. */
   removeBlock(block: BlockBody): void;
@@ -48,7 +51,10 @@ export function createPhysics(size: WorldSize): Physics {
   const blocks = new Map<Body, BlockBody>();
   const movers: MoverBody[] = [];
   const chasers: ChaserBody[] = [];
+  const barriers: BarrierBody[] = [];
   const around = createSurroundings(world, blocks);
+
+  const forget = (fixture: Fixture): void => robots.forEach((robot) => robot.forgetThing(fixture));
 
   listen(world, robots, movers);
 
@@ -60,6 +66,7 @@ export function createPhysics(size: WorldSize): Physics {
         userData: id,
       });
     },
+    addBarrier: (cornersMm, id) => added(barriers, new BarrierBody(world, around, cornersMm, id, forget)),
     addBlock(shape) {
       const block = new BlockBody(world, floor, shape, () => robots.forEach((robot) => robot.blockPlaced()));
       blocks.set(block.body, block);
@@ -68,25 +75,16 @@ export function createPhysics(size: WorldSize): Physics {
     removeBlock(block) {
       blocks.delete(block.body);
       block.remove();
-      for (const robot of robots) for (const fixture of block.fixtures) robot.forgetThing(fixture);
+      block.fixtures.forEach(forget);
     },
     addMover(shape) {
       const { goes } = shape;
-      if ('homeMm' in goes) {
-        const chaser = new ChaserBody(world, shape, goes);
-        chasers.push(chaser);
-        return chaser;
-      }
-      const mover = new MoverBody(world, shape, goes);
-      movers.push(mover);
-      return mover;
+      if ('homeMm' in goes) return added(chasers, new ChaserBody(world, shape, goes));
+      return added(movers, new MoverBody(world, shape, goes));
     },
-    addRobot(type, pose, nowUs) {
-      const robot = new RobotBody(world, floor, around, type, pose, nowUs);
-      robots.push(robot);
-      return robot;
-    },
+    addRobot: (type, pose, nowUs) => added(robots, new RobotBody(world, floor, around, type, pose, nowUs)),
     step() {
+      for (const barrier of barriers) barrier.beforeStep();
       for (const mover of movers) mover.beforeStep();
       for (const chaser of chasers) chaser.beforeStep(robots);
       for (const robot of robots) robot.beforeStep();
@@ -97,6 +95,12 @@ export function createPhysics(size: WorldSize): Physics {
   };
   for (const corners of edgeWalls(size)) physics.addFixture(corners);
   return physics;
+}
+
+/** Adds something to a list, and gives it back. */
+function added<T>(list: T[], one: T): T {
+  list.push(one);
+  return one;
 }
 
 /** @param pressed blocks that a moving obstacle may press against a wall: nothing else is stronger than one */

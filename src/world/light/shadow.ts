@@ -1,0 +1,74 @@
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Vec } from '#core/geometry';
+import type { Obstacle } from '../probes/distance-cone';
+
+/** A straight way of light, from a lamp down to an eye. */
+export interface Ray {
+  readonly fromMm: Vec;
+  readonly toMm: Vec;
+  /** Height above the floor at its two ends, in mm; it falls or is level. */
+  readonly fromHeightMm: number;
+  readonly toHeightMm: number;
+}
+
+/** The part of a ray over an obstacle: shares of its length, from 0 at the lamp to 1 at the eye. */
+interface Over {
+  readonly enters: number;
+  readonly leaves: number;
+}
+
+/** True if a ray meets an obstacle: where it leaves the obstacle's outline, on the eye's side, it is lower than its top. */
+export function isInShadow(ray: Ray, obstacle: Obstacle): boolean {
+  const { fromHeightMm, toHeightMm } = ray;
+  if (obstacle.heightMm <= toHeightMm) return false;
+  const over = partOver(ray, obstacle);
+  if (over === null || over.leaves <= over.enters) return false;
+  return fromHeightMm + (toHeightMm - fromHeightMm) * over.leaves < obstacle.heightMm;
+}
+
+function partOver({ fromMm, toMm }: Ray, obstacle: Obstacle): Over | null {
+  const { cornersMm, radiusMm } = obstacle;
+  const { xMm, yMm, headingRad } = obstacle.pose();
+  const x = fromMm.x - xMm;
+  const y = fromMm.y - yMm;
+  const dx = toMm.x - fromMm.x;
+  const dy = toMm.y - fromMm.y;
+  const round = withinCircle(x, y, dx, dy, radiusMm);
+  if (round === null || cornersMm.length === 0) return round;
+  if (headingRad === 0) return withinCorners({ x, y }, { x: dx, y: dy }, cornersMm);
+  const [cos, sin] = [exactCos(headingRad), exactSin(headingRad)];
+  const own = (vx: number, vy: number): Vec => ({ x: vx * cos + vy * sin, y: vy * cos - vx * sin });
+  return withinCorners(own(x, y), own(dx, dy), cornersMm);
+}
+
+/** The part of the way from (x, y) along (dx, dy) within a circle around the origin. */
+function withinCircle(x: number, y: number, dx: number, dy: number, radius: number): Over | null {
+  const a = dx * dx + dy * dy;
+  const c = x * x + y * y - radius * radius;
+  if (a === 0) return c < 0 ? { enters: 0, leaves: 1 } : null;
+  const b = x * dx + y * dy;
+  const root = b * b - a * c;
+  if (root <= 0) return null;
+  const half = Math.sqrt(root);
+  const enters = Math.max(0, (-b - half) / a);
+  const leaves = Math.min(1, (-b + half) / a);
+  return enters < leaves ? { enters, leaves } : null;
+}
+
+/** The part of the way within a convex outline, counter-clockwise. */
+function withinCorners(from: Vec, way: Vec, corners: readonly Vec[]): Over | null {
+  let enters = 0;
+  let leaves = 1;
+  let a = corners[corners.length - 1] ?? from;
+  for (const b of corners) {
+    // How far outside this edge the way begins, and how much farther out it leads.
+    const outside = (from.x - a.x) * (b.y - a.y) - (from.y - a.y) * (b.x - a.x);
+    const outwards = way.x * (b.y - a.y) - way.y * (b.x - a.x);
+    if (outwards < 0) enters = Math.max(enters, -outside / outwards);
+    else if (outwards > 0) leaves = Math.min(leaves, -outside / outwards);
+    else if (outside > 0) return null;
+    if (enters >= leaves) return null;
+    a = b;
+  }
+  return { enters, leaves };
+}
