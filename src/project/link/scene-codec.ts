@@ -5,7 +5,6 @@
 import { fromBase64, toBase64 } from '#core/base64';
 import { isEighth, type Additions } from '#scene/additions';
 import type { NewObject } from '#scene/news';
-import { firstColors, isFirstColor, type PaintColor } from '#scene/paint';
 import {
   helps,
   robotColors,
@@ -30,6 +29,7 @@ import {
 } from '#scene/scene';
 
 import { Columns, constant, mapped, record, type Codec } from './codec';
+import { strokeColor } from './stroke-color-codec';
 import type { ValueReader, ValueWriter } from './value-port';
 
 /** Codecs that several parts of a project share, and their columns. */
@@ -140,14 +140,6 @@ export interface SharedByKinds {
 }
 type Fields<T> = { readonly [K in keyof T]-?: Codec<T[K]> };
 type LinkKind = (shared: SharedByKinds) => Codec<LinkObject>;
-
-/** Newer colours stand apart (`news-codec.ts`). */
-const strokeColor = (columns: Columns): Codec<PaintColor> =>
-  mapped(
-    columns.choice(firstColors),
-    (color: PaintColor) => (isFirstColor(color) ? color : 'black'),
-    (color) => color,
-  );
 
 const boxOf = ({ id, place, size, angle }: SharedByKinds) => ({ id, at: place, size, angle });
 const zoneOf =

@@ -1,0 +1,12 @@
+import { firstColors, isFirstColor, type PaintColor } from '#scene/paint';
+
+import { mapped, type Codec } from './codec';
+import type { Columns } from './columns';
+
+/** The codec of the colour of lines as the first links had it; newer colours stand apart (`news-codec.ts`). */
+export const strokeColor = (columns: Columns): Codec<PaintColor> =>
+  mapped(
+    columns.choice(firstColors),
+    (color: PaintColor) => (isFirstColor(color) ? color : 'black'),
+    (color) => color,
+  );
