@@ -28,7 +28,7 @@ export type Light = readonly [red: number, green: number, blue: number];
 
 /** The look of a sensor. */
 export interface Look {
-  /** What lies in its spot returns these shares, of white paper about 0.85. */
+  /** The shares that its spot returns, of white paper about 0.85. */
   readonly shares: Light;
   /** The light of its own lamp that reaches there and back, compared with 10 mm above paper. */
   readonly lamp: number;

@@ -27,7 +27,7 @@ export const mayBeBare = ({ type }: Paintable): boolean => type !== 'stroke' && 
 export const painted = (scene: Scene, selection: Selection, color: PaintColor | null): SceneEdit | null =>
   changed(scene, selection, (object) => {
     const { infrared: _infrared, ...rest } = object;
-    if (color !== null) return { ...rest, color } as Paintable;
+    if (color !== null) return { ...rest, color };
     if (!mayBeBare(object)) return object;
     const { color: _color, ...bare } = { color: undefined, ...rest };
     return bare as Paintable;

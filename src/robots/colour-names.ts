@@ -1,4 +1,4 @@
-/** What the library `colour.py` calls what it reads, with its limits: the page shows the same. */
+/** The names that the library `colour.py` gives to what it reads, with its limits: the page shows the same. */
 
 /** The names of colours, as the library has them. */
 export type ColourName =

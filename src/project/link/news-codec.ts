@@ -3,7 +3,7 @@ import { courseNewsOf, isNewKind, newsOf } from '#scene/news';
 import type { Scene, SceneObject } from '#scene/scene';
 
 /**
- * What version 11 of links adds to a course (`#scene/news`), as JSON, checked like a file's once it is put together:
+ * The additions of link version 11 to a course (`#scene/news`), as JSON, checked like a file's once it is put together:
  *
  *     {"objects": [[step, {…}], …], "course": {…}}
  *
@@ -33,7 +33,7 @@ export interface PlacedNews {
   readonly said: Readonly<Record<string, unknown>>;
 }
 
-/** What is new in a course; unchecked but for its form. */
+/** The news of a course; unchecked but for its form. */
 export interface News {
   readonly objects: readonly PlacedNews[];
   readonly course: Readonly<Record<string, unknown>>;
