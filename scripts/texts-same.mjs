@@ -12,8 +12,7 @@ export const sameWords = {
     ).split(' '),
   ),
   it: new Set(
-    'arena auto bot calli console csv display file firmware gamepad garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg timer'.split(
-    'arena auto bot calli console csv display file firmware garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg tcs timer'.split(
+    'arena auto bot calli console csv display file firmware gamepad garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg tcs timer'.split(
       ' ',
     ),
   ),

@@ -142,10 +142,7 @@ export function createWorld(size: WorldSize): World {
       if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return 0;
       return ground.reflectanceAt(x, y, radiusMm);
     },
-    sharesAt({ x, y }, radiusMm) {
-      if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return [0, 0, 0];
-      return ground.sharesAt(x, y, radiusMm);
-    },
+    sharesAt: ({ x, y }, radiusMm) => (holds(size, { x, y }) ? ground.sharesAt(x, y, radiusMm) : [0, 0, 0]),
     colorAhead: (from, headingRad, cone, except) => nearestColor(from, headingRad, cone, obstacles(except)),
     depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
@@ -175,6 +172,9 @@ function* obstaclesIn({ things, barriers, blocks, robots }: Solids, except: Chas
 
 const edgesOf = (size: WorldSize): Obstacle[] =>
   edges(size).map((wall) => stillObstacle(wallCorners(wall), EDGE_HEIGHT_MM));
+/** True if a place is inside the arena. */
+const holds = ({ widthMm, heightMm }: WorldSize, { x, y }: Vec): boolean =>
+  x >= 0 && x <= widthMm && y >= 0 && y <= heightMm;
 
 /** The colour of a solid, if it has one. */
 const sharesOf = ({ shares }: { readonly shares?: Shares }): { readonly shares?: Shares } =>
