@@ -102,7 +102,7 @@ export const wings = {
     'look-back': ['session', 'pupil/console'],
     chart: ['session', 'pupil/console', 'pupil/look-back'],
     'device-log': ['session'],
-    board: ['session', 'pupil/device-log', 'pupil/debug'],
+    board: ['session', 'course/editor', 'pupil/device-log', 'pupil/debug'],
     narration: ['session', 'course/editor'],
     'several-devices': ['session', 'pupil/board'],
     'next-step': ['session', 'course/editor', 'pupil/console'],

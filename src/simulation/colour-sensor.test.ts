@@ -179,7 +179,7 @@ describe('line sensors over paper', () => {
   it('see it by its infrared, not by its colour: green print is light, black is dark', async () => {
     expect((await run(program, under({}))).lines).toEqual(['1']);
     expect((await run(program, under({ color: 'black' }))).lines).toEqual(['0']);
-    expect((await run(program, under({ infrared: 0.1 } as Partial<SceneObject>))).lines).toEqual(['0']);
+    expect((await run(program, under({ infrared: 0.1 }))).lines).toEqual(['0']);
   });
 
   it('do not see a target without paint, nor a wish for blocks of a colour', async () => {

@@ -1,7 +1,6 @@
 import { firstColors, isFirstColor, type PaintColor } from '#scene/paint';
 
-import { mapped, type Codec } from './codec';
-import type { Columns } from './columns';
+import { mapped, type Codec, type Columns } from './codec';
 
 /** The codec of the colour of lines as the first links had it; newer colours stand apart (`news-codec.ts`). */
 export const strokeColor = (columns: Columns): Codec<PaintColor> =>

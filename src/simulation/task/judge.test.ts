@@ -176,7 +176,7 @@ describe('blocks', () => {
 
   it('count only in the colour that a target wants', () => {
     const red = { ...target, blocks: 1, blockColor: 'red' as const };
-    const blocks = [block('a', [860, 500]), { ...block('b', [930, 500]), color: 'red' as const }];
+    const blocks = [block('a', [860, 500]), { ...block('b', [930, 500]), color: 'red' as const } as SceneObject];
     expect(start([red, ...blocks]).verdict()).toMatchObject({ blocks: { delivered: 1, of: 1 } });
     expect(start([red, block('a', [860, 500])]).verdict()?.blocks).toEqual({ delivered: 0, of: 1 });
   });
