@@ -3,7 +3,7 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseScene } from '#scene/parse';
-import { defaultScene, type Scene, type Stroke } from '#scene/scene';
+import { defaultScene, type Lamp, type Scene, type Stroke } from '#scene/scene';
 import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { TapeBox } from '#web/session/run/worker/tape-box';
@@ -51,6 +51,21 @@ while True:
     getDistanceGrid()
     delay(max(67 - (running_time() - began), 1))
 `;
+/** Turns towards the lighter side, and reads the board's level as well. */
+const V3_SEEKER = `
+from mbrobot_plusV3 import *
+from microbit import display, i2c
+setSpeed(40)
+while True:
+    i2c.write(0x10, bytes([78]))
+    light = i2c.read(0x10, 4)
+    display.read_light_level()
+    if light[0] * 256 + light[1] > light[2] * 256 + light[3]:
+        leftArc(0.1)
+    else:
+        rightArc(0.1)
+    delay(20)
+`;
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
 /** Line 6, in the midst of the loop, never begins. */
 const BRANCH =
@@ -80,6 +95,9 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   ),
   speed('headless, V3 asking all 64 cells at 15 Hz', { atLeast: 100, of: 'real time' }, () =>
     bestOf(soloOf(V3_LIDAR, amongWalls(), 'maqueen-plus-v3'), 60),
+  ),
+  speed('headless, V3 seeking the light among ten lamps and walls', { atLeast: 150, of: 'real time' }, () =>
+    bestOf(soloOf(V3_SEEKER, tenLamps(), 'maqueen-plus-v3'), 60),
   ),
   speed('headless, four Maqueen Lite on four lines', { atLeast: 30, of: 'real time' }, () => bestOf(onLines(4), 60)),
   speed('headless, eight Maqueen Lite on eight lines', { atLeast: 15, of: 'real time' }, () => bestOf(onLines(8), 30)),
@@ -143,6 +161,17 @@ function sceneAt(path: string): Scene {
 
 /** Three walls and three blocks to look at. */
 const amongWalls = (): Scene => sceneAt('courses/obstacles/scene.json');
+
+/** The same in a dim room with ten lamps. */
+function tenLamps(): Scene {
+  const scene = amongWalls();
+  const [width, height] = scene.size;
+  const lamps = Array.from({ length: 10 }, (_, n): Lamp => {
+    const at = [Math.round((((n % 5) + 0.5) * width) / 5), Math.round((n < 5 ? 0.25 : 0.75) * height)] as const;
+    return { type: 'lamp', id: `lamp-${n}`, at, height: 260, brightness: 40 };
+  });
+  return { ...scene, ambient: 20, objects: [...scene.objects, ...lamps] };
+}
 
 /** Robots that each follow a line of their own. */
 function onLines(count: number): RunSetup {

@@ -130,6 +130,8 @@ export const chanceOptions = {
       '  { "at": "2s", "serial": "hello\\r\\n" },',
       '  { "at": "3s", "sensor": "lightLevel", "value": 10 },',
       '  { "at": "4s", "radio": "go" },',
+      '  { "at": "4s", "lamp": "lamp-1", "on": true },',
+      '  { "at": "4s", "barrier": "barrier-1", "open": true },',
       '  { "at": "4s", "device": "remote", "button": "b", "down": true },',
       '  { "at": "4s", "remote": "up", "for": "0.5s" },',
       '  { "at": "4s", "device": "pad", "stick": { "x": 0.5, "y": -1 } },',

@@ -43,6 +43,9 @@ export function withRobotField(
   return startingAt(scene, { ...changes, at: placeInside({ ...robot, ...changes }, size, footprint) });
 }
 
+/** The decimals of units that have any: parts of one. */
+const PARTS: Readonly<Record<string, number>> = { s: 10, cd: 10, times: 100, ratio: 100 };
+
 /** The value as the field takes it, or `null`. */
 export function fitting(field: Field, value: FieldValue): FieldValue | null {
   switch (field.kind) {
@@ -50,8 +53,8 @@ export function fitting(field: Field, value: FieldValue): FieldValue | null {
       if (typeof value !== 'number' || Number.isNaN(value)) return null;
       const inRange = within(value, field);
       if (field.name === 'turn') return rotationDeg(inRange);
-      if (field.unit === 's') return Math.round(inRange * 10) / 10;
-      return field.unit === 'times' ? Math.round(inRange * 100) / 100 : Math.round(inRange) + 0;
+      const parts = PARTS[field.unit] ?? 1;
+      return Math.round(inRange * parts) / parts + 0;
     }
     case 'switch':
       return typeof value === 'boolean' ? value : null;

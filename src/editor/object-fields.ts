@@ -4,6 +4,7 @@ import type { PaintColor } from '#scene/paint';
 import {
   robotColors,
   sceneLimits,
+  type LampColor,
   type Point,
   type RobotColor,
   type RobotStart,
@@ -13,6 +14,7 @@ import {
 import { heightOf, withHeight, type StandingObject } from '#scene/kinds/heights';
 import type { MoverWay } from '#scene/kinds/mover-way';
 import type { ShapeName } from '#scene/shape/shape';
+import type { SwitchPin, SwitchWay } from '#scene/kinds/switching';
 import { within } from './plane';
 
 /**
@@ -37,11 +39,19 @@ export type NumberName =
   | 'phase'
   | 'reach'
   | 'letterHeight'
+  | 'brightness'
+  | 'onSeconds'
+  | 'offSeconds'
+  | 'mass'
+  | 'friction'
   | 'heading'
   | 'scale';
 
 /** Name of something about an object that can be changed. */
-export type FieldName = NumberName | 'shape' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type' | 'way';
+export type FieldName =
+  | NumberName
+  | ('shape' | 'spiked' | 'rolls' | 'color' | 'robotColor' | 'lampColor' | 'text' | 'name' | 'type' | 'way')
+  | ('switching' | 'onText' | 'offText' | 'switchButton' | 'switchPin');
 
 /** The value of a field. */
 export type FieldValue = number | boolean | string;
@@ -58,9 +68,9 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly min: number;
       readonly max: number;
       readonly step: number;
-      readonly unit: 'mm' | 'deg' | 'mm/s' | 'deg/s' | 's' | 'times' | 'count';
+      readonly unit: 'mm' | 'deg' | 'mm/s' | 'deg/s' | 's' | 'cd' | 'g' | 'ratio' | 'times' | 'count';
     }
-  | { readonly kind: 'switch'; readonly name: 'spiked'; readonly value: boolean }
+  | { readonly kind: 'switch'; readonly name: 'spiked' | 'rolls'; readonly value: boolean }
   | {
       readonly kind: 'choice';
       readonly name: 'color';
@@ -92,7 +102,36 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly value: MoverWay;
       readonly choices: readonly MoverWay[];
     }
-  | { readonly kind: 'text'; readonly name: 'text' | 'name'; readonly value: string; readonly maxCharacters: number }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'lampColor';
+      readonly value: LampColor | 'warm';
+      readonly choices: readonly (LampColor | 'warm')[];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'switching';
+      readonly value: SwitchWay | 'always';
+      readonly choices: readonly (SwitchWay | 'always')[];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'switchButton';
+      readonly value: 'a' | 'b';
+      readonly choices: readonly ('a' | 'b')[];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'switchPin';
+      readonly value: SwitchPin;
+      readonly choices: readonly SwitchPin[];
+    }
+  | {
+      readonly kind: 'text';
+      readonly name: 'text' | 'name' | 'onText' | 'offText';
+      readonly value: string;
+      readonly maxCharacters: number;
+    }
 );
 
 type Range = { readonly min: number; readonly max: number };

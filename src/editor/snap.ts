@@ -229,7 +229,7 @@ export function wallAttractors(scene: Scene): Attractors {
 }
 
 /** Snap targets for a wall whose end is moved: all other walls. */
-export function otherWalls(scene: Scene, { id }: Wall): Attractors {
+export function otherWalls(scene: Scene, { id }: Pick<Wall, 'id'>): Attractors {
   const walls = wallAttractors(scene).walls.filter((wall) => wall.id !== id);
   return { ends: walls.flatMap(({ from, to }) => [from, to]), walls };
 }

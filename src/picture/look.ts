@@ -9,6 +9,8 @@ export interface Look {
   readonly leastLineMm?: number;
   /** Least size of signs of zones, names of starts and waiting times, in mm; left out: none. */
   readonly leastTypeMm?: number | undefined;
+  /** True where the light of lamps and shadows is drawn; left out: on paper and in small pictures it is not. */
+  readonly isLit?: boolean;
   /** Writes a number of seconds for which a mover waits, in the language that is shown. */
   readonly seconds: (seconds: number) => string;
 }

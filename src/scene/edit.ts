@@ -2,7 +2,15 @@ import { isSame } from '#core/same';
 
 import { withRobot } from './robot-values';
 import type { League } from './league/league';
-import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
+import {
+  sceneDefaults,
+  type Background,
+  type Point,
+  type RobotStart,
+  type Scene,
+  type SceneObject,
+  type Task,
+} from './scene';
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
 export type SceneEdit =
@@ -28,7 +36,9 @@ export interface Replacement {
   readonly by: readonly SceneObject[];
 }
 
-/** New values for the name, description, size, task, background or league of a course; `null` removes one of the last two. */
+/**
+ * New values for the course as a whole; `null` removes background or league, the usual `ambient` leaves it out again.
+ */
 export interface CourseChanges {
   readonly name?: string;
   readonly description?: string;
@@ -36,6 +46,7 @@ export interface CourseChanges {
   readonly task?: Task;
   readonly background?: Background | null;
   readonly league?: League | null;
+  readonly ambient?: number;
 }
 
 /**
@@ -72,13 +83,19 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
   }
 }
 
-const courseParts = ['name', 'description', 'size', 'task', 'background', 'league'] as const;
+const courseParts = ['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const;
 
-/** A course with other values; one without a league does not name it. */
+/** A course with other values; one without a league, or in a room as bright as any, does not name it. */
 export function withCourse(scene: Scene, { league, ...changes }: CourseChanges): Scene {
-  if (league === undefined) return { ...scene, ...changes };
-  const { league: _, ...others } = scene;
-  return { ...others, ...changes, ...(league === null ? {} : { league }) };
+  const { league: before, ...others } = { ...scene, ...changes };
+  const scored = league === undefined ? before : league;
+  return withoutUsualLight({ ...others, ...(scored ? { league: scored } : {}) });
+}
+
+/** A course that does not say that its room is as bright as any. */
+function withoutUsualLight(scene: Scene): Scene {
+  const { ambient, ...rest } = scene;
+  return ambient === undefined || ambient === sceneDefaults.ambient ? rest : scene;
 }
 
 function withAdded(

@@ -1,6 +1,6 @@
 import { applyEdit, objectsPut, singleEdits, type CourseChanges, type Replacement, type SceneEdit } from './edit';
 import { robotValues } from './robot-values';
-import { countPoints, sceneLimits, type Scene, type SceneObject } from './scene';
+import { countPoints, sceneDefaults, sceneLimits, type Scene, type SceneObject } from './scene';
 
 /**
  * The edit that takes another one back: done after it, it gives a course equal to `scene`, its objects in the same order.
@@ -19,10 +19,7 @@ export function inverse(scene: Scene, edit: SceneEdit): SceneEdit {
     case 'robot':
       return { type: 'robot', robot: valuesOf(robotValues(scene.robot), edit.robot) };
     case 'course':
-      return {
-        type: 'course',
-        changes: valuesOf<Required<CourseChanges>>({ ...scene, league: scene.league ?? null }, edit.changes),
-      };
+      return { type: 'course', changes: valuesOf(courseValues(scene), edit.changes) };
     case 'clear':
       return { type: 'add', objects: scene.objects };
     case 'all': {
@@ -33,6 +30,12 @@ export function inverse(scene: Scene, edit: SceneEdit): SceneEdit {
       return edit satisfies never;
   }
 }
+
+/** The values of a course as a whole, also of what it leaves out. */
+const courseValues = (scene: Scene): Required<CourseChanges> => {
+  const { name, description, size, task, background, league = null, ambient = sceneDefaults.ambient } = scene;
+  return { name, description, size, task, background, league, ambient };
+};
 
 const combined = (edits: readonly SceneEdit[]): SceneEdit => {
   const [only] = edits;
@@ -85,12 +88,12 @@ function fitsIntoOne(edits: readonly SceneEdit[]): boolean {
 }
 
 /** The edit that turns any course into this one. */
-const wholeOf = ({ objects, robot, name, description, size, task, background }: Scene): SceneEdit => ({
+const wholeOf = (scene: Scene): SceneEdit => ({
   type: 'all',
   edits: [
     { type: 'clear' },
-    { type: 'add', objects },
-    { type: 'robot', robot: robotValues(robot) },
-    { type: 'course', changes: { name, description, size, task, background } },
+    { type: 'add', objects: scene.objects },
+    { type: 'robot', robot: robotValues(scene.robot) },
+    { type: 'course', changes: courseValues(scene) },
   ],
 });

@@ -254,6 +254,7 @@ const version8: Scene = {
   board: null,
   name: 'Farben der achten Fassung',
   robot: { type: null, at: [200, 450], heading: 0, scale: 1, options: {}, name: 'Ada' },
+  ambient: 40,
   objects: [
     { id: 'a1', type: 'paper', at: [300, 100], size: [110, 110], angle: 12.5, color: 'green' },
     {
@@ -286,6 +287,20 @@ const version8: Scene = {
     { id: 'b1', type: 'block', at: [600, 300], size: [66, 66], angle: 0, color: 'purple' },
     { id: 'f1', type: 'fixed-block', at: [700, 300], size: [40, 60], angle: 0, color: 'black' },
     { id: 'f2', type: 'fixed-block', at: [700, 500], size: [40, 60], angle: 0 },
+    {
+      ...{ id: 'b2', type: 'block', at: [600, 400], size: [40, 40], angle: 0, round: true },
+      ...{ mass: 2.7, friction: 0.01, rolls: true },
+    },
+    { id: 'i1', type: 'lamp', at: [100, 800], height: 260, brightness: 40 },
+    {
+      ...{ id: 'i2', type: 'lamp', at: [150, 800], height: 120, brightness: 0.5, color: 'red' },
+      on: { time: [3, 1.5] },
+    },
+    { id: 'i3', type: 'lamp', at: [200, 800], height: 260, brightness: 40, on: { radio: ['an', 'aus'] } },
+    { id: 'i4', type: 'lamp', at: [250, 800], height: 260, brightness: 40, on: { pin: 'P2' } },
+    { id: 'g1', type: 'barrier', from: [300, 800], to: [500, 800], thickness: 10, height: 80, opens: 'hand' },
+    { id: 'g2', type: 'barrier', from: [300, 850], to: [500, 850], thickness: 6, opens: { button: 'b' } },
+    { id: 'h1', type: 'tunnel', at: [1000, 500], size: [300, 150], angle: 30 },
   ], // prettier-ignore
 };
 

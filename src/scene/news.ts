@@ -6,13 +6,13 @@ import { isFirstColor } from './paint';
 import type { Scene, SceneObject } from './scene';
 
 /** The kinds of objects that no course file before version 8 can hold. */
-const newKinds = ['paper'] as const satisfies readonly SceneObject['type'][];
+const newKinds = ['paper', 'lamp', 'barrier', 'tunnel'] as const satisfies readonly SceneObject['type'][];
 
 /** An object of a new kind. */
 export type NewObject = Extract<SceneObject, { readonly type: (typeof newKinds)[number] }>;
 
 /** The new properties of objects; a colour of strokes only if it is a new one. */
-const newProperties: readonly string[] = ['color', 'infrared', 'blockColor'];
+const newProperties: readonly string[] = ['color', 'infrared', 'blockColor', 'mass', 'friction', 'rolls'];
 
 /** The kinds of older objects that may have new properties. */
 const changedKinds: readonly SceneObject['type'][] = [
@@ -21,7 +21,7 @@ const changedKinds: readonly SceneObject['type'][] = [
 ];
 
 /** The new properties of the course as a whole. */
-const newCourseProperties: readonly (keyof Scene)[] = ['league'];
+const newCourseProperties: readonly (keyof Scene)[] = ['league', 'ambient'];
 
 /** True if an object is of a new kind. */
 export const isNewKind = (object: SceneObject): object is NewObject => newKinds.some((kind) => kind === object.type);

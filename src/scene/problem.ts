@@ -17,6 +17,7 @@ export type SceneProblemCode =
   | 'duplicate-id'
   | 'unknown-id'
   | 'wall-without-length'
+  | 'ball-not-round'
   | 'said-twice'
   | 'polygon-crossing'
   | 'polygon-too-small'

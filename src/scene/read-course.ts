@@ -7,7 +7,7 @@ import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The properties that `readCourseChanges` reads. */
-export const courseKeys = ['name', 'description', 'size', 'task', 'background', 'league'] as const;
+export const courseKeys = ['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const;
 
 /** Reads the properties of a course as a whole; what is left out stays left out. */
 export function readCourseChanges(fields: Fields, path: string, reader: Reader): CourseChanges {
@@ -19,6 +19,7 @@ export function readCourseChanges(fields: Fields, path: string, reader: Reader):
     ...given(fields, 'task', (value) => readTask(value, `${path}task`, reader)),
     ...given(fields, 'background', (value) => readBackground(value, `${path}background`, reader)),
     ...given(fields, 'league', (value) => readLeague(value, `${path}league`, reader)),
+    ...given(fields, 'ambient', (value) => reader.number(value, `${path}ambient`, sceneLimits.ambientLx)),
   };
 }
 

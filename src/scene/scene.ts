@@ -6,42 +6,12 @@
  */
 
 import type { League } from './league/league';
+import type { Common, Point, Shaped, Standing } from './kinds/base';
 import type { Painted, PaintColor } from './paint';
+import type { Barrier, Lamp, Tunnel } from './kinds/lit-things';
 
-/** A place or an extent `[x, y]` in whole mm. */
-export type Point = readonly [x: number, y: number];
-
-/** The properties that every object may have. */
-interface Common {
-  readonly id: string;
-  /** The editor does not change it. Left out: it does. */
-  readonly lock?: true;
-  /** Name of the group to which it belongs, with at least one more object; left out: none. */
-  readonly group?: string;
-}
-
-/** A filled part of the plane: a rectangle, an ellipse or a polygon. */
-export interface Shaped {
-  /** The middle of its rectangle. */
-  readonly at: Point;
-  /** Extent along its own x and y, in mm. */
-  readonly size: Point;
-  /** Rotation in degrees counter-clockwise, 0 up to but without 360. */
-  readonly angle: number;
-  /** The ellipse within `size` instead of the rectangle. */
-  readonly round?: boolean;
-  /**
-   * The corners of a polygon, in order: its figure in its own frame, stretched so that it fills `size`. Left out: a
-   * rectangle, or what `round` says. No edges cross, and what it encloses may be hollow (concave).
-   */
-  readonly corners?: readonly Point[];
-}
-
-/** A thing that stands up from the floor. */
-interface Standing {
-  /** Its top above the floor in whole mm, for sensors: robots bump into it at any height. Left out: usual for its kind. */
-  readonly height?: number;
-}
+export type { Point, Shaped } from './kinds/base';
+export { lampColors, type Barrier, type Lamp, type LampColor, type Tunnel } from './kinds/lit-things';
 
 /** A straight solid wall; `from` and `to` are the ends of its centre line. */
 export interface Wall extends Common, Standing, Painted {
@@ -55,6 +25,12 @@ export interface Wall extends Common, Standing, Painted {
 /** A body on the floor: a `block` can be pushed, a `fixed-block` cannot. Of one that is not round, `round` is left out. */
 export interface Block extends Common, Shaped, Standing, Painted {
   readonly type: 'block' | 'fixed-block';
+  /** Mass in g of a block that can be pushed; left out: by its area, like beech of 25 mm. */
+  readonly mass?: number;
+  /** Ratio of the floor's friction to the weight of a block that can be pushed; left out: 0.3, of a ball 0.02. */
+  readonly friction?: number;
+  /** It is a ball, or a can that lies: it rolls on when it was pushed. Only of round ones. */
+  readonly rolls?: true;
 }
 
 /** A painted line on the floor: a polyline with round ends and joints. */
@@ -173,7 +149,8 @@ export const robotColors = ['blue', 'purple', 'teal', 'brown', 'violet', 'green'
 export type RobotColor = (typeof robotColors)[number];
 
 /** Everything that can stand or lie in the arena. */
-export type SceneObject = Wall | Block | Stroke | Zone | Paper | Spikes | Mover | Label | Start;
+export type SceneObject =
+  Wall | Block | Stroke | Zone | Paper | Spikes | Mover | Lamp | Barrier | Tunnel | Label | Start;
 
 /** How many points an object holds: a stroke may have tens of thousands, a polygon has some. */
 export function countPoints(object: SceneObject): number {
@@ -281,6 +258,8 @@ export interface Scene {
   readonly background: Background | null;
   /** A line of tiles that is scored by the rules of a league; left out: it is none. */
   readonly league?: League;
+  /** Light of the room in lx; left out: an ordinary room's, 300. */
+  readonly ambient?: number;
   readonly objects: readonly SceneObject[];
 }
 
@@ -306,6 +285,11 @@ export const sceneDefaults = {
   speed: 100, // chosen: half as fast as the robots drive
   spiked: false,
   card: { language: '', title: '', hints: [], translations: [], picture: '', solution: false } as TaskCard,
+  lampHeight: 260, // chosen: 200 mm above the sensors, which then get 1000 lx right below it
+  friction: 0.3, // as the physics has it: wood on wood or plastic
+  rollingFriction: 0.02, // likewise: a ball on hard felt or lino
+  brightness: 40, // chosen: an LED torch (docs/hardware/light.md)
+  ambient: 300,
   labelHeight: 30, // chosen: read on a projector from the last row
 } as const;
 
@@ -332,6 +316,14 @@ export const sceneLimits = {
   widthMm: { min: 1, max: 500 },
   /** From nothing to glossy metal, which returns more than white paper. */
   infrared: { min: 0, max: 1.4 },
+  /** A block's, from a table tennis ball to what no robot moves. */
+  massG: { min: 1, max: 5_000 },
+  friction: { min: 0, max: 1.5 },
+  /** A lamp's, above the sensors, which are 60 mm above the floor. */
+  lampMm: { min: 80, max: 3_000 },
+  brightnessCd: { min: 0.1, max: 1_000 },
+  /** From the dark to the sun. */
+  ambientLx: { min: 0, max: 100_000 },
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },
   options: 50,

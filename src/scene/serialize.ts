@@ -37,6 +37,7 @@ export function serializeScene(scene: Scene): string {
     ...taskProperty(scene.task),
     ...backgroundProperty(scene.background),
     ...leagueProperty(scene.league),
+    ...property('ambient', scene.ambient ?? null, null),
   ];
   const rotation = version < 5 ? asTurn : asAngle;
   const objects = tidied(scene.objects)

@@ -6,9 +6,11 @@ import type { Outline } from '#scene/outline';
 import type { Background, Point, Scene, SceneObject, Zone } from '#scene/scene';
 import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
+import { ROOM_LX } from '#world/light/light';
 import { createWorld, type World } from '#world/world';
 import { movableIds } from './at-once';
 import { isLasting, isMovable, runKinds, type Body } from './kinds';
+import type { Switchable } from './switching/switches';
 import { outlineAt } from './task/outline-at';
 
 /** A world made from a course; it follows changes of the course during a run. */
@@ -24,12 +26,16 @@ export class CourseWorld {
   private background: Background | null = null;
   private zones: ReadonlyMap<string, Zone>;
 
+  /** The things that are switched now, by object id: another map whenever it has changed. */
+  switched: ReadonlyMap<string, Switchable> = new Map();
+
   /** Builds everything in the course, object by object in its order. */
   constructor(course: Scene) {
     this.began = course;
     this.now = course;
     this.zones = zonesIn(course);
     this.world = createWorld({ widthMm: course.size[0], heightMm: course.size[1] });
+    if (course.ambient !== undefined) this.world.light.setRoom(course.ambient);
     for (const object of course.objects) this.add(object);
     this.showBackground(course.background);
   }
@@ -71,6 +77,7 @@ export class CourseWorld {
    * it is.
    */
   take(course: Scene): void {
+    if (course.ambient !== this.now.ambient) this.world.light.setRoom(course.ambient ?? ROOM_LX);
     this.now = course;
     this.zones = zonesIn(course);
     const movable = movableIds(this.movableIds(), this.began, course);
@@ -86,6 +93,7 @@ export class CourseWorld {
       body.remove?.();
       this.following.delete(id);
       this.blocks.delete(id);
+      this.setSwitched(id, undefined);
     }
     this.showBackground(course.background);
   }
@@ -109,6 +117,13 @@ export class CourseWorld {
     if (body?.block) this.blocks.set(object.id, body.block);
     else this.blocks.delete(object.id);
     if (body?.mover) this.movers.set(object.id, body.mover);
+    this.setSwitched(object.id, body?.switched);
+  }
+
+  private setSwitched(id: string, switched: Switchable | undefined): void {
+    if (!switched && !this.switched.has(id)) return;
+    const others = [...this.switched].filter(([other]) => other !== id);
+    this.switched = new Map(switched ? [...others, [id, switched]] : others);
   }
 
   private showBackground(background: Background | null): void {

@@ -21,7 +21,7 @@ import { robotLibraries } from './robot-libraries';
 import type { RunSetup } from './run-setup';
 import type { DeviceSnapshot, Lights } from './snapshot';
 import { boardSnapshot, robotSnapshot } from './take-snapshot';
-import { createLampSense, lampLevel } from './light-sense';
+import { createLampSense, lampLevel } from './switching/light-sense';
 import { createTrailSender } from './trail';
 
 /** How and when a program ended. */
@@ -47,7 +47,10 @@ export interface Around {
 }
 
 /** An action on one device from outside. */
-export type DeviceAction = Exclude<InputAction, { readonly type: 'edit' | 'place-block' | 'radio' | 'no-progress' }>;
+export type DeviceAction = Exclude<
+  InputAction,
+  { readonly type: 'edit' | 'place-block' | 'switch' | 'radio' | 'no-progress' }
+>;
 
 /** One microcomputer of a run: program, board and, if it has one, its robot, on a clock of its own. */
 export class Device {

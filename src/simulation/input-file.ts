@@ -117,6 +117,8 @@ const readers: Readonly<Record<string, { readonly fields: readonly string[]; rea
   place: { fields: [], read: readPlace },
   placeBlock: { fields: [], read: readPlaceBlock },
   noProgress: { fields: [], read: readNoProgress },
+  lamp: { fields: ['on'], read: readLamp },
+  barrier: { fields: ['open'], read: readBarrier },
   interrupt: { fields: [], read: readInterrupt },
   radio: { fields: [], read: readRadio },
   arenaSenses: { fields: [], read: readArenaSenses },
@@ -187,6 +189,16 @@ function readPlaceBlock({ placeBlock }: Fields): InputAction | Bad {
   return typeof id === 'string'
     ? { type: 'place-block', id, pose }
     : wrong('placeBlock.id', "a block's id in quotes", id);
+}
+
+function readLamp({ lamp, on }: Fields): InputAction | Bad {
+  if (typeof lamp !== 'string') return wrong('lamp', "a lamp's id in quotes", lamp);
+  return typeof on === 'boolean' ? { type: 'switch', id: lamp, on } : wrong('on', 'true or false', on);
+}
+
+function readBarrier({ barrier, open }: Fields): InputAction | Bad {
+  if (typeof barrier !== 'string') return wrong('barrier', "a barrier's id in quotes", barrier);
+  return typeof open === 'boolean' ? { type: 'switch', id: barrier, on: open } : wrong('open', 'true or false', open);
 }
 
 function readPose(value: unknown, path: string, further: readonly string[]): PlacedPose | Bad {

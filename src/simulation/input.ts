@@ -29,6 +29,8 @@ export type InputAction =
   | { readonly type: 'place'; readonly pose: PlacedPose }
   /** The hand tool puts the block of this object id somewhere. */
   | { readonly type: 'place-block'; readonly id: string; readonly pose: PlacedPose }
+  /** The hand switches a lamp on or off, or opens or closes a barrier: one that is switched by hand. */
+  | { readonly type: 'switch'; readonly id: string; readonly on: boolean }
   /** A packet arrives by radio: a text as `radio.send` of another board sends it, or the bytes of `radio.send_bytes`. */
   | { readonly type: 'radio'; readonly text: string }
   | { readonly type: 'radio'; readonly bytes: readonly number[] }

@@ -8,10 +8,25 @@ import type { Painted } from '#scene/paint';
 import { zoneOverlaps } from '#scene/kinds/zone';
 import { stopsOf } from '#scene/kinds/mover-way';
 import type { Outline } from '#scene/outline';
-import type { Block, Chase, Mover, Paper, Point, SceneObject, Spikes, Stroke, Wall, Zone } from '#scene/scene';
-import { ownParts } from '#scene/shape/shape';
+import type {
+  Barrier,
+  Block,
+  Chase,
+  Lamp,
+  Mover,
+  Paper,
+  Point,
+  SceneObject,
+  Spikes,
+  Stroke,
+  Tunnel,
+  Wall,
+  Zone,
+} from '#scene/scene';
+import { ownParts, shapeParts } from '#scene/shape/shape';
 import type { BlockHandle, BodyForm, Chase as WorldChase, FieldShape, MoverHandle, Shares, Way } from '#world/shapes';
 import type { World } from '#world/world';
+import type { Switchable } from './switching/switches';
 
 /** The body of an object in a run's world. */
 export interface Body {
@@ -19,6 +34,8 @@ export interface Body {
   readonly block?: BlockHandle;
   /** The handle of what moves by itself. */
   readonly mover?: MoverHandle;
+  /** The handle of what is switched. */
+  readonly switched?: Switchable;
   /** Follows a change of its object; `false`: it has to be made anew. */
   follow?(object: SceneObject): boolean;
   /** Changes its place in the order of painting. */
@@ -63,6 +80,9 @@ export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
   forbidden: field,
   paper: field,
   spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
+  lamp: { change: 'shown', build: lampBody },
+  barrier: { change: 'lasting', build: barrierBody },
+  tunnel: { change: 'shown', build: tunnelBody },
   mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
   label: onFloor,
   start: { change: 'lasting' },
@@ -96,7 +116,13 @@ function fixedBody(box: Block | Spikes, world: World): Body {
 }
 
 function blockBody(object: Block, world: World): Body {
-  const block = world.addBlock({ id: object.id, ...shapeOf(object), fixed: false });
+  const { mass, friction, rolls } = object;
+  const moves = {
+    ...(mass !== undefined && { massG: mass }),
+    ...(friction !== undefined && { friction }),
+    ...(rolls && { rolls }),
+  };
+  const block = world.addBlock({ id: object.id, ...shapeOf(object), ...moves, fixed: false });
   return {
     block,
     follow(now: Block) {
@@ -106,6 +132,26 @@ function blockBody(object: Block, world: World): Body {
     },
     remove: () => world.removeBlock(block),
   };
+}
+
+function lampBody({ at, height, brightness, on }: Lamp, world: World): Body {
+  let isOn = true;
+  const lamp = world.light.addLamp({ atMm: vec(at), heightMm: height, candela: brightness, on: isOn });
+  const set = (now: boolean): void => {
+    isOn = now;
+    lamp.switch(now);
+  };
+  return { switched: { switching: on ?? null, set, isOn: () => isOn }, remove: lamp.remove };
+}
+
+function barrierBody(barrier: Barrier, world: World): Body {
+  const { id, from, to, thickness, opens } = barrier;
+  const handle = world.addBarrier({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness, heightMm: heightOf(barrier) }); // prettier-ignore
+  return { switched: { switching: opens, set: (isOpen) => handle.set(isOpen), isOn: () => handle.isOpen } };
+}
+
+function tunnelBody(tunnel: Tunnel, world: World): Body {
+  return { remove: world.light.addTunnel(shapeParts(tunnel)) };
 }
 
 function moverBody(object: Mover, world: World, { zone }: Around): Body {
@@ -155,7 +201,10 @@ function sharesOf({ color }: Painted): { readonly shares?: Shares } {
 }
 
 /** The properties of a block that a run cannot change without making it again. */
-const formOf = ({ size, round, corners, height, color }: Block) => ({ size, round, corners, height, color });
+const formOf = ({ size, round, corners, height, color, mass, friction, rolls }: Block) => ({
+  ...{ size, round, corners, height, color },
+  ...{ mass, friction, rolls },
+});
 
 const vec = ([x, y]: Point): Vec => ({ x, y });
 

@@ -15,7 +15,7 @@ import type { Shares } from '#world/shapes';
 import type { World } from '#world/world';
 import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import type { Hardware } from './hardware';
-import { lampLevel, robotLight } from './light-sense';
+import { lampLevel, robotLight } from './switching/light-sense';
 import { isMisplugged } from './robot-fit';
 import { createReality, FULL_MV } from './reality';
 import { findBuild } from './robot-libraries';

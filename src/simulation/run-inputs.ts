@@ -71,7 +71,7 @@ export class RunInputs {
   }
 
   private isMoot(action: InputAction): boolean {
-    if (action.type !== 'edit' && action.type !== 'place-block') return false;
+    if (action.type !== 'edit' && action.type !== 'place-block' && action.type !== 'switch') return false;
     const [check] = this.targets.checks; // about the course, all say the same
     return check?.(action, this.arena.course, this.arena.movableIds()) !== null;
   }

@@ -105,6 +105,8 @@ export function createInputCheck({ board, robot, options }: Plugged, began: Scen
         return movable.has(action.id) ? poseProblem(action.pose, began) : blockProblem(action.id, movable);
       case 'no-progress':
         return began.league === undefined ? 'noProgress: the line of this course is not scored.' : null;
+      case 'switch':
+        return switchProblem(action.id, course);
       case 'edit':
         return editInWords(course, action.edit);
       default:
@@ -143,6 +145,17 @@ const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0
 function blockProblem(id: string, blocks: ReadonlySet<string>): string {
   const known = blocks.size > 0 ? `Known are ${[...blocks].join(', ')}.` : 'This course has none.';
   return `There is no movable block "${id}". ${known}`;
+}
+
+function switchProblem(id: string, { objects }: Scene): string | null {
+  const switched = objects.filter(
+    (object) =>
+      (object.type === 'lamp' && object.on === 'hand') || (object.type === 'barrier' && object.opens === 'hand'),
+  );
+  if (switched.some((object) => object.id === id)) return null;
+  const known =
+    switched.length > 0 ? `Known are ${switched.map((object) => object.id).join(', ')}.` : 'This course has none.';
+  return `There is no lamp or barrier "${id}" that is switched by hand. ${known}`;
 }
 
 function poseProblem({ xMm, yMm, headingDeg }: PlacedPose, { size: [width, height] }: Scene): string | null {

@@ -20,6 +20,7 @@ import { fitRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { seedOfDevice } from './several/seed-of-device';
 import type { Lights, Snapshot } from './snapshot';
+import { switchingBoards, Switches } from './switching/switches';
 import { TRACE_PERIOD_US, type TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
 import type { Verdict } from './task/verdict';
@@ -45,6 +46,7 @@ export class Simulation {
   private readonly courseWorld: CourseWorld;
   private readonly world: World;
   private readonly air: Air;
+  private readonly switches: Switches;
   private readonly judge: ReturnType<typeof judgeOf>;
   private readonly recorder: TraceRecorder;
   private readonly inputs: RunInputs;
@@ -86,6 +88,7 @@ export class Simulation {
     this.recorder = new TraceRecorder(robotsOf(this.devices), setup.keepTrace === true);
     this.judge = judgeOf(setup.scene, this.devices, fitted, this.courseWorld);
     this.air = new Air(this.devices, (device) => this.placeOf(device), setup.seed, setup.reality);
+    this.switches = new Switches(() => this.courseWorld.switched, switchingBoards(this.devices));
     const checks = fitted.map(({ hardware }) => createInputCheck(hardware, setup.scene));
     const names = this.devices.map(({ name }) => name);
     this.inputs = new RunInputs(setup.inputs ?? [], { names, checks }, this.courseWorld, this.first.clock);
@@ -285,12 +288,14 @@ export class Simulation {
 
   /** The whole run now. */
   snapshot(): Snapshot {
+    const switched = this.switches.states;
     return {
       ...this.first.snapshot(),
       timeUs: this.nowUs,
       others: this.followers.map((device) => device.snapshot()),
       blocks: this.courseWorld.blockPoses(),
       movers: this.courseWorld.moverPoses(),
+      ...(switched && { switched }),
       verdict: this.verdict,
     };
   }
@@ -318,6 +323,7 @@ export class Simulation {
       device.hold.isHeld = false; // the first device was in one long call: here no other can be stopped
     }
     this.takeInputs();
+    this.switches.step(this.nowUs);
     this.world.step();
     for (const device of this.devices) device.sense();
     this.air.step(this.nowUs);
@@ -353,7 +359,10 @@ export class Simulation {
       case 'place-block':
         this.judge?.takeHand();
         return this.courseWorld.block(action.id)?.place(poseOf(action.pose));
+      case 'switch':
+        return this.switches.byHand(action.id, action.on);
       case 'radio':
+        this.switches.hear(packetOf(action));
         for (const { board } of this.named(device)) board.radio.receive(packetOf(action));
         return;
       case 'remote':
@@ -384,9 +393,8 @@ export class Simulation {
 
   /** Place of a device. */
   private placeOf({ mounted }: Device): Vec {
-    if (mounted === null) return heldIn(this.scene);
-    const { xMm, yMm } = mounted.chassis.pose();
-    return { x: xMm, y: yMm };
+    const pose = mounted?.chassis.pose();
+    return pose ? { x: pose.xMm, y: pose.yMm } : heldIn(this.scene);
   }
 }
 

@@ -72,6 +72,8 @@ export interface Snapshot extends DeviceSnapshot {
   readonly blocks: Readonly<Record<string, Pose>>;
   /** Poses of the moving obstacles, by object id. */
   readonly movers: Readonly<Record<string, Pose>>;
+  /** By object id: which lamps shine and which barriers are open; left out in a course without any. */
+  readonly switched?: Readonly<Record<string, boolean>>;
   /** How well the task is done, or `null` if the course has no task. */
   readonly verdict: Verdict | null;
 }

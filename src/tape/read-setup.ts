@@ -43,6 +43,7 @@ const ACTIONS: Readonly<Record<string, Readonly<Record<string, Check>>>> = {
   sensor: { id: isText, value: (value) => isText(value) || isNumber(value) },
   place: { pose: isPose },
   'place-block': { id: isText, pose: isPose },
+  switch: { id: isText, on: isFlag },
   radio: {},
   'arena-senses': { on: isFlag },
   edit: { edit: (value) => 'edit' in parseEdit(value) },

@@ -94,8 +94,7 @@ const EDGE_HEIGHT_MM = 250;
  */
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
-  const ground = createPaintedFloor();
-  const light = createLight();
+  const [ground, light] = [createPaintedFloor(), createLight()];
   const solids: Solids = { things: edgesOf(size), barriers: [], blocks: new Map(), robots: [] };
   const { things, barriers, blocks, robots } = solids;
   const obstacles = (except: Chassis | undefined): Iterable<Obstacle> => obstaclesIn(solids, except);

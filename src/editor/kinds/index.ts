@@ -9,7 +9,10 @@ import type { Field } from '../object-fields';
 import type { ToolOptions } from '../tools/tool';
 import { block, fixedBlock, spikes } from './block';
 import type { EditorKind } from './kind';
+import { barrier } from './barrier';
 import { label } from './label';
+import { lamp } from './lamp';
+import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
 import { start } from './start';
@@ -29,6 +32,9 @@ export const editorKinds: Readonly<Record<SceneObject['type'], EditorKind>> = {
   paper,
   spikes,
   mover,
+  lamp,
+  barrier,
+  tunnel,
   label,
   start,
 };

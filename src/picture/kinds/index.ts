@@ -2,7 +2,10 @@ import type { SceneObject } from '#scene/scene';
 
 import { block, fixedBlock } from './block';
 import type { PictureKind } from './kind';
+import { barrier } from './barrier';
 import { label } from './label';
+import { lamp } from './lamp';
+import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
 import { spikes } from './spikes';
@@ -23,6 +26,9 @@ export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = 
   paper,
   spikes,
   mover,
+  lamp,
+  barrier,
+  tunnel,
   label,
   start,
 };

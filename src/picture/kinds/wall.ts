@@ -7,18 +7,25 @@ import type { PaintColor } from '#scene/paint';
 import type { Look } from '../look';
 import { paints } from '../paints';
 import { circle, group, type Geometry, type Shape } from '../shapes';
-import type { PictureKind } from './kind';
+import type { Frame, PictureKind } from './kind';
 
 /** Walls, of bricks. */
 export const wall: PictureKind<Wall> = {
   body: (wall, look) => [inWallFrame(wall, bricks(wall, look))],
   shade: (wall, fill) => inWallFrame(wall, [{ ...wallShape(wall, 0), fill }]),
-  frame: ({ from, to, thickness }) => ({
+  frame: wallFrame,
+};
+
+type Ends = Pick<Wall, 'from' | 'to' | 'thickness'>;
+
+/** The turned rectangle around a wall. */
+export function wallFrame({ from, to, thickness }: Ends): Frame {
+  return {
     at: { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 },
     angleRad: exactAtan2(to[1] - from[1], to[0] - from[0]),
     size: { x: lengthOf(to[0] - from[0], to[1] - from[1]), y: thickness },
-  }),
-};
+  };
+}
 
 /** Height of a course of bricks, in mm, about: a wall has at least two, and one beyond 60 mm has higher ones. */
 const COURSE_MM = 5;
@@ -27,11 +34,11 @@ const COURSE_MM = 5;
 const BRICK = 3.4;
 
 /** Shapes in a frame that starts at a wall's one end and runs along it. */
-const inWallFrame = ({ from, to }: Wall, inside: readonly Shape[]): Shape =>
+export const inWallFrame = ({ from, to }: Ends, inside: readonly Shape[]): Shape =>
   group(from, inside, degOf(exactAtan2(to[1] - from[1], to[0] - from[0])));
 
 /** The outline of a wall in its frame. */
-const wallShape = ({ from, to, thickness }: Wall, round: number): Geometry => ({
+export const wallShape = ({ from, to, thickness }: Ends, round: number): Geometry => ({
   ...{ form: 'rect', at: [0, -thickness / 2], round },
   size: [lengthOf(to[0] - from[0], to[1] - from[1]), thickness],
 });

@@ -10,10 +10,17 @@ const bodyKind = (name: string): SceneKind<Block | Spikes> => ({
     ...shapeProperties(body, rotation),
     ...property('round', body.round ?? sceneDefaults.round, sceneDefaults.round),
     ...property('height', body.height ?? null, null),
-    ...(body.type === 'spikes' ? [] : paintProperties(body)),
+    ...(body.type === 'spikes' ? [] : [...paintProperties(body), ...motionProperties(body)]),
   ],
   ...standing<Block | Spikes>(shapeParts),
 });
+
+/** How a block moves when it is pushed, in the form of a file. */
+const motionProperties = ({ mass, friction, rolls }: Block): readonly string[] => [
+  ...property('mass', mass ?? null, null),
+  ...property('friction', friction ?? null, null),
+  ...property('rolls', rolls ?? false, false),
+];
 
 /** Movable blocks. */
 export const block = bodyKind('block');

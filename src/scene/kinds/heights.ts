@@ -1,7 +1,7 @@
-import type { Block, Mover, SceneObject, Spikes, Wall } from '../scene';
+import type { Barrier, Block, Mover, SceneObject, Spikes, Wall } from '../scene';
 
 /** An object that stands up from the floor. */
-export type StandingObject = Wall | Block | Spikes | Mover;
+export type StandingObject = Wall | Block | Spikes | Mover | Barrier;
 
 /** Heights in mm of things whose file gives none. Chosen: ultrasonic sensors hear all of them, and no robot drives under. */
 export const usualHeights: Readonly<Record<StandingObject['type'], number>> = {
@@ -10,6 +10,7 @@ export const usualHeights: Readonly<Record<StandingObject['type'], number>> = {
   'fixed-block': 60,
   spikes: 50,
   mover: 100,
+  barrier: 100,
 };
 
 /** The top of a thing above the floor, in mm. */

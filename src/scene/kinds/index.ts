@@ -2,7 +2,10 @@ import { arenaOutline, boundsMeet, boundsOfOutline, type Bounds, type Outline } 
 import type { Point, SceneObject } from '../scene';
 import { block, fixedBlock, spikes } from './block';
 import type { SceneKind } from './kind';
+import { barrier } from './barrier';
 import { label } from './label';
+import { lamp } from './lamp';
+import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
 import { start } from './start';
@@ -22,6 +25,9 @@ export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
   paper,
   spikes,
   mover,
+  lamp,
+  barrier,
+  tunnel,
   label,
   start,
 };

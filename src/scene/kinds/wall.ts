@@ -17,7 +17,7 @@ export const wall: SceneKind<Wall> = {
 };
 
 /** The rectangle that a wall fills, in world mm. */
-export function wallOutline({ from, to, thickness }: Wall): Outline {
+export function wallOutline({ from, to, thickness }: Pick<Wall, 'from' | 'to' | 'thickness'>): Outline {
   const dx = to[0] - from[0];
   const dy = to[1] - from[1];
   const half = thickness / 2 / lengthOf(dx, dy);

@@ -3,7 +3,19 @@ import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
 import type { StandingObject } from '../kinds/heights';
 import { paintColors, type Painted } from '../paint';
-import { robotColors, taskRules, type Mover, type Point, type Scene, type SceneObject, type TaskCard } from '../scene';
+import {
+  lampColors,
+  robotColors,
+  taskRules,
+  type Block,
+  type Lamp,
+  type Mover,
+  type Point,
+  type Scene,
+  type SceneObject,
+  type TaskCard,
+} from '../scene';
+import { switchPins, type Switching } from '../kinds/switching';
 import { inPercent, oneOf, wholeFrom } from './fuzz';
 
 const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
@@ -53,7 +65,14 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       ...height(rng),
       ...paint(rng),
     }),
-    () => ({ type: oneOf(rng, ['block', 'fixed-block'] as const), ...body, ...height(rng), ...paint(rng) }),
+    () => ({ type: 'block', ...body, ...height(rng), ...paint(rng), ...motion(rng, 'round' in body) }),
+    () => ({ type: 'fixed-block', ...body, ...height(rng), ...paint(rng) }),
+    () => randomLamp(rng, id),
+    () => ({
+      ...{ type: 'barrier', id, from, to: [from[0] - 1, from[1]], thickness: wholeFrom(rng, 2, 500) },
+      ...{ ...height(rng), opens: switching(rng) },
+    }),
+    () => ({ type: 'tunnel', ...body }),
     () => ({ type: 'spikes', ...body, ...height(rng) }),
     () => ({ type: 'paper', ...body, color: oneOf(rng, paintColors), ...infrared(rng) }),
     () => ({
@@ -91,6 +110,28 @@ export function randomObject(rng: Rng, id: string): SceneObject {
   ];
   return { ...oneOf(rng, makers)(), ...common(rng) };
 }
+
+const randomLamp = (rng: Rng, id: string): Lamp => ({
+  ...{ type: 'lamp', id, at: point(rng), height: wholeFrom(rng, 80, 3000), brightness: wholeFrom(rng, 1, 10_000) / 10 },
+  ...(inPercent(rng, 50) ? { color: oneOf(rng, lampColors) } : {}),
+  ...(inPercent(rng, 60) ? { on: switching(rng) } : {}),
+});
+
+const switching = (rng: Rng): Switching =>
+  oneOf<Switching>(rng, [
+    'hand',
+    { time: [wholeFrom(rng, 1, 36_000) / 10, 0.1] },
+    { radio: ['an', oneOf(rng, ['aus', '"', '🤖'])] },
+    { button: oneOf(rng, ['a', 'b']) },
+    { pin: oneOf(rng, switchPins) },
+  ]);
+
+/** How a block moves, which is mostly left out. */
+const motion = (rng: Rng, isRound: boolean): Pick<Block, 'mass' | 'friction' | 'rolls'> => ({
+  ...(inPercent(rng, 20) ? { mass: wholeFrom(rng, 1, 5000) } : {}),
+  ...(inPercent(rng, 20) ? { friction: wholeFrom(rng, 0, 150) / 100 } : {}),
+  ...(isRound && inPercent(rng, 50) ? { rolls: true } : {}),
+});
 
 /** Random properties of a mover beyond a path between two places. */
 function foe(rng: Rng, at: Point): Partial<Mover> {

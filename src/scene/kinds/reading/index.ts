@@ -1,7 +1,10 @@
 import type { SceneObject } from '../../scene';
 import { block, fixedBlock, spikes } from './block';
 import type { KindReader } from './kind-reader';
+import { barrier } from './barrier';
 import { label } from './label';
+import { lamp } from './lamp';
+import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
 import { start } from './start';
@@ -21,6 +24,9 @@ export const kindReaders: Readonly<Record<SceneObject['type'], KindReader>> = {
   paper,
   spikes,
   mover,
+  lamp,
+  barrier,
+  tunnel,
   label,
   start,
 };

@@ -91,6 +91,9 @@ export const samples = {
   checkpoint: { type: 'checkpoint', id: 'one', at: [200, 300], size: [100, 100], angle: 0, round: false, number: 1, blocks: 0 }, // prettier-ignore
   forbidden: { type: 'forbidden', id: 'forbidden', at: [200, 600], size: [100, 100], angle: 0, round: true, number: 0, blocks: 0 }, // prettier-ignore
   paper: { type: 'paper', id: 'paper', at: [200, 450], size: [100, 60], angle: 0, color: 'green' },
+  lamp: { type: 'lamp', id: 'lamp', at: [700, 800], height: 260, brightness: 40 },
+  barrier: { type: 'barrier', id: 'barrier', from: [1000, 300], to: [1000, 450], thickness: 10, opens: 'hand' },
+  tunnel: { type: 'tunnel', id: 'tunnel', at: [350, 450], size: [120, 120], angle: 0 },
   label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, angle: 0 },
   start: {
     type: 'start',

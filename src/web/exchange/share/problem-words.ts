@@ -32,6 +32,7 @@ const byCode: Readonly<Record<FileProblem['code'], Texts>> = {
   'links-too-large': words.linksTooLarge,
   'duplicate-id': words.duplicate,
   'wall-without-length': words.noLength,
+  'ball-not-round': words.notRound,
   'said-twice': words.saidTwice,
   'polygon-crossing': words.crossing,
   'polygon-too-small': words.tooSmall,

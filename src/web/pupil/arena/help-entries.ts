@@ -1,8 +1,9 @@
-import { mdiEyeOutline, mdiGhostOutline, mdiRadar } from '@mdi/js';
+import { mdiEyeOutline, mdiGhostOutline, mdiLightbulbOnOutline, mdiRadar } from '@mdi/js';
 
 import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
 import showWords from '../../session/layout/words';
+import words from './words';
 import viewWords from './words/view';
 import helpWords from './words/help';
 
@@ -24,6 +25,15 @@ export const helpEntries: readonly HelpEntry[] = [
     name: () => t(viewWords.title),
     text: () => t(helpWords.view),
     covers: ['show', 'show-*', 'fit', 'near', 'zoom-selected', 'zoom-true', 'cinema', 'fullscreen', 'page-back'],
+  },
+  {
+    id: 'switches',
+    section: 'arena',
+    after: 'show',
+    icon: mdiLightbulbOnOutline,
+    name: () => t(words.switches.title),
+    text: () => t(helpWords.switches),
+    covers: ['switch-*'],
   },
   {
     id: 'ghosts',

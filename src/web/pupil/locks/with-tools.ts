@@ -15,6 +15,9 @@ const MAKERS: Readonly<Record<SceneObject['type'], readonly ArenaTool[]>> = {
   checkpoint: ['zone'],
   forbidden: ['zone'],
   paper: ['zone'],
+  lamp: ['block'],
+  barrier: ['wall'],
+  tunnel: ['zone'],
   label: ['label'],
   start: ['start'],
 };

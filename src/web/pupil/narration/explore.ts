@@ -42,7 +42,7 @@ export interface Explorer {
 
 /** The order of the kinds: what is to be done, what leads there, what is in the way. */
 const ORDER: readonly SceneObject['type'][] = [
-  ...(['checkpoint', 'target', 'stroke', 'wall', 'block', 'fixed-block', 'mover', 'spikes', 'forbidden', 'paper', 'label'] as const),
+  ...(['checkpoint', 'target', 'stroke', 'wall', 'block', 'fixed-block', 'mover', 'spikes', 'forbidden', 'paper', 'lamp', 'barrier', 'tunnel', 'label'] as const),
   'start',
 ]; // prettier-ignore
 
@@ -81,8 +81,8 @@ function tellAll(asked: Asked): Told {
 function tellThing(object: SceneObject, asked: Asked): Told {
   const origin = originOf(asked);
   const name = namesOf(asked.scene).get(object.id) ?? t(kindNames[object.type].one);
-  if (object.type === 'wall' || object.type === 'stroke') {
-    const points = object.type === 'wall' ? [object.from, object.to] : object.points;
+  if (object.type === 'wall' || object.type === 'barrier' || object.type === 'stroke') {
+    const points = object.type === 'stroke' ? object.points : [object.from, object.to];
     const line = points.map(([x, y]) => ({ x, y }));
     const atMm = nearestOfLine(line, origin);
     const look = object.type === 'stroke' ? `${valueText(object.color)}, ` : '';

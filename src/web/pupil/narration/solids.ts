@@ -6,7 +6,7 @@ import type { Scene, SceneObject, Zone } from '#scene/scene';
 import { ownParts } from '#scene/shape/shape';
 
 /** The things that a robot can bump into; `edge`: the edge of the arena. */
-export type Solid = 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover' | 'edge';
+export type Solid = 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover' | 'barrier' | 'edge';
 
 /** A place on a thing that is near something. */
 export interface Near {

@@ -51,7 +51,7 @@ function edgeNear([width, height]: Point, { x, y }: Vec): Vec {
   return sides.reduce((best, side) => (farOf(side) < farOf(best) ? side : best));
 }
 
-function wallNear({ from, to }: Wall, { x, y }: Vec): Vec {
+function wallNear({ from, to }: Pick<Wall, 'from' | 'to'>, { x, y }: Vec): Vec {
   const [alongX, alongY] = [to[0] - from[0], to[1] - from[1]];
   const squared = alongX * alongX + alongY * alongY;
   const share = squared === 0 ? 0 : ((x - from[0]) * alongX + (y - from[1]) * alongY) / squared;
@@ -62,7 +62,7 @@ function wallNear({ from, to }: Wall, { x, y }: Vec): Vec {
 function placeOf(objects: readonly SceneObject[], id: string | null, robot: Vec | null): Vec | null {
   const object = objects.find((one) => one.id === id);
   if (object === undefined) return null;
-  if (object.type === 'wall') {
+  if (object.type === 'wall' || object.type === 'barrier') {
     const middle = { x: (object.from[0] + object.to[0]) / 2, y: (object.from[1] + object.to[1]) / 2 };
     return wallNear(object, robot ?? middle);
   }

@@ -2,6 +2,7 @@ import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from '
 import type { Vec } from '#core/geometry';
 import { isField } from '#scene/kinds/zone';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
+import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { drawScene, type PaintObjects } from '../picture/draw-scene';
 import type { LiveScene } from '../picture/live-scene';
@@ -25,7 +26,7 @@ export interface StillSources {
   readonly footprint: () => readonly (readonly Vec[])[];
   /** Ids of objects that are shown elsewhere: a tool has them. */
   readonly hidden: () => ReadonlySet<string>;
-  readonly verdict: () => Verdict | null;
+  readonly newest: () => Snapshot | null;
 }
 
 /** The layer of everything that does not move. */
@@ -50,8 +51,10 @@ export function useStillLayer(sources: StillSources): StillLayer {
     () => import('../picture/scene-kinds').then(({ createSceneKinds }) => createSceneKinds(() => draw())),
   );
   const keep = useKeptPicture(() => draw());
-  const shown = computed(() => withoutHidden(sources.live().scene, sources.hidden()));
-  const progress = computed(() => progressOf(sources.verdict()));
+  const all = computed(() => withoutHidden(sources.live().scene, sources.hidden()));
+  const shown = computed(() => kinds.value?.switched(all.value, sources.newest()?.switched) ?? all.value);
+  const verdict = (): Verdict | null => sources.newest()?.verdict ?? null;
+  const progress = computed(() => progressOf(verdict()));
   const draw = useLayer({
     canvas: sources.canvas,
     ratio,
@@ -60,7 +63,7 @@ export function useStillLayer(sources: StillSources): StillLayer {
       const view = picture.view.value;
       const palette = sources.palette();
       const frame = { view, canvas: picture.canvas.value, ratio: ratio(), palette, look: kinds.value };
-      const still = { scene: shown.value, zones: zones.value, kinds: kinds.value, verdict: sources.verdict() };
+      const still = { scene: shown.value, zones: zones.value, kinds: kinds.value, verdict: verdict() };
       drawScene(context, view, still, picture.canvas.value, palette, keep(frame, shown.value.objects));
       const waiting = { live: sources.live(), start: sources.start(), footprint: sources.footprint(), ratio: ratio() };
       kinds.value?.waiting(context, view, waiting, palette);

@@ -13,6 +13,7 @@ export const hasGuests = (parts: Parts, options: ArenaOptions, scene: Scene): bo
   scene.league !== undefined ||
   parts.run.earlier.value !== null ||
   parts.run.recording.value.setup !== null ||
+  parts.run.snapshot.value?.switched !== undefined ||
   saysHeights(parts, options, scene);
 
 /** True while the sight of the robot is shown and there are low things, here or in the course of the run. */

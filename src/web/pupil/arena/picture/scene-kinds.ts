@@ -4,10 +4,10 @@
  */
 import type { Pose } from '#core/geometry';
 import { kindOf } from '#picture/kinds/index';
-import { spikes } from '#picture/kinds/spikes';
-import type { Background, Mover, SceneObject } from '#scene/scene';
+import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
 import { createBackgroundShelf, drawBackground } from './draw-background';
 import { drawStanding } from './draw-bodies';
+import { createSwitchedScene } from './switched';
 import { drawMover } from './draw-object';
 import { drawShapes, lookOf } from './draw-shapes';
 import { drawWaiting, type Waiting } from './draw-waiting';
@@ -19,12 +19,17 @@ export interface SceneKinds {
   background(context: CanvasRenderingContext2D, view: View, background: Background): void;
   /** Words and the ways of moving obstacles, over zones and lines. */
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
-  /** Spikes, which stand like walls. */
+  /** The course with its lamps and barriers as a run has them; the same one as long as nothing was switched. */
+  switched(scene: Scene, states: Readonly<Record<string, boolean>> | undefined): Scene;
+  /** Spikes and barriers, which stand like walls, and lamps. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
   /** Draws the changes that wait for the next start, over all the rest. */
   waiting(context: CanvasRenderingContext2D, view: View, waiting: Waiting, palette: Palette): void;
 }
+
+/** The kinds that stand, or hang, where they are; lamps last, above the others. */
+const STANDING: readonly SceneObject['type'][] = ['spikes', 'barrier', 'lamp'];
 
 /**
  * Makes the drawing of one arena.
@@ -33,15 +38,18 @@ export interface SceneKinds {
  */
 export function createSceneKinds(ready: () => void): SceneKinds {
   const shelf = createBackgroundShelf(ready);
+  const switched = createSwitchedScene();
   return {
     background: (context, view, background) => drawBackground(context, view, background, shelf),
     signs(context, view, objects, palette) {
-      const look = lookOf(view, palette);
+      const look = { ...lookOf(view, palette), isLit: true };
       for (const object of objects) drawShapes(context, view, kindOf(object).mark?.(object, look, objects) ?? []);
     },
     spikes(context, view, objects, palette) {
-      for (const object of objects) if (object.type === 'spikes') drawStanding(context, view, spikes, object, palette);
+      for (const object of objects)
+        if (STANDING.includes(object.type)) drawStanding(context, view, kindOf(object), object, palette);
     },
+    switched,
     mover: drawMover,
     waiting: drawWaiting,
   };
