@@ -20,7 +20,7 @@ const sources = import.meta.glob<string>(
   [
     '../../{app,session,pupil}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,MainMenu}.vue',
     '../../pupil/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
-    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ModeControl,RobotSight,ViewMenu,GhostItems}.vue',
+    '../../{session,pupil}/**/{ArenaPane,ArenaHead,ArenaFoot,ModeControl,RobotSight,ViewMenu,GhostItems,SwitchButtons}.vue',
     '../../{exchange,help}/**/{ShareButton,LogoButton}.vue',
     '../../course/editor/{EditorActions,EditorMenu,ToolBench}.vue',
     '../../pupil/debug/*.vue',
