@@ -2,7 +2,7 @@ import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { applyEdit, singleEdits, type CourseChanges, type SceneEdit } from '#scene/edit';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { isHeldAlike } from './arranging/hold';
 import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';

@@ -1,6 +1,6 @@
 import { wrappedDeg } from '#core/angle';
 import { boundsOf } from '#scene/kinds/index';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import {
   robotColors,
   sceneLimits,

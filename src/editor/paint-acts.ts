@@ -1,7 +1,7 @@
 import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
 import { isField } from '#scene/kinds/zone';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Block, Paper, Scene, SceneObject, Stroke, Wall, Zone } from '#scene/scene';
 import { changing } from './edits';
 import { freeObjects } from './selection';

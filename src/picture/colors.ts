@@ -1,4 +1,4 @@
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 
 /** The colours of a course and of what is in it. */
 export interface CourseColors {

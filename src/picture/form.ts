@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { lastMadeOf } from '#core/memo';
 import { distanceToEdge, lengthOf, type Outline } from '#scene/outline';
-import type { PaintColor, Painted } from '#scene/paint';
+import type { PaintColor, Painted } from '#scene/paint/paint';
 import type { Point, Shaped } from '#scene/scene';
 import { outlineHolds, ownOutline } from '#scene/shape/shape';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { paintColors } from '#scene/paint';
+import { paintColors } from '#scene/paint/paint';
 import { paints } from './paints';
 
 const linear = (byte: number): number => (byte / 255 <= 0.04045 ? byte / 255 / 12.92 : ((byte / 255 + 0.055) / 1.055) ** 2.4); // prettier-ignore

@@ -1,4 +1,4 @@
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 
 /** A colour as it is painted on fields and things, and a dark ink of the same hue for their frames, signs and words. */
 export interface PaintLook {

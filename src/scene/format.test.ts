@@ -2,9 +2,9 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseScene } from './parse';
 import { usualHeights } from './kinds/heights';
-import { paintInfrared, strokeInfrared } from './reflectance';
+import { paintInfrared, strokeInfrared } from './paint/reflectance';
 import { findProblems } from './rules';
-import { paintColors } from './paint';
+import { paintColors } from './paint/paint';
 import { sceneDefaults, sceneLimits, SCENE_VERSION } from './scene';
 
 const page = readFileSync(new URL('./FORMAT.md', import.meta.url), 'utf8');

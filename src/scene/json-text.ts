@@ -1,4 +1,4 @@
-import type { Painted, PaintColor } from './paint';
+import type { Painted, PaintColor } from './paint/paint';
 import { sceneDefaults, type Point, type Shaped } from './scene';
 
 /** A place or an extent in the form of a file. */

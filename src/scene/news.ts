@@ -2,7 +2,7 @@
  * The properties and kinds of a course that are new in version 8 of its file and version 11 of links. All of them are said
  * here: what has none of them is written as before, letter by letter.
  */
-import { isFirstColor } from './paint';
+import { isFirstColor } from './paint/paint';
 import type { Scene, SceneObject } from './scene';
 
 /** The kinds of objects that no course file before version 8 can hold. */

@@ -7,7 +7,7 @@
 
 import type { League } from './league/league';
 import type { Common, Point, Shaped, Standing } from './kinds/base';
-import type { Painted, PaintColor } from './paint';
+import type { Painted, PaintColor } from './paint/paint';
 import type { Barrier, Lamp, Tunnel } from './kinds/lit-things';
 
 export type { Point, Shaped } from './kinds/base';

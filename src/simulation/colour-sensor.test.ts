@@ -4,7 +4,7 @@ import { colourNamed } from '#robots/colour-names';
 import { frontOf } from '#robots/colour-sensor';
 import { robotTypes } from '#robots/index';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 

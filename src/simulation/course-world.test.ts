@@ -4,7 +4,7 @@ import { createRng, type Rng } from '#core/rng';
 import { SR04_CONE } from '#robots/sonar';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { editProblem } from '#scene/check-edit';
-import { paintColors } from '#scene/paint';
+import { paintColors } from '#scene/paint/paint';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 import type { DepthView } from '#world/probes/depth-grid';
 import { hashOf, testChassis } from '#world/testing/rig';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createLineComparator } from '#devices/line-sensor';
-import { strokeInfrared } from '#scene/reflectance';
-import { paintColors } from '#scene/paint';
+import { strokeInfrared } from '#scene/paint/reflectance';
+import { paintColors } from '#scene/paint/paint';
 import { createWorld } from '#world/world';
 
 const SPOT_MM = 2.5;

@@ -8,7 +8,7 @@ import { heardCone } from '#robots/incidence';
 import { withColourSensors } from '#robots/colour-sensor';
 import { bodyOf, type OnSet, type Robot, type RobotContext, type RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
-import { floorRgb } from '#scene/reflectance';
+import { floorRgb } from '#scene/paint/reflectance';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { Shares } from '#world/shapes';

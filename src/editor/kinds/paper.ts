@@ -1,4 +1,4 @@
-import { paintColors } from '#scene/paint';
+import { paintColors } from '#scene/paint/paint';
 import type { Paper } from '#scene/scene';
 import { shapeNames } from '#scene/shape/shape';
 import { boxed, boxFields } from './box';

@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { boundsOf } from '#scene/kinds/index';
 import { overlapMm, squaredDistance, type Bounds } from '#scene/outline';
-import { paintColors } from '#scene/paint';
+import { paintColors } from '#scene/paint/paint';
 import { sceneLimits, type Point, type Stroke } from '#scene/scene';
 import { endFields, lengthField, placeFields } from '../object-fields';
 import { distanceMm, minus, toPoint, toVec, turnedAbout } from '../plane';

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Rng } from '#core/rng';
 import { moverWays } from '#scene/kinds/mover-way';
-import { paintColors } from '#scene/paint';
+import { paintColors } from '#scene/paint/paint';
 import { defaultScene, type Point, type Scene } from '#scene/scene';
 import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';

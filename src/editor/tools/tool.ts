@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import type { MoverWay } from '#scene/kinds/mover-way';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Point, Scene, SceneObject, Zone } from '#scene/scene';
 import type { ShapeName } from '#scene/shape/shape';
 

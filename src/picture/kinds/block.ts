@@ -2,7 +2,7 @@ import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block } from '#scene/scene';
 
 import { paints } from '../paints';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import { formOf, signRoomIn, geometryOf, stripes, type Form } from '../form';
 import type { Look } from '../look';
 import { circle, group, type Geometry, type Shape } from '../shapes';

@@ -3,7 +3,7 @@ import { exactAtan2 } from '#core/exact-math';
 import { lengthOf } from '#scene/outline';
 import type { Point, SceneObject, Wall } from '#scene/scene';
 
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Look } from '../look';
 import { paints } from '../paints';
 import { circle, group, type Geometry, type Shape } from '../shapes';

@@ -1,4 +1,4 @@
-import { firstColors, isFirstColor, type PaintColor } from '#scene/paint';
+import { firstColors, isFirstColor, type PaintColor } from '#scene/paint/paint';
 
 import { mapped, type Codec, type Columns } from './codec';
 

@@ -2,7 +2,7 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
 import type { StandingObject } from '../kinds/heights';
-import { paintColors, type Painted } from '../paint';
+import { paintColors, type Painted } from '../paint/paint';
 import {
   lampColors,
   robotColors,

@@ -1,7 +1,7 @@
 import type { Pose } from '#core/geometry';
 import { zoneContains } from '#scene/kinds/zone';
 import type { Outline } from '#scene/outline';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Zone } from '#scene/scene';
 import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle } from '#world/shapes';

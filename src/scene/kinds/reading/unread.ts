@@ -3,7 +3,7 @@ import { fullTurnDeg } from '#core/angle';
 import { areaOf } from '../../shape/polygon';
 import { polygonFault, type PolygonFault } from '../../shape/polygon-fault';
 import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../../scene';
-import { paintColors, type Painted } from '../../paint';
+import { paintColors, type Painted } from '../../paint/paint';
 import type { StandingObject } from '../heights';
 
 /** An object of a course that is yet to be read, and the reader that notes what is wrong with it. */

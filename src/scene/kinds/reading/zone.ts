@@ -1,4 +1,4 @@
-import { paintColors } from '../../paint';
+import { paintColors } from '../../paint/paint';
 import type { Range } from '../../reader';
 import { sceneDefaults, sceneLimits, type Zone } from '../../scene';
 import type { KindReader } from './kind-reader';

@@ -1,5 +1,5 @@
 import { moverWays, type MoverWay } from '#scene/kinds/mover-way';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { LampColor, RobotColor, SceneObject } from '#scene/scene';
 import type { SwitchPin, SwitchWay } from '#scene/kinds/switching';
 

@@ -4,7 +4,7 @@ import type { Reading } from '#editor/snap/reading';
 import { typedDrag, typedNumbers, typedText } from '#editor/snap/typed';
 import type { Drag, Tool, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
-import type { PaintColor } from '#scene/paint';
+import type { PaintColor } from '#scene/paint/paint';
 import type { Scene } from '#scene/scene';
 
 /** The kind of pointer: fingers need more room around a thing than a mouse. */

@@ -1,5 +1,5 @@
 import type { PaintColor, Painted } from './paint';
-import type { SceneObject } from './scene';
+import type { SceneObject } from '../scene';
 
 /**
  * How much infrared painted lines return to a line sensor: 0 nothing (black), 1 as much as bare light floor.
