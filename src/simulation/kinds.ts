@@ -1,229 +1,36 @@
-import type { Pose, Vec } from '#core/geometry';
-import { isSame } from '#core/same';
-import { rotationRad } from '#core/angle';
-import { heightOf } from '#scene/kinds/heights';
-import type { AnyObject } from '#scene/kinds/kind';
-import { floorRgb, infraredOf, paintRgb } from '#scene/paint/reflectance';
-import type { Painted } from '#scene/paint/paint';
-import { zoneOverlaps } from '#scene/kinds/zone';
-import { stopsOf } from '#scene/kinds/mover-way';
-import type { Outline } from '#scene/outline';
-import type {
-  Barrier,
-  Block,
-  Chase,
-  Lamp,
-  Mover,
-  Paper,
-  Point,
-  SceneObject,
-  Spikes,
-  Stroke,
-  Tunnel,
-  Wall,
-  Zone,
-} from '#scene/scene';
-import { ownParts, shapeParts } from '#scene/shape/shape';
-import type { BlockHandle, BodyForm, Chase as WorldChase, FieldShape, MoverHandle, Shares, Way } from '#world/shapes';
-import type { World } from '#world/world';
-import type { Switchable } from './switching/switches';
+import type { SceneObject } from '#scene/scene';
 
-/** The body of an object in a run's world. */
-export interface Body {
-  /** The handle of a block that can be pushed. */
-  readonly block?: BlockHandle;
-  /** The handle of what moves by itself. */
-  readonly mover?: MoverHandle;
-  /** The handle of what is switched. */
-  readonly switched?: Switchable;
-  /** Follows a change of its object; `false`: it has to be made anew. */
-  follow?(object: SceneObject): boolean;
-  /** Changes its place in the order of painting. */
-  setLayer?(layer: number): void;
-  /** Takes it out of the world. Only what lasts needs none. */
-  remove?(): void;
-}
+/**
+ * The effect of a change of an object during a run. `lasting`: it waits for the next start, since the robot may just be
+ * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
+ */
+export type ChangeInRun = 'lasting' | 'movable' | 'shown';
 
-/** The behaviour of a kind of object in a run. */
-export interface RunKind<O extends AnyObject = SceneObject> {
-  /**
-   * The effect of a change during a run. `lasting`: it waits for the next start, since the robot may just be
-   * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
-   */
-  readonly change: 'lasting' | 'movable' | 'shown';
-  /** True if a robot that touches it has failed. Left out: never. */
-  isSpiked?(object: O): boolean;
-  /** Puts it into the world. Left out: only the verdict and people see it. */
-  build?(object: O, world: World, around: Around): Body;
-}
-
-/** The facts about its course that an object needs during a run. */
-export interface Around {
-  /** The zone of this id as the course has it now. */
-  readonly zone: (id: string) => Zone | undefined;
-}
-
-type BoxObject = Block | Spikes | Mover;
-
-const onFloor: RunKind = { change: 'shown' };
-/** Sensors see its paint, if it has any. */
-const field: RunKind<Zone | Paper> = { change: 'shown', build: fieldBody };
-
-/** Every kind of object by its type. */
-export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
-  wall: { change: 'lasting', build: wallBody },
-  block: { change: 'movable', build: blockBody },
-  'fixed-block': { change: 'lasting', build: fixedBody },
-  stroke: { change: 'shown', build: strokeBody },
-  target: field,
-  checkpoint: field,
-  forbidden: field,
-  paper: field,
-  spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
-  lamp: { change: 'shown', build: lampBody },
-  barrier: { change: 'lasting', build: barrierBody },
-  tunnel: { change: 'shown', build: tunnelBody },
-  mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
-  label: onFloor,
-  start: { change: 'lasting' },
+/** The effect of a change of each kind of object. */
+export const changesInRun: Readonly<Record<SceneObject['type'], ChangeInRun>> = {
+  wall: 'lasting',
+  block: 'movable',
+  'fixed-block': 'lasting',
+  stroke: 'shown',
+  target: 'shown',
+  checkpoint: 'shown',
+  forbidden: 'shown',
+  paper: 'shown',
+  spikes: 'lasting',
+  lamp: 'shown',
+  barrier: 'lasting',
+  tunnel: 'shown',
+  mover: 'lasting',
+  label: 'shown',
+  start: 'lasting',
 };
 
 /** True if an object of a course changes in a run only with the next start; everything else does at once. */
-export const isLasting = ({ type }: SceneObject): boolean => runKinds[type].change === 'lasting';
+export const isLasting = ({ type }: SceneObject): boolean => changesInRun[type] === 'lasting';
 
 /** True if an object is a block that can be pushed. */
-export const isMovable = ({ type }: SceneObject): boolean => runKinds[type].change === 'movable';
+export const isMovable = ({ type }: SceneObject): boolean => changesInRun[type] === 'movable';
 
 /** True if a robot that touches an object has failed: spikes, and movers with spikes. */
-export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].isSpiked?.(object) ?? false;
-
-function wallBody(wall: Wall, world: World): Body {
-  const { id, from, to, thickness } = wall;
-  world.addWall({
-    id,
-    fromMm: vec(from),
-    toMm: vec(to),
-    thicknessMm: thickness,
-    heightMm: heightOf(wall),
-    ...sharesOf(wall),
-  });
-  return {};
-}
-
-function fixedBody(box: Block | Spikes, world: World): Body {
-  world.addBlock({ id: box.id, ...shapeOf(box), fixed: true });
-  return {};
-}
-
-function blockBody(object: Block, world: World): Body {
-  const { mass, friction, rolls } = object;
-  const moves = {
-    ...(mass !== undefined && { massG: mass }),
-    ...(friction !== undefined && { friction }),
-    ...(rolls && { rolls }),
-  };
-  const block = world.addBlock({ id: object.id, ...shapeOf(object), ...moves, fixed: false });
-  return {
-    block,
-    follow(now: Block) {
-      const fits = isSame(formOf(now), formOf(object));
-      if (fits) block.place(poseOf(now));
-      return fits;
-    },
-    remove: () => world.removeBlock(block),
-  };
-}
-
-function lampBody({ at, height, brightness, on }: Lamp, world: World): Body {
-  let isOn = true;
-  const lamp = world.light.addLamp({ atMm: vec(at), heightMm: height, candela: brightness, on: isOn });
-  const set = (now: boolean): void => {
-    isOn = now;
-    lamp.switch(now);
-  };
-  return { switched: { switching: on ?? null, set, isOn: () => isOn }, remove: lamp.remove };
-}
-
-function barrierBody(barrier: Barrier, world: World): Body {
-  const { id, from, to, thickness, opens } = barrier;
-  const handle = world.addBarrier({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness, heightMm: heightOf(barrier) }); // prettier-ignore
-  return { switched: { switching: opens, set: (isOpen) => handle.set(isOpen), isOn: () => handle.isOpen } };
-}
-
-function tunnelBody(tunnel: Tunnel, world: World): Body {
-  return { remove: world.light.addTunnel(shapeParts(tunnel)) };
-}
-
-function moverBody(object: Mover, world: World, { zone }: Around): Body {
-  const { id, speed, spin = 0 } = object;
-  const { atMm: _, ...shape } = shapeOf(object);
-  const goes = object.chases ? chaseOf(object.at, object.chases, zone) : wayIn(object);
-  const spinRadPerS = (spin * Math.PI) / 180;
-  return { mover: world.addMover({ id, ...shape, speedMmPerS: speed, spinRadPerS, goes }) };
-}
-
-function wayIn(mover: Mover): Way {
-  const stops = stopsOf(mover).map(({ at, wait }) => ({ atMm: vec(at), waitS: wait }));
-  return { stops, loops: mover.loops ?? false, phaseS: mover.phase ?? 0 };
-}
-
-/** The chase of a mover. A guard uses its zone as it is now; if the zone is gone, it chases nobody. */
-function chaseOf(at: Point, { zone: id, reach = Infinity }: Chase, zone: Around['zone']): WorldChase {
-  const isIn = (name: string, body: readonly Outline[]): boolean => {
-    const guarded = zone(name);
-    return guarded !== undefined && body.some((part) => zoneOverlaps(guarded, part));
-  };
-  const wants = id === undefined ? null : (body: readonly Outline[]) => isIn(id, body);
-  return { homeMm: vec(at), reachMm: reach, returns: id !== undefined, wants };
-}
-
-function strokeBody(stroke: Stroke, world: World): Body {
-  const { points, width } = stroke;
-  return world.addStroke({
-    pointsMm: points.map(vec),
-    widthMm: width,
-    reflectance: infraredOf(stroke) ?? 1,
-    ...sharesOf(stroke),
-  });
-}
-
-function fieldBody(field: Zone | Paper, world: World): Body {
-  const reflectance = infraredOf(field);
-  if (reflectance === null) return {};
-  return world.addField({ ...flatOf(field), reflectance, ...sharesOf(field) });
-}
-
-/** The colour of paint compared with bare floor, if there is any. */
-function sharesOf({ color }: Painted): { readonly shares?: Shares } {
-  if (color === undefined) return {};
-  const [red, green, blue] = paintRgb[color];
-  return { shares: [red / floorRgb[0], green / floorRgb[1], blue / floorRgb[2]] };
-}
-
-/** The properties of a block that a run cannot change without making it again. */
-const formOf = ({ size, round, corners, height, color, mass, friction, rolls }: Block) => ({
-  ...{ size, round, corners, height, color },
-  ...{ mass, friction, rolls },
-});
-
-const vec = ([x, y]: Point): Vec => ({ x, y });
-
-const angleOf = ({ angle }: Pick<BoxObject, 'angle'>): number => rotationRad(angle);
-
-const shapeOf = (box: BoxObject): BodyForm & FlatForm => ({
-  ...flatOf(box),
-  heightMm: heightOf(box),
-  ...('color' in box ? sharesOf(box) : {}),
-});
-
-type FlatForm = Pick<FieldShape, 'atMm' | 'sizeMm' | 'angleRad' | 'isRound' | 'partsMm'>;
-
-const flatOf = (shape: BoxObject | Zone | Paper): FlatForm => ({
-  atMm: vec(shape.at),
-  sizeMm: vec(shape.size),
-  angleRad: angleOf(shape),
-  ...(shape.round === true ? { isRound: true } : {}),
-  ...('corners' in shape ? { partsMm: ownParts(shape) } : {}),
-});
-
-const poseOf = (box: BoxObject): Pose => ({ xMm: box.at[0], yMm: box.at[1], headingRad: angleOf(box) });
+export const isSpiked = (object: SceneObject): boolean =>
+  object.type === 'spikes' || (object.type === 'mover' && object.spiked);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Clock } from '#core/clock';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
-import { CourseWorld } from './course-world';
+import { CourseWorld } from './course/course-world';
 import type { InputAction, InputEvent } from './input';
 import { RunInputs } from './run-inputs';
 

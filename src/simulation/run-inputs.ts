@@ -1,7 +1,7 @@
 import type { Clock } from '#core/clock';
 import { applyEdit } from '#scene/edit';
 import { movableIds } from './at-once';
-import type { CourseWorld } from './course-world';
+import type { CourseWorld } from './course/course-world';
 import type { InputAction, InputEvent } from './input';
 import { InputQueue } from './input-queue';
 import { checkFor, type InputTargets } from './run-problem';

@@ -8,7 +8,7 @@ import { watchLines, type StopRule } from '#vm/debug/line-watch';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
 import { Air } from './several/air';
-import { CourseWorld } from './course-world';
+import { CourseWorld } from './course/course-world';
 import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
 import { judgeOf } from './task/judge-of';

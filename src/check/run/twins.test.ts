@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createRng, type Rng } from '#core/rng';
 import type { Scene, SceneObject, Task } from '#scene/scene';
-import { CourseWorld } from '#simulation/course-world';
+import { CourseWorld } from '#simulation/course/course-world';
 import { AUTO, chooseHardware } from '#simulation/hardware';
 import { Judge } from '#simulation/task/judge';
 import { sceneWith } from '../testing/tasks';

@@ -1,5 +1,5 @@
 import type { Scene } from '#scene/scene';
-import type { CourseWorld } from '../course-world';
+import type { CourseWorld } from '../course/course-world';
 import type { Device } from '../device';
 import type { FittedDevice } from '../fit-devices';
 import { scaledBody } from '../scaled-body';

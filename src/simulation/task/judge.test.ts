@@ -3,7 +3,7 @@ import type { Point, Scene, SceneObject, Task, Zone } from '#scene/scene';
 import { defaultScene } from '#scene/scene';
 import { createRig, testChassis } from '#world/testing/rig';
 import { STEP_S, STEP_US } from '#world/step';
-import { CourseWorld } from '../course-world';
+import { CourseWorld } from '../course/course-world';
 import { Judge } from './judge';
 import { spikedIds } from './task-brief';
 

@@ -3,7 +3,7 @@ import type { League } from '#scene/league/league';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { testChassis } from '#world/testing/rig';
 import { STEP_US } from '#world/step';
-import { CourseWorld } from '../course-world';
+import { CourseWorld } from '../course/course-world';
 import { Judge } from './judge';
 import { spikedIds } from './task-brief';
 

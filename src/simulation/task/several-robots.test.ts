@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene, type Point, type SceneObject, type Task, type Zone } from '#scene/scene';
 import { testChassis } from '#world/testing/rig';
 import { STEP_US } from '#world/step';
-import { CourseWorld } from '../course-world';
+import { CourseWorld } from '../course/course-world';
 import { Judge } from './judge';
 import { spikedIds } from './task-brief';
 

@@ -18,7 +18,7 @@ import { parseScene } from '#scene/parse';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import { pendingChanges } from '#simulation/at-once';
-import { CourseWorld } from '#simulation/course-world';
+import { CourseWorld } from '#simulation/course/course-world';
 import { linkKinds, linkOrder, type SharedByKinds } from '#project/link/scene-codec';
 import { constant, record } from '#project/link/codec';
 import { courseShapes } from '#picture/course';
@@ -26,7 +26,8 @@ import { pictureKinds } from '#picture/kinds/index';
 import type { PictureKind } from '#picture/kinds/kind';
 import { circle } from '#picture/shapes';
 import { svgOf } from '#picture/svg';
-import { isLasting, runKinds, type RunKind } from '#simulation/kinds';
+import { builds } from '#simulation/course/bodies';
+import { changesInRun, isLasting } from '#simulation/kinds';
 
 import { drawObject } from '../pupil/arena/picture/draw-object';
 import { lightPalette } from '../pupil/arena/model/palette';
@@ -83,7 +84,6 @@ const inEditor: EditorKind<Puddle> = {
   ],
   made: (id, at) => ({ type: 'puddle', id, at, radius: 40 }),
 };
-const inRun: RunKind<Puddle> = { change: 'shown' };
 const inPicture: PictureKind<Puddle> = {
   ground: ({ at, radius }, { colors }) => [circle(radius, { fill: colors.target }, at)],
   paper: ({ at, radius }) => [circle(radius, { stroke: '#000000', width: 1 }, at)],
@@ -95,11 +95,12 @@ const called = { de: 'Pfütze', fr: 'Flaque', it: 'Pozzanghera', en: 'Puddle' };
 const inWords = { where: ({ at }: Puddle) => at.join(' | ') };
 
 /** The tables, and what the made-up kind is in each. */
-const tables: readonly (readonly [table: object, madeUp: object])[] = [
+const tables: readonly (readonly [table: object, madeUp: unknown])[] = [
   [sceneKinds, inScene],
   [kindReaders, inReading],
   [editorKinds, inEditor],
-  [runKinds, inRun],
+  [changesInRun, 'shown'],
+  [builds, null],
   [linkKinds, inLink],
   [pictureKinds, inPicture],
   [kindWords, inWords],
@@ -260,7 +261,8 @@ describe('the tables of kinds', () => {
     expectTypeOf<keyof typeof sceneKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof kindReaders>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof editorKinds>().toEqualTypeOf<Type>();
-    expectTypeOf<keyof typeof runKinds>().toEqualTypeOf<Type>();
+    expectTypeOf<keyof typeof changesInRun>().toEqualTypeOf<Type>();
+    expectTypeOf<keyof typeof builds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof pictureKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof kindWords>().toEqualTypeOf<Type>();
   });

@@ -46,6 +46,10 @@ export function useStillLayer(sources: StillSources): StillLayer {
     () => sources.live().scene.objects.some(isField),
     () => import('../picture/draw-zones'),
   );
+  const sheets = useLate(
+    () => sources.live().scene.objects.some(({ type }) => type === 'paper'),
+    () => import('../picture/sheets'),
+  );
   const kinds = useLate(
     () => needsKinds(sources.live()) || sources.start() !== null,
     () => import('../picture/scene-kinds').then(({ createSceneKinds }) => createSceneKinds(() => draw())),
@@ -63,14 +67,15 @@ export function useStillLayer(sources: StillSources): StillLayer {
       const view = picture.view.value;
       const palette = sources.palette();
       const frame = { view, canvas: picture.canvas.value, ratio: ratio(), palette, look: kinds.value };
-      const still = { scene: shown.value, zones: zones.value, kinds: kinds.value, verdict: verdict() };
+      const drawing = { zones: zones.value, sheets: sheets.value, kinds: kinds.value };
+      const still = { scene: shown.value, ...drawing, verdict: verdict() };
       drawScene(context, view, still, picture.canvas.value, palette, keep(frame, shown.value.objects));
       const waiting = { live: sources.live(), start: sources.start(), footprint: sources.footprint(), ratio: ratio() };
       kinds.value?.waiting(context, view, waiting, palette);
     },
   });
   const frame = () => [picture.view.value, picture.canvas.value, picture.ratio.value, sources.palette()];
-  const code = () => [zones.value, kinds.value];
+  const code = () => [zones.value, sheets.value, kinds.value];
   const look = () => [shown.value, sources.live(), sources.start(), sources.footprint(), progress.value, code()];
   watch([frame, look], draw, { flush: 'post' });
   return { draw, kinds };

@@ -25,8 +25,13 @@ describe('what stands still', () => {
     const scene = { ...defaultScene(), background };
     const canvas = { widthPx: 800, heightPx: 600 };
     const view = fitView(scene.size, canvas);
-    drawScene(nowhere, view, { scene, zones, kinds, verdict: null }, canvas, lightPalette, (_, __, layer) =>
-      order.push(layer),
+    drawScene(
+      nowhere,
+      view,
+      { scene, zones, sheets: null, kinds, verdict: null },
+      canvas,
+      lightPalette,
+      (_, __, layer) => order.push(layer),
     );
     expect(order).toEqual(['background', 'zones', 'lines', 'zone signs', 'standing']);
   });

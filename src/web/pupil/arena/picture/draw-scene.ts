@@ -8,6 +8,7 @@ import { drawStroke } from './draw-stroke';
 import type { Palette } from '../model/palette';
 import type * as Zones from './draw-zones';
 import type { SceneKinds } from './scene-kinds';
+import type * as Sheets from './sheets';
 import type { PaintList } from './still-cache';
 import type { CanvasSize, View } from '../view/view-transform';
 
@@ -17,6 +18,8 @@ export interface StillScene {
   readonly scene: Scene;
   /** The drawing of zones; `null` until it has come, or is not needed. */
   readonly zones: typeof Zones | null;
+  /** The drawing of coloured sheets, likewise. */
+  readonly sheets: typeof Sheets | null;
   /** The drawing of obstacles, words and the background, likewise. */
   readonly kinds: SceneKinds | null;
   readonly verdict: Verdict | null;
@@ -57,7 +60,7 @@ export function drawScene(
   if (scene.background !== null) context.globalCompositeOperation = 'multiply';
   drawFloorGrid(context, view, scene.size, canvas, palette);
   context.globalCompositeOperation = 'source-over';
-  zones?.drawZones(context, view, scene, palette);
+  zones?.drawZones(context, view, scene, palette, still.sheets);
   paint(context, (on, objects) => drawLines(on, view, objects, palette), 'lines');
   zones?.drawZoneSigns(context, view, scene, still.verdict, palette);
   paint(context, (on, ...objects) => drawWhatStands(on, view, objects, palette, kinds), 'standing');

@@ -13,6 +13,7 @@ import { drawScene } from './draw-scene';
 import { drawWaiting, type Waiting } from './draw-waiting';
 import { liveScene } from './live-scene';
 import * as zones from './draw-zones';
+import * as sheets from './sheets';
 import { createSceneKinds } from './scene-kinds';
 import { drawMovableBlock, placedAtStart } from './draw-bodies';
 import { drawMover, drawObject } from './draw-object';
@@ -185,7 +186,13 @@ describe('the picture of a course', () => {
     const on = new RecordingCanvas();
     const scene = { ...defaultScene(), objects };
     const kinds = hasKinds ? createSceneKinds(() => undefined) : null;
-    drawScene(on.context, view, { scene, zones: hasKinds ? zones : null, kinds, verdict: null }, canvas, palette);
+    drawScene(
+      on.context,
+      view,
+      { scene, zones: hasKinds ? zones : null, sheets: hasKinds ? sheets : null, kinds, verdict: null },
+      canvas,
+      palette,
+    );
     return on;
   };
   const firstOf = (on: RecordingCanvas, color: string) => on.painted.findIndex((one) => one.color === color);

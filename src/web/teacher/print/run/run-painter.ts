@@ -10,6 +10,7 @@ import { arranged } from '../../../pupil/arena/picture/arranged';
 import { drawPill } from '../../../pupil/arena/picture/draw-pill';
 import { drawScene } from '../../../pupil/arena/picture/draw-scene';
 import * as zones from '../../../pupil/arena/picture/draw-zones';
+import * as sheets from '../../../pupil/arena/picture/sheets';
 import { createSceneKinds } from '../../../pupil/arena/picture/scene-kinds';
 import { drawTrail } from '../../../pupil/arena/robot/draw-trail';
 import { readRobotDrawing } from '../../../pupil/arena/robot/robot-drawing';
@@ -113,7 +114,7 @@ function createPainter(
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();
     if (still?.look === look) return still.canvas;
     const painted = emptyCanvas(size.widthPx, size.heightPx);
-    drawScene(contextOf(painted), view, { scene, zones, kinds, verdict }, size, palette);
+    drawScene(contextOf(painted), view, { scene, zones, sheets, kinds, verdict }, size, palette);
     still = { look, canvas: painted };
     return painted;
   }

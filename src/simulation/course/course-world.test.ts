@@ -8,7 +8,7 @@ import { paintColors } from '#scene/paint/paint';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 import type { DepthView } from '#world/probes/depth-grid';
 import { hashOf, testChassis } from '#world/testing/rig';
-import { movableIds } from './at-once';
+import { movableIds } from '../at-once';
 import { CourseWorld } from './course-world';
 
 /** Any kind of object, anywhere in the arena, with one of few ids, so that they meet often. */

@@ -8,10 +8,11 @@ import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
 import { ROOM_LX } from '#world/light/light';
 import { createWorld, type World } from '#world/world';
-import { movableIds } from './at-once';
-import { isLasting, isMovable, runKinds, type Body } from './kinds';
-import type { Switchable } from './switching/switches';
-import { outlineAt } from './task/outline-at';
+import { movableIds } from '../at-once';
+import { bodyOf, type Body } from './bodies';
+import { isLasting, isMovable } from '../kinds';
+import type { Switchable } from '../switching/switches';
+import { outlineAt } from '../task/outline-at';
 
 /** A world made from a course; it follows changes of the course during a run. */
 export class CourseWorld {
@@ -112,7 +113,7 @@ export class CourseWorld {
   }
 
   private add(object: SceneObject): void {
-    const body = runKinds[object.type].build?.(object, this.world, { zone: (id) => this.zones.get(id) });
+    const body = bodyOf(object, this.world, { zone: (id) => this.zones.get(id) });
     if (body && !isLasting(object)) this.following.set(object.id, { object, body });
     if (body?.block) this.blocks.set(object.id, body.block);
     else this.blocks.delete(object.id);
