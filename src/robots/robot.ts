@@ -248,7 +248,7 @@ export interface ColourState {
   readonly side: 'down' | 'ahead';
   /** Its place, world frame. */
   readonly atMm: Vec;
-  /** What it would read now, clear, red, green and blue, at gain 4 and 24 ms. */
+  /** The present readings clear, red, green and blue, at gain 4 and 24 ms. */
   readonly raw: RawColour;
   /** The colour of what it sees, for eyes. */
   readonly color: Rgb;

@@ -1,5 +1,4 @@
-import { packetOfText } from '#board/radio-text';
-import type { Pose, Vec } from '#core/geometry';
+import type { Pose } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
@@ -7,7 +6,7 @@ import type { Inspected } from '#vm/debug/inspected';
 import { watchLines, type StopRule } from '#vm/debug/line-watch';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
-import { Air } from './several/air';
+import { Air, packetOf } from './several/air';
 import { CourseWorld } from './course/course-world';
 import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
@@ -19,6 +18,7 @@ import { RunInputs } from './run-inputs';
 import { fitRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { seedOfDevice } from './several/seed-of-device';
+import { heldIn, whereIs } from './several/where';
 import type { Lights, Snapshot } from './snapshot';
 import { switchingBoards, Switches } from './switching/switches';
 import { TRACE_PERIOD_US, type TraceRow } from './trace';
@@ -87,7 +87,7 @@ export class Simulation {
     this.followers = followers;
     this.recorder = new TraceRecorder(robotsOf(this.devices), setup.keepTrace === true);
     this.judge = judgeOf(setup.scene, this.devices, fitted, this.courseWorld);
-    this.air = new Air(this.devices, (device) => this.placeOf(device), setup.seed, setup.reality);
+    this.air = new Air(this.devices, (device) => whereIs(device, this.scene), setup.seed, setup.reality);
     this.switches = new Switches(() => this.courseWorld.switched, switchingBoards(this.devices));
     const checks = fitted.map(({ hardware }) => createInputCheck(hardware, setup.scene));
     const names = this.devices.map(({ name }) => name);
@@ -387,23 +387,10 @@ export class Simulation {
   private heardBy(place: number): number {
     const [device] = this.devices.slice(place, place + 1);
     const others = this.devices.filter((other) => other !== device);
-    const speakers = others.map((other) => ({ board: other.board, at: this.placeOf(other) }));
-    return device === undefined ? 0 : levelAt(this.placeOf(device), speakers);
-  }
-
-  /** Place of a device. */
-  private placeOf({ mounted }: Device): Vec {
-    const pose = mounted?.chassis.pose();
-    return pose ? { x: pose.xMm, y: pose.yMm } : heldIn(this.scene);
+    const speakers = others.map((other) => ({ board: other.board, at: whereIs(other, this.scene) }));
+    return device === undefined ? 0 : levelAt(whereIs(device, this.scene), speakers);
   }
 }
-
-/** The place of a board without a robot: a person holds it at the lower edge of the arena. */
-const heldIn = ({ size: [width] }: Scene): Vec => ({ x: width / 2, y: 0 });
 
 const robotsOf = (devices: readonly Device[]) =>
   devices.flatMap(({ name, mounted }) => (mounted === null ? [] : [{ device: name, mounted }]));
-
-function packetOf(action: Extract<InputAction, { type: 'radio' }>): Uint8Array {
-  return 'bytes' in action ? Uint8Array.from(action.bytes) : packetOfText(action.text);
-}

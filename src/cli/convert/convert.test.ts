@@ -122,7 +122,7 @@ describe('parcours convert', () => {
     ['two things', ['a.py', 'b.py'], 'One thing at a time: what is "b.py"?'],
     ['an unknown form', [anna, '--as', 'pdf'], '--as: "pdf" is not known. Known: project, course, program, files, hex, link, webtigerpython.'],
     ['an ending that says nothing', [anna, '--out', 'x.txt'], '--out: x.txt does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder).'],
-    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert, but for run. convert takes --out, --as, '],
+    ['an option of others', [anna, '--seed', '3'], '--seed is not for convert, but for run, sweep. convert takes --out, --as, '],
     ['a missing file', [join(folder, 'no.py')], 'no.py: there is no such file.'],
     ['a recorded run', [sample('anna.run.json')], 'is a recorded run. Run it again with parcours replay.'],
     ['a series', [sample('week.json')], 'is a series of tasks.'],

@@ -23,7 +23,7 @@ type Problem = { readonly problem: string };
 /** Course and programs, read. */
 interface Entered {
   readonly scene: Scene;
-  /** Of the course. */
+  /** Remarks on the course. */
   readonly notes: readonly string[];
   readonly programs: readonly Files[];
   readonly draw: Draw;

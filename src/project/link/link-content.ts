@@ -67,7 +67,7 @@ export interface Content {
   readonly carried: string;
   /** The heights that objects of a whole course have of their own; empty before version 10. */
   readonly heights: readonly PlacedHeight[];
-  /** What is new in a whole course (`news-codec.ts`); empty before version 11, and without. */
+  /** The properties of a whole course that version 11 brought (`news-codec.ts`), as JSON; empty before, and without. */
   readonly news: string;
 }
 
@@ -273,7 +273,7 @@ export function putTogether({ whole, starts, additions, firstRobot, heights }: O
   const changes = [...additions, ...heights, ...news.objects.filter((entry) => !isWhole(entry)).map(flat)];
   for (const { place, ...said } of changes) {
     const object = objects[place];
-    if (object) objects[place] = { ...object, ...said } as SceneObject;
+    if (object) objects[place] = { ...object, ...said };
   }
   return { ...whole, ...news.course, robot: { ...whole.robot, ...firstRobot }, objects };
 }

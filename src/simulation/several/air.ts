@@ -1,7 +1,9 @@
 import type { RadioConfig } from '#board/radio';
+import { packetOfText } from '#board/radio-text';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
 import type { Device } from '../device';
+import type { InputAction } from '../input';
 
 /** A packet under way. */
 interface Packet {
@@ -131,3 +133,7 @@ function hears({ board: { radio } }: Device, { config }: Packet): boolean {
     own.dataRate === config.dataRate
   );
 }
+
+/** The packet of a message from outside. */
+export const packetOf = (action: Extract<InputAction, { type: 'radio' }>): Uint8Array =>
+  'bytes' in action ? Uint8Array.from(action.bytes) : packetOfText(action.text);

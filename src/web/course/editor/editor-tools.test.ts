@@ -775,8 +775,8 @@ describe('the menu of the course', () => {
     const { mounted, settings } = await menu();
     await press('Arena ausblenden', '[role="menuitem"]');
     expect(settings.current.value.showArena).toBe(false);
-    expect(mounted.findAll('[role="menuitem"]')).toHaveLength(7);
+    expect(mounted.findAll('[role="menuitem"]')).toHaveLength(8);
     setWindow(400);
-    expect((await menu()).mounted.findAll('[role="menuitem"]')).toHaveLength(6);
+    expect((await menu()).mounted.findAll('[role="menuitem"]')).toHaveLength(7);
   });
 });

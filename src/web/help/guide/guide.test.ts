@@ -25,6 +25,7 @@ const sources = import.meta.glob<string>(
     '../../course/editor/{EditorActions,EditorMenu,ToolBench}.vue',
     '../../pupil/debug/*.vue',
     '../../pupil/look-back/{PastActions,PastFoot}.vue',
+    '../../pupil/next-step/StepReferee.vue',
     '../../course/editor/palette/ToolPalette.vue',
     '../../**/contribution.ts',
     '../../{teacher,help}/*/desk-cards.ts',

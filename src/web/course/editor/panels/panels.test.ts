@@ -208,7 +208,8 @@ describe('the list of objects', () => {
     const { rows, row } = await list(Object.values(samples));
     expect(rows()).toEqual([
       ...['Linie 1', 'Wand 1', 'Block 1', 'Fester Block 1', 'Stacheln 1', 'Fahrender Block 1'],
-      ...['Ziel 1', 'Kontrollpunkt 1', 'Verbotenes Feld 1', 'Farbfeld 1', 'Text «Hallo»', 'Start eines Roboters «Ada»'],
+      ...['Ziel 1', 'Kontrollpunkt 1', 'Verbotenes Feld 1', 'Farbfeld 1', 'Lampe 1', 'Schranke 1', 'Tunnel 1'],
+      ...['Text «Hallo»', 'Start eines Roboters «Ada»'],
     ]);
     expect(row('wall').get('.num').text()).toBe('von 10 | 10 bis 30 | 10 cm · 10 mm dick');
     expect(row('mover').get('.num').text()).toBe('90 | 40 ↔ 110 | 40 cm · 10 cm/s');
@@ -436,7 +437,9 @@ describe('the list of objects', () => {
       expect([steps(), scene().objects[at]?.type, editor.selection.value.ids]).toEqual([at + 1, kind, [ids()[at]]]);
     }
     const places = mounted.findAll('.item .num').map((it) => it.text());
-    expect([rows().length, new Set(places).size, editor.tool.value]).toEqual([12, 13, 'select']);
+    expect([rows().length, new Set(places).size, editor.tool.value]).toEqual([
+      ...[kinds.length, kinds.length + 1, 'select'],
+    ]);
     editor.undo();
     expect(scene().objects.map(({ type }) => type)).toEqual(kinds.slice(0, -1));
   });
