@@ -27,6 +27,7 @@ beforeEach(async () => {
     'line-row.ts',
     'echo.ts',
     'incidence.ts',
+    'colour-options.ts',
     'words',
     'testing',
   ])

@@ -220,8 +220,8 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ],
     [
       'a newer course',
-      [hello, '--scene', file('b.json', scene({ version: 8 }))],
-      /Scene version 8 is newer than this app \(7\)/,
+      [hello, '--scene', file('b.json', scene({ version: 9 }))],
+      /Scene version 9 is newer than this app \(8\)/,
     ],
     [
       'a wall of length 0',

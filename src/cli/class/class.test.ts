@@ -116,7 +116,7 @@ describe('the words behind parcours class', () => {
     [['add', '8b.json', 'slalom'], 'Which hand-ins? For example: parcours class add 8b.json closed-line class/'],
     [['merge', '8b.json'], 'Which other copy? For example: parcours class merge 8b.json other/8b.json'],
     [['report', '8b.json', 'x'], 'One class at a time: what is "x"?'],
-    [['set', '8b.json', '--csv=x'], '--csv is not for class set, but for check, class report. class set takes --name, --names, --scale, --pass, --due, --json, --quiet, --lang.'], // prettier-ignore
+    [['set', '8b.json', '--csv=x'], '--csv is not for class set, but for check, sweep, tournament, class report. class set takes --name, --names, --scale, --pass, --due, --json, --quiet, --lang.'], // prettier-ignore
     [['add', '8b.json', 'a', 'b', '--date=2026-02-30'], '--date: "2026-02-30" is no day such as 2026-11-30.'],
     [['set', '8b.json', '--scale=us'], '--scale: "us" is not known. Known: ch6, de6, de15, fr20, it10.'],
     [['set', '8b.json', '--pass=0'], '--pass: "0" is neither "even" nor a whole number of per cent from 1 to 99.'],
