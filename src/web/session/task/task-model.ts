@@ -72,9 +72,7 @@ export function createTask(
   });
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
   const text = computed(() => textOf(work.scene.value, ready.value, hasGoals.value));
-  const hasText = computed(
-    () => hasWords(text.value) || work.work.value.project.task !== undefined || work.scene.value.league !== undefined,
-  );
+  const hasText = computed(() => hasWords(text.value) || isForTask(work));
   const isKept = computed(() => {
     const { course, task } = work.work.value.project;
     return isOwnPage && (course === null || task !== undefined || hasGoals.value);
@@ -118,6 +116,10 @@ export function createTask(
     },
   };
 }
+
+/** True if the work was made for a task that has a card without words, too: it was handed out, or its line is scored. */
+const isForTask = ({ work, scene }: WorkParts['work']): boolean =>
+  work.value.project.task !== undefined || scene.value.league !== undefined;
 
 /** Goals that were drawn on a floor without any are a task of their own: the floor's words do not speak of it. */
 function textOf(scene: Scene, ready: Course | null, hasGoals: boolean): ShownText {
