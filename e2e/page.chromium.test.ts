@@ -45,8 +45,10 @@ test('the worker of a run has nothing left that reaches out, whether or not its 
     await page.goto('./');
     await page.click(on('run'));
     await expect(page.locator(on('stop'))).toBeEnabled();
-    // Asked for now: one that is announced may be of the page before, which is closing.
-    const worker = page.workers().find((one) => one.url().includes('/assets/worker-'));
+    // Asked for now: one that is announced may be of the page before, which is closing; its own may be told of a little later.
+    const find = () => page.workers().find((one) => one.url().includes('/assets/worker-'));
+    await expect.poll(() => find() !== undefined).toBe(true);
+    const worker = find();
     if (worker === undefined) throw new Error('There is no worker.');
     return worker.evaluate(() => {
       const outwards = [
