@@ -138,7 +138,10 @@ describe('the command line', () => {
     ['run main.py --until', /^Unknown option --until\. Did you mean --until-verdict\?$/],
     ['run main.py --toString', /^Unknown option --toString\. Known: /],
     ['--rapport', /^Unknown option --rapport\. Did you mean --report\?$/],
-    ['run main.py --report r.html', /^--report is not for run, but for check, sweep, tournament, class report\. run takes --scene, /],
+    [
+      'run main.py --report r.html',
+      /^--report is not for run, but for check, sweep, tournament, class report\. run takes --scene, /,
+    ],
     ['run main.py --out x', /^--out is not for run, but for convert\. /],
     ['probe compare a.csv --json', /^--json is not for probe compare, but for run, check, [^]* takes none\.$/],
     [
@@ -201,7 +204,10 @@ describe('a time', () => {
   it.each([
     [['replay'], 'Which recording?'],
     [['replay', 'a.json', 'b.json'], 'One recording at a time: what is "b.json"?'],
-    [['replay', 'a.json', '--scene', 'x'], '--scene is not for replay, but for run, sweep. replay takes --at, --line, '],
+    [
+      ['replay', 'a.json', '--scene', 'x'],
+      '--scene is not for replay, but for run, sweep. replay takes --at, --line, ',
+    ],
     [['replay', 'a.json', '--at', '3'], '--at: "3" has no unit.'],
     [['replay', 'a.json', '--line', '14'], '--line: "14" is not like main.py:14.'],
     [['replay', 'a.json', '--line', 'main.py:0'], '--line: "main.py:0" is not like main.py:14.'],

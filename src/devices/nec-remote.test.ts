@@ -25,7 +25,9 @@ function bench() {
 /** The four bytes of a frame, lowest bit first. */
 function bytesIn(pulses: readonly number[]): number[] {
   const bits = Array.from({ length: 32 }, (_, bit) => ((pulses[3 + 2 * bit] ?? 0) > 1000 ? 1 : 0));
-  return [0, 8, 16, 24].map((from) => bits.slice(from, from + 8).reduce<number>((byte, bit, at) => byte | (bit << at), 0));
+  return [0, 8, 16, 24].map((from) =>
+    bits.slice(from, from + 8).reduce<number>((byte, bit, at) => byte | (bit << at), 0),
+  );
 }
 
 describe('The infrared remote control of the kit', () => {
