@@ -13,28 +13,28 @@ export function isButtonKey(key: BoardKey): key is ButtonKey {
 }
 
 /** Called when a key goes down and up. */
-export interface PressListener {
-  press(key: BoardKey): void;
-  release(key: BoardKey): void;
+export interface PressListener<Key extends string = BoardKey> {
+  press(key: Key): void;
+  release(key: Key): void;
 }
 
 /**
- * The held keys of the board and their holders: fingers, the mouse and the keyboard may hold the same key at the same
+ * The held keys of a thing, such as the board, and their holders: fingers, the mouse and the keyboard may hold the same key at the same
  * time. A key goes down with its first holder and up with its last. The run decides how long a press lasts for the
  * board (`InputQueue`).
  */
-export class Presses {
-  private readonly holds = new Map<string, readonly BoardKey[]>();
+export class Presses<Key extends string = BoardKey> {
+  private readonly holds = new Map<string, readonly Key[]>();
 
-  constructor(private readonly listener: PressListener) {}
+  constructor(private readonly listener: PressListener<Key>) {}
 
   /** True if any holder holds this key. */
-  isDown(key: BoardKey): boolean {
+  isDown(key: Key): boolean {
     return [...this.holds.values()].some((keys) => keys.includes(key));
   }
 
   /** A holder presses these keys, instead of those it held before. */
-  hold(holder: string, keys: readonly BoardKey[]): void {
+  hold(holder: string, keys: readonly Key[]): void {
     this.change(() => this.holds.set(holder, keys));
   }
 
@@ -48,14 +48,15 @@ export class Presses {
     this.change(() => this.holds.clear());
   }
 
+  private down(): ReadonlySet<Key> {
+    return new Set([...this.holds.values()].flat());
+  }
+
   private change(action: () => void): void {
-    const before = BOARD_KEYS.filter((key) => this.isDown(key));
+    const before = this.down();
     action();
-    for (const key of BOARD_KEYS) {
-      const down = this.isDown(key);
-      if (down === before.includes(key)) continue;
-      if (down) this.listener.press(key);
-      else this.listener.release(key);
-    }
+    const after = this.down();
+    for (const key of before) if (!after.has(key)) this.listener.release(key);
+    for (const key of after) if (!before.has(key)) this.listener.press(key);
   }
 }

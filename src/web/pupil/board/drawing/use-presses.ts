@@ -1,5 +1,5 @@
 import { onBeforeUnmount, onMounted, shallowRef, type ShallowRef } from 'vue';
-import { Presses, type BoardKey, type PressListener } from './presses';
+import { Presses, type PressListener } from './presses';
 
 /** Time for which a mere click, from a screen reader or a switch, holds a key, in ms. Chosen: to be seen. */
 const CLICK_MS = 200;
@@ -17,14 +17,18 @@ export interface PressHandlers {
   contextmenu(event: Event): void;
 }
 
-/** Lets fingers, mouse, keyboard and screen readers press the keys of the board. */
-export function usePresses(listener: PressListener): {
-  readonly down: Readonly<ShallowRef<ReadonlySet<BoardKey>>>;
+/** Keys that are pressed by hand. */
+export interface HandPresses<Key extends string> {
+  readonly down: Readonly<ShallowRef<ReadonlySet<Key>>>;
   /** The handlers of something that presses these keys. */
-  handlersFor(keys: readonly BoardKey[]): PressHandlers;
-} {
-  const down = shallowRef<ReadonlySet<BoardKey>>(new Set());
-  const presses = new Presses({
+  handlersFor(keys: readonly Key[]): PressHandlers;
+  readonly presses: Presses<Key>;
+}
+
+/** Lets fingers, mouse, keyboard and screen readers press the keys of a thing, such as the board. */
+export function usePresses<Key extends string>(listener: PressListener<Key>): HandPresses<Key> {
+  const down = shallowRef<ReadonlySet<Key>>(new Set());
+  const presses = new Presses<Key>({
     press(key) {
       down.value = new Set([...down.value, key]);
       listener.press(key);
@@ -40,10 +44,10 @@ export function usePresses(listener: PressListener): {
     window.removeEventListener('blur', letGoAll);
     presses.letGoAll();
   });
-  return { down, handlersFor: (keys) => handlers(presses, keys) };
+  return { down, handlersFor: (keys) => handlers(presses, keys), presses };
 }
 
-function handlers(presses: Presses, keys: readonly BoardKey[]): PressHandlers {
+function handlers<Key extends string>(presses: Presses<Key>, keys: readonly Key[]): PressHandlers {
   const name = keys.join('+');
   const letGo = (event: PointerEvent): void => presses.letGo(`pointer ${String(event.pointerId)}`);
   const isPressKey = (event: KeyboardEvent): boolean => event.key === 'Enter' || event.key === ' ';
