@@ -11,7 +11,6 @@
  * Sources: maker's wiki on DFR0536; Tiger-Jython/Robotics-Libraries `microbit/controller.py` (pins, colours, 512 at rest).
  */
 import type { Wire } from '#board/wires/wire';
-import type { Stop } from '#core/stop';
 
 /** The keys with their wires. */
 const KEY_WIRES = { C: 'P13', D: 'P14', E: 'P15', F: 'P16', Z: 'P8' } as const;
@@ -39,7 +38,6 @@ export interface Gamepad {
   move(x: number, y: number): void;
   set(key: GamepadKey, isDown: boolean): void;
   state(): GamepadState;
-  readonly stop: Stop;
 }
 
 /** Half of the stick's steps: its middle lies between 511 and 512, and reads 512. */
@@ -72,6 +70,5 @@ export function attachGamepad(wireOf: (name: string) => Wire): Gamepad {
       else endOf.get(key)?.release();
     },
     state: () => ({ stick, keys: { ...down }, vibrates: motor.fraction > 0 }),
-    stop: () => [across, upright, ...ends.map(([, end]) => end)].forEach((end) => end.detach()),
   };
 }

@@ -1,7 +1,7 @@
 import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
-import { applyEdit, singleEdits, type CourseChanges, type SceneEdit } from '#scene/edit';
+import { applyEdit, courseParts, singleEdits, type CourseChanges, type SceneEdit } from '#scene/edit';
 import type { PaintColor } from '#scene/paint/paint';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { isHeldAlike } from './arranging/hold';
@@ -71,7 +71,7 @@ function robotChange({ robot: before }: Scene, { robot: after }: Scene): EditDes
 }
 
 function courseChange(before: Scene, after: Scene): EditDescription {
-  const what = (['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const).filter(
+  const what = courseParts.filter(
     (key) => before[key] !== after[key] && (key === 'background' || !isSame(before[key], after[key])),
   );
   return what.length === 0 ? { type: 'nothing' } : { type: 'course', what };

@@ -7,7 +7,7 @@ const PLACES = [
   { name: 'left', atMm: { x: 40, y: 10 } },
   { name: 'right', atMm: { x: 40, y: -10 } },
 ] as const;
-const MEASURE = { spotRadiusMm: 2.5, black: 100, floor: 230 };
+const MEASURE = { spotRadiusMm: 2.5, black: 100, floor: 230, most: 255 };
 
 /** A row over a floor that is black where y > 0, half black after `step`. */
 function mount(scale = 1, lineReadings: Readonly<Record<string, LineReadings>> = {}) {
@@ -28,6 +28,13 @@ describe('a row of line sensors', () => {
       { ...PLACES[0], bright: false, reading: 100 },
       { ...PLACES[1], bright: true, reading: 230 },
     ]);
+  });
+
+  it('reads no more than its register holds, however bright the silver', () => {
+    const { row, see } = mount();
+    see(1.4);
+    row.sample();
+    expect(row.states()[0]).toMatchObject({ bright: true, reading: 255 });
   });
 
   it('keeps what it saw until it looks again, then reads 165 half-way', () => {

@@ -18,6 +18,8 @@ export interface LineMeasure {
   /** Readings on black and on bare floor, in the robot's own unit. Linear in between. */
   readonly black: number;
   readonly floor: number;
+  /** The highest reading: silver returns more than bare floor. */
+  readonly most: number;
 }
 
 /** The line sensors of one robot. */
@@ -38,7 +40,7 @@ export interface LineRow<Name extends string> {
 export function mountLineRow<Name extends string>(
   { ground, scale, lineReadings }: Pick<RobotContext, 'ground' | 'scale' | 'lineReadings'>,
   places: readonly LinePlace<Name>[],
-  { spotRadiusMm, black, floor }: LineMeasure,
+  { spotRadiusMm, black, floor, most }: LineMeasure,
 ): LineRow<Name> {
   const sensors = new Map<Name, LineComparator>(
     places.map(({ name, atMm }) => {
@@ -52,7 +54,10 @@ export function mountLineRow<Name extends string>(
     }),
   );
   const isBright = (name: Name): boolean => sensors.get(name)?.isBright() ?? false;
-  const reading = (name: Name): number => Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
+  const reading = (name: Name): number => {
+    const value = Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
+    return Math.min(most, Math.max(0, value));
+  };
   return {
     isBright,
     reading,

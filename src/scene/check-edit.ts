@@ -1,6 +1,6 @@
-import type { Replacement, SceneEdit } from './edit';
+import { courseParts, type Replacement, type SceneEdit } from './edit';
 import type { SceneProblem } from './problem';
-import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
+import { readCourseChanges, readRobotChanges } from './read-course';
 import { readObjectId } from './kinds/reading/unread';
 import { readObject } from './read-object';
 import { Reader } from './reader';
@@ -78,7 +78,7 @@ function readEdit(value: unknown, path: string, room: Room, depth: number, reade
     case 'robot':
       return { type, robot: readRobotChanges(fields.robot, `${place}robot`, reader) };
     case 'course': {
-      const changes = reader.fields(fields.changes, `${place}changes`, courseKeys);
+      const changes = reader.fields(fields.changes, `${place}changes`, courseParts);
       return { type, changes: readCourseChanges(changes, `${place}changes.`, reader) };
     }
     case 'clear':

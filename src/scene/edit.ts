@@ -83,7 +83,8 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
   }
 }
 
-const courseParts = ['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const;
+/** The parts of a course as a whole. */
+export const courseParts = ['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const;
 
 /** A course with other values; one without a league, or in a room as bright as any, does not name it. */
 export function withCourse(scene: Scene, { league, ...changes }: CourseChanges): Scene {

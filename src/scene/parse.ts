@@ -1,9 +1,9 @@
-import { withCourse } from './edit';
+import { courseParts, withCourse } from './edit';
 import { loneGroups } from './groups';
 import { readJsonFile, summaryOf } from './json-file';
 import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
-import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
+import { readCourseChanges, readRobotChanges } from './read-course';
 import { readObject } from './read-object';
 import { readTypeId } from './kinds/reading/robot-values';
 import { withRobot } from './robot-values';
@@ -68,7 +68,7 @@ function newestFile(value: unknown, reader: Reader): Fields | null {
   return null;
 }
 
-const SCENE_KEYS = ['format', 'version', ...courseKeys, 'board', 'robot', 'objects'];
+const SCENE_KEYS = ['format', 'version', ...courseParts, 'board', 'robot', 'objects'];
 
 function readScene(value: Fields, reader: Reader): Scene {
   const fields = reader.fields(value, '', SCENE_KEYS);

@@ -6,9 +6,6 @@ import type { Fields, Reader } from './reader';
 import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/reading/robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
-/** The properties that `readCourseChanges` reads. */
-export const courseKeys = ['name', 'description', 'size', 'task', 'background', 'league', 'ambient'] as const;
-
 /** Reads the properties of a course as a whole; what is left out stays left out. */
 export function readCourseChanges(fields: Fields, path: string, reader: Reader): CourseChanges {
   const { nameCharacters, descriptionCharacters, sizeMm } = sceneLimits;

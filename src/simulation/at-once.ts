@@ -6,7 +6,9 @@ import { isLasting, isMovable } from './kinds';
 /** True if the difference between two courses affects a run at once; labels and changes for the next start do not. */
 export function changesRun(before: Scene, after: Scene): boolean {
   if (before === after) return false;
-  const rules = ({ task: { seconds, noTouch, robots }, league }: Scene) => [seconds, noTouch, robots, league ?? null];
+  const rules = ({ task: { seconds, noTouch, robots }, league, ambient }: Scene) => [
+    ...[seconds, noTouch, robots, league ?? null, ambient ?? null],
+  ];
   if (!isSame(rules(before), rules(after))) return true;
   return !isSame(before.background, after.background) || !isSame(feltIn(before), feltIn(after));
 }

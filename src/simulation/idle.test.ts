@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { defaultScene } from '#scene/scene';
+import type { Switching } from '#scene/kinds/switching';
+import { defaultScene, type Barrier } from '#scene/scene';
 import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 
@@ -42,6 +43,19 @@ describe('a run is idle', () => {
     ['a melody plays in the background', 'import music\nmusic.play(["c4:64"], wait=False, loop=True)'],
   ])('not when the program has ended but %s', async (_, program) => {
     expect(await isIdleAfter(3, program)).toBe(false);
+  });
+
+  it('not while time switches a lamp or a barrier', async () => {
+    const gate = (opens: Switching): Barrier => ({ type: 'barrier', id: 'b', from: [900, 0], to: [900, 900], thickness: 10, opens }); // prettier-ignore
+    const isIdleWith = async (opens: Switching) => {
+      const scene = { ...defaultScene(), objects: [gate(opens)] };
+      const setup = { scene, files: { 'main.py': 'pass' }, robot: 'auto', board: 'auto', seed: 1, reality: 0 };
+      const simulation = await Simulation.create(soloRun(setup), firmware);
+      simulation.advanceTo(3_000_000);
+      return simulation.isIdle;
+    };
+    expect(await isIdleWith({ time: [3, 3] })).toBe(false);
+    expect(await isIdleWith('hand')).toBe(true);
   });
 
   it('not while time will decide the task', async () => {

@@ -117,7 +117,8 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
     reflectance: (seen, spot) => {
       const channel = channelOf(spot);
       const offset = mostOffset * (2 * unitOf(salt, -1, channel) - 1);
-      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel)), 0), 1);
+      const most = Math.max(1, seen);
+      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel)), 0), most);
     },
     echo: (hit) => {
       if (hit.distanceMm === Infinity) return hit;

@@ -123,12 +123,13 @@ export class Simulation {
   }
 
   /**
-   * True if all programs have ended and nothing is set for later: no callback, tone, moving picture or time limit.
+   * True if all programs have ended and nothing is set for later: no callback, tone, moving picture, time limit or lamp
+   * that is switched by time.
    * While the world does not move either, nothing happens until the next input.
    */
   get isIdle(): boolean {
     const isQuiet = this.inputs.isEmpty && this.air.isQuiet && this.judge?.awaitsTime !== true;
-    return isQuiet && this.devices.every(({ isIdle }) => isIdle);
+    return isQuiet && !this.switches.awaitsTime && this.devices.every(({ isIdle }) => isIdle);
   }
 
   /**

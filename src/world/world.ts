@@ -137,10 +137,7 @@ export function createWorld(size: WorldSize): World {
       return body;
     },
     step: () => physics.step(),
-    reflectanceAt({ x, y }, radiusMm) {
-      if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return 0;
-      return ground.reflectanceAt(x, y, radiusMm);
-    },
+    reflectanceAt: ({ x, y }, radiusMm) => (holds(size, { x, y }) ? ground.reflectanceAt(x, y, radiusMm) : 0),
     sharesAt: ({ x, y }, radiusMm) => (holds(size, { x, y }) ? ground.sharesAt(x, y, radiusMm) : [0, 0, 0]),
     colorAhead: (from, headingRad, cone, except) => nearestColor(from, headingRad, cone, obstacles(except)),
     depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),

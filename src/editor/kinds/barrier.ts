@@ -1,10 +1,9 @@
-import { isSame } from '#core/same';
 import { wallOutline } from '#scene/kinds/wall';
 import { sceneDefaults, sceneLimits, type Barrier } from '#scene/scene';
 import { switchWays } from '#scene/kinds/switching';
 import { endFields, heightField, lengthField } from '../object-fields';
 import { hitWithin, type EditorKind } from './kind';
-import { straight } from './straight';
+import { straight, withEnds } from './straight';
 import { switchFields } from './switch-fields';
 
 /** Length of a barrier that is added, in mm. Chosen: across a road for robots. */
@@ -19,7 +18,7 @@ export const barrier: EditorKind<Barrier> = {
     ...switchFields(barrier.opens, switchWays, (opens) => ({ ...barrier, opens: opens ?? 'hand' }), {
       radio: { radio: ['open', 'close'] },
     }),
-    ...endFields(barrier.from, barrier.to, (from, to) => (isSame(from, to) ? null : { ...barrier, from, to })),
+    ...endFields(barrier.from, barrier.to, (from, to) => withEnds(barrier, from, to)),
     lengthField('thickness', barrier.thickness, sceneLimits.thicknessMm, 1, (thickness) => ({ ...barrier, thickness })),
     heightField(barrier),
   ],

@@ -1,3 +1,4 @@
+import { beginsOn } from '#scene/kinds/switching';
 import { lengthOf } from '#scene/outline';
 import type { Barrier } from '#scene/scene';
 
@@ -16,8 +17,7 @@ export const barrier: PictureKind<Barrier> = {
 
 const [RED, WHITE, POST] = ['#C0262D', '#FFFFFF', '#23272E'];
 
-const isOpen = (barrier: Barrier & Switched): boolean =>
-  barrier.isOn ?? (barrier.opens !== 'hand' && 'time' in barrier.opens);
+const isOpen = (barrier: Barrier & Switched): boolean => barrier.isOn ?? beginsOn(barrier.opens);
 
 function shapes(barrier: Barrier, { px, leastLineMm = 0 }: Look): readonly Shape[] {
   const length = lengthOf(barrier.to[0] - barrier.from[0], barrier.to[1] - barrier.from[1]);

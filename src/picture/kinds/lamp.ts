@@ -1,5 +1,6 @@
 import { mdiLightbulbOffOutline, mdiLightbulbOnOutline } from '@mdi/js';
 import type { Vec } from '#core/geometry';
+import { beginsOn } from '#scene/kinds/switching';
 import { heightOf, isStanding } from '#scene/kinds/heights';
 import { solidParts } from '#scene/kinds/index';
 import { LAMP_MM } from '#scene/kinds/lamp';
@@ -25,8 +26,7 @@ export interface Switched {
   readonly isOn?: boolean;
 }
 
-const isShining = (lamp: Lamp & Switched): boolean =>
-  lamp.isOn ?? (lamp.on === undefined || (lamp.on !== 'hand' && 'time' in lamp.on));
+const isShining = (lamp: Lamp & Switched): boolean => lamp.isOn ?? beginsOn(lamp.on ?? null);
 
 /** Glow and disc by colour; `warm` is the usual white. */
 const LIGHTS: Readonly<Record<LampColor | 'warm', { readonly glow: string; readonly disc: string }>> = {

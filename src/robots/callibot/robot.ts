@@ -47,8 +47,8 @@ const LINE_SENSORS: readonly LinePlace<Side>[] = [
   { name: 'right', atMm: { x: 46, y: -6 } },
 ];
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Maqueens: as wide as the sensor's housing
-/** Output on black and on bare floor, linear in between: chosen, because no source has measured values. */
-const LINE_MV = { black: 300, floor: 2800 } as const;
+/** Output on black and on bare floor, linear in between: chosen, because no source has measured values; at most the supply. */
+const LINE_MV = { black: 300, floor: 2800, most: 3300 } as const;
 
 const SONAR_AT: Vec = { x: 65, y: 0 }; // chosen: where the cans end in the drawing
 

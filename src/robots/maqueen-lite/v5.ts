@@ -48,7 +48,7 @@ const BITS: readonly LineName[] = ['right', 'middle', 'left'];
 const CHANNELS: readonly (LineName | null)[] = [null, 'left', 'middle', 'right', null];
 
 /** Chosen: as on the Maqueen Plus V1, also 12 bits; a public program takes 1000 … 4095 as a sign of a V5. */
-const BRIGHTNESS = { black: 1000, floor: 3500 } as const;
+const BRIGHTNESS = { black: 1000, floor: 3500, most: 4095 } as const;
 
 /** Chosen: 12 bits again; a torch reads 2040, because public programs turn to a light from a sum of 3000 on. */
 const LIGHT_PER_LEVEL = 8;

@@ -43,7 +43,7 @@ const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor
  * which take less than 1300 for dark, 2800 for the edge of a line and more than 3200 for light. Linear in between:
  * chosen.
  */
-const BRIGHTNESS = { black: 1000, floor: 3500 };
+const BRIGHTNESS = { black: 1000, floor: 3500, most: 4095 };
 
 /** In front of the micro:bit, near the front edge: chosen. NOE puts it 48 mm ahead of the axle. */
 const SONAR_AT: Vec = { x: 74, y: 0 };

@@ -55,7 +55,11 @@ function attach(context: RobotContext): Robot {
   const motors = mountMotors(context);
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const brightness = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
-  const line = mountLineRow(context, PLUS_LINE_SENSORS, { spotRadiusMm: PLUS_LINE_SPOT_RADIUS_MM, ...brightness });
+  const line = mountLineRow(context, PLUS_LINE_SENSORS, {
+    spotRadiusMm: PLUS_LINE_SPOT_RADIUS_MM,
+    ...brightness,
+    most: 255,
+  });
   const controller = createController(
     {
       motors: ({ left, right }, sides) => motors.set(dutyOf(left), dutyOf(right), sides),

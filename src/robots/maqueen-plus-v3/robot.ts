@@ -30,7 +30,7 @@ import mbrobotPlusV3 from './library/mbrobot_plusV3.py?raw';
 import { maqueenPlusV3 as type, SERVO_PORTS } from './type';
 
 /** Readings on black and on the bare floor: franc0r/francor-maqueen-plus-microbit, of 4095. Linear in between: chosen. */
-const BRIGHTNESS = { black: 2700, floor: 3800 };
+const BRIGHTNESS = { black: 2700, floor: 3800, most: 4095 };
 
 /** Upright on its bracket at the front edge: chosen from the drawing; a bracket can be screwed on elsewhere. */
 const LIDAR_AT: Vec = { x: 77, y: 0 };

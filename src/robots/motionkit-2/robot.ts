@@ -36,7 +36,7 @@ const LINE_SENSORS: readonly LinePlace<Side>[] = [
 ];
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Maqueens: as wide as the sensor's housing
 /** Chosen: those measured on a Maqueen Plus V2, whose controller by the same maker gives the same range of 0 … 255. */
-const BRIGHTNESS = { black: 100, floor: 230 } as const;
+const BRIGHTNESS = { black: 100, floor: 230, most: 255 } as const;
 
 const SONAR_AT: Vec = { x: 55, y: 0 }; // estimated: the Maqueen Lite's
 

@@ -1,8 +1,7 @@
 import { paintProperties, property, shapeProperties } from '../json-text';
-import { boundsMeet, boundsOfOutline, overlapMm } from '../outline';
 import { sceneDefaults, type Paper } from '../scene';
 import { shapeBounds, shapeParts } from '../shape/shape';
-import type { SceneKind } from './kind';
+import { standing, type SceneKind } from './kind';
 
 /** Coloured sheets. */
 export const paper: SceneKind<Paper> = {
@@ -12,9 +11,7 @@ export const paper: SceneKind<Paper> = {
     ...property('round', paper.round ?? sceneDefaults.round, sceneDefaults.round),
     ...paintProperties(paper, sceneDefaults.paper),
   ],
+  ...standing<Paper>(shapeParts),
   solid: () => [],
   bounds: shapeBounds,
-  reachesInto: (paper, arena) =>
-    boundsMeet(shapeBounds(paper), boundsOfOutline(arena)) &&
-    shapeParts(paper).some((part) => overlapMm(part, arena) > 0),
 };

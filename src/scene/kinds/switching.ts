@@ -31,6 +31,10 @@ export function wayOfSwitching(switching: Switching): SwitchWay {
   return switchWays.find((way) => way in switching) ?? 'hand';
 }
 
+/** True if a thing begins on: a lamp with the light, a barrier open. `null`: it is always on. */
+export const beginsOn = (switching: Switching | null): boolean =>
+  switching === null || (switching !== 'hand' && 'time' in switching);
+
 /** A switching in the form of a file. */
 export function switchingText(switching: Switching): string {
   if (switching === 'hand') return '"hand"';

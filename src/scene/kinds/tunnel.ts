@@ -1,8 +1,7 @@
 import { property, shapeProperties } from '../json-text';
-import { boundsMeet, boundsOfOutline, overlapMm } from '../outline';
 import { sceneDefaults, type Tunnel } from '../scene';
 import { shapeBounds, shapeParts } from '../shape/shape';
-import type { SceneKind } from './kind';
+import { standing, type SceneKind } from './kind';
 
 /** Tunnels: roofs without walls. */
 export const tunnel: SceneKind<Tunnel> = {
@@ -11,9 +10,7 @@ export const tunnel: SceneKind<Tunnel> = {
     ...shapeProperties(tunnel, rotation),
     ...property('round', tunnel.round ?? sceneDefaults.round, sceneDefaults.round),
   ],
+  ...standing<Tunnel>(shapeParts),
   solid: () => [],
   bounds: shapeBounds,
-  reachesInto: (tunnel, arena) =>
-    boundsMeet(shapeBounds(tunnel), boundsOfOutline(arena)) &&
-    shapeParts(tunnel).some((part) => overlapMm(part, arena) > 0),
 };

@@ -1,6 +1,6 @@
 import { textBytesOf } from '#board/radio-text';
 import type { Board } from '#board/board';
-import type { Switching } from '#scene/kinds/switching';
+import { beginsOn, type Switching } from '#scene/kinds/switching';
 
 /** The boards that may switch something; the wires are those of the first one without a robot, else of the first. */
 export function switchingBoards(
@@ -37,6 +37,10 @@ export class Switches {
   private packets: Uint8Array[] = [];
   private readonly down = new Map<string, boolean>();
   private isListening = false;
+  /** Those of `known` that are not always on. */
+  private switched: readonly (readonly [id: string, thing: Switchable])[] = [];
+  private hasButtons = false;
+  private hasTime = false;
 
   /** @param things what can be switched now, by object id: another map whenever it has changed */
   constructor(
@@ -52,8 +56,14 @@ export class Switches {
     return Object.fromEntries(Array.from(this.known, ([id, thing]) => [id, thing.isOn()]));
   }
 
+  /** True if something is switched by the time: it goes on when all programs have ended. */
+  get awaitsTime(): boolean {
+    return this.hasTime;
+  }
+
   /** Switches what is switched by hand. */
   byHand(id: string, isOn: boolean): void {
+    if (this.things() !== this.known) this.renew();
     if (this.known.get(id)?.switching !== 'hand') return;
     this.wanted.set(id, isOn);
     this.known.get(id)?.set(isOn);
@@ -61,17 +71,16 @@ export class Switches {
 
   /** A packet is on the air. */
   hear(packet: Uint8Array): void {
-    if (this.isListening) this.packets.push(packet);
+    if (this.isListening && this.switched.length > 0) this.packets.push(packet);
   }
 
   /** Call it before each step of the world. */
   step(nowUs: number): void {
     if (this.things() !== this.known) this.renew();
-    if (this.known.size === 0) return;
-    const texts = this.packets.splice(0).map(textOf);
-    const pressed = this.takePresses();
-    for (const [id, thing] of this.known) {
-      const isOn = this.next(id, thing.switching, { nowUs, texts, pressed });
+    if (this.switched.length === 0) return;
+    const happened = { nowUs, texts: this.packets.splice(0).map(textOf), pressed: this.takePresses() };
+    for (const [id, thing] of this.switched) {
+      const isOn = this.next(id, thing.switching, happened);
       if (isOn === this.wanted.get(id)) continue;
       this.wanted.set(id, isOn);
       thing.set(isOn);
@@ -87,6 +96,9 @@ export class Switches {
       this.wanted.set(id, isOn);
       thing.set(isOn);
     }
+    this.switched = [...this.known].filter(([, { switching }]) => switching !== null);
+    this.hasButtons = this.has((switching) => 'button' in switching);
+    this.hasTime = this.has((switching) => 'time' in switching);
     if (this.isListening || !this.has((switching) => 'radio' in switching)) return;
     this.isListening = true;
     for (const { board } of this.boards) board.radio.onSend((packet) => this.hear(packet));
@@ -104,7 +116,7 @@ export class Switches {
 
   /** The buttons that went down since the last step. */
   private takePresses(): readonly ('a' | 'b')[] {
-    if (!this.has((switching) => 'button' in switching)) return [];
+    if (!this.hasButtons) return [];
     return (['a', 'b'] as const).flatMap((button) =>
       this.boards.flatMap(({ board }, place) => {
         const { isDown } = button === 'a' ? board.buttonA : board.buttonB;
@@ -129,10 +141,6 @@ interface Happened {
   readonly texts: readonly (string | null)[];
   readonly pressed: readonly ('a' | 'b')[];
 }
-
-/** By time a thing begins on: a lamp with the light, a barrier open. */
-const beginsOn = (switching: Switching | null): boolean =>
-  switching === null || (switching !== 'hand' && 'time' in switching);
 
 /** True during the first of two spans of time that follow each other without end; in whole µs. */
 function isInFirstPart(nowUs: number, [on, off]: readonly [number, number]): boolean {

@@ -84,12 +84,15 @@ export function underFields(
   y: number,
   radius: number,
 ): number | FloorPicture {
+  const near: Field[] = [];
   for (const field of fields) {
     const covered = field.covers(x, y, radius);
-    if (covered === 'all') return field.reflectance;
-    if (covered === 'part') return mixture(fields, below);
+    if (covered === 'none') continue;
+    if (covered === 'all' && near.length === 0) return field.reflectance;
+    near.push(field);
+    if (covered === 'all') break; // nothing shows from below it
   }
-  return below;
+  return near.length === 0 ? below : mixture(near, below);
 }
 
 function mixture(fields: readonly Field[], below: 1 | FloorPicture): FloorPicture {

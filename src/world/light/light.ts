@@ -10,7 +10,7 @@ export const EYE_MM = 60;
 export const ROOM_LX = 300;
 
 /** Light inside a tunnel, from nowhere: a closed shoe box with two open ends has 1 … 5 lx. */
-export const TUNNEL_LX = 2;
+const TUNNEL_LX = 2;
 
 /** A lamp: a point that shines the same in all directions. */
 export interface LampShape {
@@ -83,7 +83,9 @@ export function createLight(): Light {
     },
     addLamp(shape) {
       const handle: LampHandle = {
-        switch: (on) => void lamps.set(handle, { ...shape, on }),
+        switch: (on) => {
+          if (lamps.has(handle)) lamps.set(handle, { ...shape, on });
+        },
         remove: () => void lamps.delete(handle),
       };
       lamps.set(handle, shape);

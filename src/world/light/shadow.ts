@@ -11,22 +11,15 @@ export interface Ray {
   readonly toHeightMm: number;
 }
 
-/** The part of a ray over an obstacle: shares of its length, from 0 at the lamp to 1 at the eye. */
-interface Over {
-  readonly enters: number;
-  readonly leaves: number;
-}
-
 /** True if a ray meets an obstacle: where it leaves the obstacle's outline, on the eye's side, it is lower than its top. */
 export function isInShadow(ray: Ray, obstacle: Obstacle): boolean {
   const { fromHeightMm, toHeightMm } = ray;
-  if (obstacle.heightMm <= toHeightMm) return false;
-  const over = partOver(ray, obstacle);
-  if (over === null || over.leaves <= over.enters) return false;
-  return fromHeightMm + (toHeightMm - fromHeightMm) * over.leaves < obstacle.heightMm;
+  const leaves = whereItLeaves(ray, obstacle);
+  return leaves !== null && fromHeightMm + (toHeightMm - fromHeightMm) * leaves < obstacle.heightMm;
 }
 
-function partOver({ fromMm, toMm }: Ray, obstacle: Obstacle): Over | null {
+/** The share of a ray, from 0 at the lamp to 1 at the eye, at which it leaves an obstacle's outline; `null`: it passes it by. */
+function whereItLeaves({ fromMm, toMm }: Ray, obstacle: Obstacle): number | null {
   const { cornersMm, radiusMm } = obstacle;
   const { xMm, yMm, headingRad } = obstacle.pose();
   const x = fromMm.x - xMm;
@@ -41,22 +34,22 @@ function partOver({ fromMm, toMm }: Ray, obstacle: Obstacle): Over | null {
   return withinCorners(own(x, y), own(dx, dy), cornersMm);
 }
 
-/** The part of the way from (x, y) along (dx, dy) within a circle around the origin. */
-function withinCircle(x: number, y: number, dx: number, dy: number, radius: number): Over | null {
+/** The same for the way from (x, y) along (dx, dy) and a circle around the origin. */
+function withinCircle(x: number, y: number, dx: number, dy: number, radius: number): number | null {
   const a = dx * dx + dy * dy;
   const c = x * x + y * y - radius * radius;
-  if (a === 0) return c < 0 ? { enters: 0, leaves: 1 } : null;
+  if (a === 0) return c < 0 ? 1 : null;
   const b = x * dx + y * dy;
   const root = b * b - a * c;
   if (root <= 0) return null;
   const half = Math.sqrt(root);
   const enters = Math.max(0, (-b - half) / a);
   const leaves = Math.min(1, (-b + half) / a);
-  return enters < leaves ? { enters, leaves } : null;
+  return enters < leaves ? leaves : null;
 }
 
-/** The part of the way within a convex outline, counter-clockwise. */
-function withinCorners(from: Vec, way: Vec, corners: readonly Vec[]): Over | null {
+/** The same for a convex outline, counter-clockwise. */
+function withinCorners(from: Vec, way: Vec, corners: readonly Vec[]): number | null {
   let enters = 0;
   let leaves = 1;
   let a = corners[corners.length - 1] ?? from;
@@ -70,5 +63,5 @@ function withinCorners(from: Vec, way: Vec, corners: readonly Vec[]): Over | nul
     if (enters >= leaves) return null;
     a = b;
   }
-  return { enters, leaves };
+  return leaves;
 }

@@ -19,8 +19,10 @@ export function nearestColor(
   cone: Cone,
   obstacles: Iterable<Obstacle>,
 ): ColorHit | null {
+  const all = [...obstacles];
+  if (nearestInCone(from, headingRad, cone, all).distanceMm === Infinity) return null; // mostly
   let best: ColorHit | null = null;
-  for (const obstacle of obstacles) {
+  for (const obstacle of all) {
     const { distanceMm } = nearestInCone(from, headingRad, cone, [obstacle]);
     if (distanceMm < (best?.distanceMm ?? Infinity)) best = { distanceMm, shares: obstacle.shares ?? PLAIN };
   }

@@ -4,6 +4,7 @@ import { switchLimits, switchPins, switchWays, type Switching } from '../switchi
 /** Reads a switching. */
 export function readSwitching(value: unknown, path: string, reader: Reader): Switching {
   if (value === 'hand') return 'hand';
+  const before = reader.problems.length;
   const fields = reader.fields(value, path, switchWays.slice(1));
   const given = switchWays.filter((way) => fields[way] !== undefined);
   const [way] = given;
@@ -20,7 +21,7 @@ export function readSwitching(value: unknown, path: string, reader: Reader): Swi
     case 'pin':
       return { pin: reader.word(own, ownPath, switchPins, 'P0') };
     default:
-      if (reader.problems.length === 0)
+      if (reader.problems.length === before)
         reader.wrongType(value, path, '"hand", or an object such as { "time": [3, 2] }');
       return 'hand';
   }

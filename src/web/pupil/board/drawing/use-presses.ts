@@ -1,5 +1,5 @@
 import { onBeforeUnmount, onMounted, shallowRef, type ShallowRef } from 'vue';
-import { Presses, type PressListener } from './presses';
+import { Presses, type BoardKey, type PressListener } from './presses';
 
 /** Time for which a mere click, from a screen reader or a switch, holds a key, in ms. Chosen: to be seen. */
 const CLICK_MS = 200;
@@ -21,12 +21,12 @@ export interface PressHandlers {
 export interface HandPresses<Key extends string> {
   readonly down: Readonly<ShallowRef<ReadonlySet<Key>>>;
   /** The handlers of something that presses these keys. */
-  handlersFor(keys: readonly Key[]): PressHandlers;
+  readonly handlersFor: (keys: readonly Key[]) => PressHandlers;
   readonly presses: Presses<Key>;
 }
 
 /** Lets fingers, mouse, keyboard and screen readers press the keys of a thing, such as the board. */
-export function usePresses<Key extends string>(listener: PressListener<Key>): HandPresses<Key> {
+export function usePresses<Key extends string = BoardKey>(listener: PressListener<Key>): HandPresses<Key> {
   const down = shallowRef<ReadonlySet<Key>>(new Set());
   const presses = new Presses<Key>({
     press(key) {

@@ -2,9 +2,9 @@ import type { Presses } from '../drawing/presses';
 
 /** Handlers for a group of keys that the keyboard presses too, while the focus is in it; for `v-on`. */
 export interface LetterHandlers {
-  keydown(event: KeyboardEvent): void;
-  keyup(event: KeyboardEvent): void;
-  focusout(event: FocusEvent): void;
+  readonly keydown: (event: KeyboardEvent) => void;
+  readonly keyup: (event: KeyboardEvent) => void;
+  readonly focusout: (event: FocusEvent) => void;
 }
 
 /**
