@@ -1,7 +1,7 @@
 import { optionProblem, type Option } from '#core/option';
+import { lineCount, lineOf, numbersOfLine, withNumber, type NumberAt } from '#python/numbers';
 import { findRobot } from '#robots/index';
 import type { RunSetup } from '#simulation/run-setup';
-import { lineCount, lineOf, numbersOfLine, withNumber, type NumberAt } from './numbers';
 import { readNumbers } from './values';
 
 /** A value of a thing that varies: a number, or the choice of an option. */
