@@ -7,6 +7,7 @@ import { worldName, type Check, type ClassTask } from '../task/task';
 import { countedPoints, passedOf, type ClassResult, type Counted, type NamedResult } from './class-result';
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
+import { pageOf } from './page';
 import { otherTaskTexts, remarkText } from './say';
 import reportWords from './words';
 import styles from './report.css?raw';
@@ -31,22 +32,11 @@ export function htmlOf(
   const sheets = handIns
     .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one) }))
     .join('\n');
-  return `<!doctype html>
-<html lang="${language}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${title}</title>
-<style>${styles}</style>
-</head>
-<body>
-<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
+  const body = `<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
 <main>${table}
 ${sheets}
-</main>
-</body>
-</html>
-`;
+</main>`;
+  return pageOf(found.task, styles, language, body);
 }
 
 /** The table of a class, a row for each hand-in. */
