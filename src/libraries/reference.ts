@@ -95,8 +95,39 @@ const colour = module('colour', {
   calibrate: within(sensor, fn('(address: int = 0x29) -> None')),
 });
 
+const key = {
+  is_pressed: withWordsOf('controller.is_pressed', fn('() -> bool')),
+  was_pressed: withWordsOf('controller.was_pressed', fn('() -> bool')),
+  get_presses: withWordsOf('controller.get_presses', fn('() -> int')),
+};
+
+/** The names of controller.py. */
+const controller = module('controller', {
+  joystick: object({
+    get_x: fn('() -> float'),
+    get_y: fn('() -> float'),
+    get_z: fn('() -> int'),
+    ...key,
+    calibrate: fn(
+      '(dead_zone: float, center_x: float = 0.0, center_y: float = 0.0, x_min: float = -1.0, x_max: float = 1.0, y_min: float = -1.0, y_max: float = 1.0) -> None',
+    ),
+  }),
+  button_z: object(key),
+  button_c: object(key),
+  button_d: object(key),
+  button_e: object(key),
+  button_f: object(key),
+  button_green: withWordsOf('controller.button_c', object(key)),
+  button_yellow: withWordsOf('controller.button_d', object(key)),
+  button_red: withWordsOf('controller.button_e', object(key)),
+  button_blue: withWordsOf('controller.button_f', object(key)),
+  trigger_left: object(key),
+  trigger_right: object(key),
+  vibrate: within({ state: range(0, 1) }, fn('(state: int) -> None')),
+});
+
 /** The editor's reference of the libraries that belong to no robot. */
 export const freeReference: Omit<RobotReference, 'robot'> = {
-  modules: [simrobot, colour],
+  modules: [simrobot, colour, controller],
   texts: words,
 };
