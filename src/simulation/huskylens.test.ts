@@ -75,6 +75,23 @@ describe('the library huskylens', () => {
     expect((await run(ask('FACE_RECOGNITION', 'print(h.get_all())'), sceneOf())).lines[1]).toBe('[]');
   });
 
+  it('finds AprilTags upright and on the floor by their numbers, not from behind, and learns one anew', async () => {
+    const tag = (number: number, x: number, y: number, more: object): SceneObject => ({ type: 'tag', id: `t${number}`, at: [x, y], number, side: 60, angle: 180, ...more }); // prettier-ignore
+    const program = ask(
+      'TAG_RECOGNITION',
+      'print([(b.id, b.x) for b in h.get_all()])\nh.forget()\nprint(sorted([b.id for b in h.get_all()]))\nh.learn(2)\nprint(h.get_one_learned().x)',
+    );
+    const wall: SceneObject = { type: 'wall', id: 'w', from: [800, 100], to: [800, 500], thickness: 10 };
+    const scene = sceneOf(
+      wall,
+      tag(5, 795, 300, {}),
+      tag(12, 600, 240, { flat: true }),
+      tag(7, 700, 400, { angle: 0 }),
+    );
+    const { lines } = await run(program, scene);
+    expect(lines).toEqual(['True True', '[(5, 160), (12, 254)]', '[0, 0]', '160']);
+  });
+
   it('raises OSError without a camera', async () => {
     const program = 'from huskylens import *\ntry:\n    Huskylens()\nexcept OSError as e:\n    print(e)';
     expect((await run(program, sceneOf(), { options: {} })).lines).toEqual(['[Errno 19] ENODEV']);
