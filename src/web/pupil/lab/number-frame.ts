@@ -1,7 +1,9 @@
 import { syntaxTree } from '@codemirror/language';
 import { StateEffect, StateField, type EditorState, type Extension } from '@codemirror/state';
-import { Decoration, EditorView, keymap, showTooltip, type Tooltip } from '@codemirror/view';
+import { Decoration, EditorView, keymap, showTooltip, ViewPlugin, type Tooltip } from '@codemirror/view';
 import { mdiFlaskOutline } from '@mdi/js';
+
+import { isSame } from '#core/same';
 
 import { t } from '../../kit/i18n';
 import words from './words';
@@ -16,32 +18,42 @@ export interface NumberTries {
   readonly open: (at: number) => void;
 }
 
-/** The number at the cursor, and whether a press has led to it. */
+/** The number that was pressed. */
 interface Framed {
   readonly from: number;
   readonly to: number;
-  readonly isTapped: boolean;
+  readonly isOpen: boolean;
 }
 
 const leave = StateEffect.define();
+/** The number at the cursor was pressed. */
+const tap = StateEffect.define();
+/** Its card is open: the button has done its part. */
+const open = StateEffect.define();
 
 /**
  * A frame around the number that was pressed, with a button to try others in its place; Alt+Enter does the same at the cursor.
  * Writing takes both away.
  */
 export function numberFrame(tries: NumberTries): Extension {
+  function openCard(view: EditorView, from: number): void {
+    tries.open(from);
+    view.dispatch({ effects: open.of(null) });
+  }
   const field = StateField.define<Framed | null>({
     create: () => null,
     update(framed, transaction) {
       if (transaction.docChanged || transaction.effects.some((effect) => effect.is(leave))) return null;
-      if (transaction.selection === undefined) return framed;
-      const found = tries.isOffered() ? numberAt(transaction.state) : null;
-      return found && { ...found, isTapped: transaction.isUserEvent('select.pointer') };
+      if (transaction.effects.some((effect) => effect.is(open))) return opened(numberAt(transaction.state));
+      const isTapped = transaction.effects.some((effect) => effect.is(tap));
+      if (transaction.selection === undefined && !isTapped) return framed;
+      const found = isTapped && tries.isOffered() ? numberAt(transaction.state) : null;
+      return isSame(found, framed) ? framed : found;
     },
     provide: (it) => [
-      showTooltip.from(it, (framed) => (framed?.isTapped ? tooltipAt(framed, tries) : null)),
+      showTooltip.from(it, (framed) => (framed === null || framed.isOpen ? null : tooltipAt(framed, openCard))),
       EditorView.decorations.from(it, (framed) =>
-        framed?.isTapped ? Decoration.set(frame.range(framed.from, framed.to)) : Decoration.none,
+        framed === null ? Decoration.none : Decoration.set(frame.range(framed.from, framed.to)),
       ),
     ],
   });
@@ -50,14 +62,21 @@ export function numberFrame(tries: NumberTries): Extension {
     keymap.of([
       {
         key: 'Alt-Enter',
-        run: ({ state }) => {
-          const found = tries.isOffered() ? numberAt(state) : null;
-          if (found !== null) tries.open(found.from);
+        run: (view) => {
+          const found = tries.isOffered() ? numberAt(view.state) : null;
+          if (found !== null) openCard(view, found.from);
           return found !== null;
         },
       },
     ]),
+    // It comes with the first press on the program, which it would miss otherwise.
+    ViewPlugin.define((view) => {
+      if (view.hasFocus) queueMicrotask(() => view.dispatch({ effects: tap.of(null) }));
+      return {};
+    }),
     EditorView.domEventHandlers({
+      // The selection is set by then, be it the same as before.
+      click: (_event, view) => view.dispatch({ effects: tap.of(null) }),
       blur: (_event, view) => {
         queueMicrotask(() => {
           if (view.state.field(field, false) && !tries.isOpen()) view.dispatch({ effects: leave.of(null) });
@@ -68,24 +87,26 @@ export function numberFrame(tries: NumberTries): Extension {
   ];
 }
 
+const opened = (framed: Framed | null): Framed | null => framed && { ...framed, isOpen: true };
+
 const frame = Decoration.mark({ class: 'cm-framedNumber' });
 
 /** The number at the cursor; `null`: there is none, or something is selected. */
-function numberAt(state: EditorState): { readonly from: number; readonly to: number } | null {
+function numberAt(state: EditorState): Framed | null {
   const { main } = state.selection;
   if (!main.empty) return null;
   for (const side of [1, -1] as const) {
     const node = syntaxTree(state).resolveInner(main.head, side);
-    if (node.name === 'Number') return { from: node.from, to: node.to };
+    if (node.name === 'Number') return { from: node.from, to: node.to, isOpen: false };
   }
   return null;
 }
 
-function tooltipAt({ from, to }: Framed, tries: NumberTries): Tooltip {
+function tooltipAt({ from, to }: Framed, openCard: (view: EditorView, from: number) => void): Tooltip {
   return {
     pos: to,
     above: false,
-    create: () => {
+    create: (view) => {
       const dom = document.createElement('div');
       dom.className = 'cm-tryNumber';
       const button = document.createElement('button');
@@ -97,7 +118,7 @@ function tooltipAt({ from, to }: Framed, tries: NumberTries): Tooltip {
       button.append(t(words.try));
       // The keyboard of a phone stays where it is.
       button.addEventListener('mousedown', (event) => event.preventDefault());
-      button.addEventListener('click', () => tries.open(from));
+      button.addEventListener('click', () => openCard(view, from));
       dom.append(button);
       return { dom, offset: { x: 6, y: 3 } };
     },
