@@ -12,7 +12,7 @@ import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
 import { judgeOf } from './task/judge-of';
 import type { FittedDevice } from './fit-devices';
-import { levelAt } from './several/hearing';
+import { isSounding, levelAt } from './several/hearing';
 import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';
 import { fitRun, createInputCheck } from './run-problem';
@@ -386,10 +386,12 @@ export class Simulation {
 
   /** How loud the others are where the device at this place is. */
   private heardBy(place: number): number {
-    const [device] = this.devices.slice(place, place + 1);
-    const others = this.devices.filter((other) => other !== device);
-    const speakers = others.map((other) => ({ board: other.board, at: whereIs(other, this.scene) }));
-    return device === undefined ? 0 : levelAt(whereIs(device, this.scene), speakers);
+    const device = this.devices[place];
+    if (device === undefined) return 0;
+    const sounding = this.devices.filter((other) => other !== device && isSounding(other.board));
+    if (sounding.length === 0) return 0; // asked in each step of the world, and boards are mostly silent
+    const speakers = sounding.map((other) => ({ board: other.board, at: whereIs(other, this.scene) }));
+    return levelAt(whereIs(device, this.scene), speakers);
   }
 }
 

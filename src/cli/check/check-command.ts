@@ -111,9 +111,14 @@ async function runAll(
   const mine = sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json, options.lang);
   const start = startThread(task, await firmware);
-  const results = await checkAll(task, mine, start, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
+  let equal: readonly string[] = [];
+  const lookForEqual = async (lane: Lane): Promise<void> => {
+    equal = await equalIn(task, lane, options.lang);
+  };
+  const running = { jobs: work.jobs, folder, keepsWays: report !== null, progress };
+  const results = await checkAll(task, mine, start, { ...running, ...(!quiet && { last: lookForEqual }) });
   terminal.clearProgress();
-  if (!quiet) for (const text of await equalIn(task, start, options.lang)) terminal.message(`parcours: ${text}`);
+  for (const text of equal) terminal.message(`parcours: ${text}`);
   return { ...read, results };
 }
 
@@ -140,6 +145,8 @@ interface Running {
   /** True if the robots' trails are stored: only reports draw them, and ten thousand would fill the memory. */
   readonly keepsWays: boolean;
   readonly progress: Progress;
+  /** Begun when all hand-ins are taken, in the first thread that is free: it has warmed up. */
+  readonly last?: (lane: Lane) => Promise<void>;
 }
 
 /** Checks all hand-ins. The results do not depend on the lane that has checked each. */
@@ -149,23 +156,22 @@ export async function checkAll(
   start: StartThread,
   running: Running,
 ): Promise<readonly NamedResult[]> {
-  const { jobs, keepsWays, progress } = running;
+  const { jobs, keepsWays, progress, last } = running;
   const results: NamedResult[] = [];
   const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task, start, every));
-  await inLanes(sources, lanes, async (source, place, lane) => {
+  const works = sources.map((source, place) => async (lane: Lane): Promise<void> => {
     const result = await resultOf(task, source, lane, running);
     results[place] = { name: source.name, result: keepsWays ? result : withoutWays(result) };
     progress.add(result);
   });
+  await inLanes(last === undefined ? works : [...works, last], lanes, (work, _, lane) => work(lane));
   return results;
 }
 
 /** Remarks on hidden worlds that test nothing new, found with the task's model solution. */
-async function equalIn(task: ClassTask, start: StartThread, language: Language): Promise<readonly string[]> {
+async function equalIn(task: ClassTask, lane: Lane, language: Language): Promise<readonly string[]> {
   if (task.solution === null || hiddenWorlds(task).length === 0) return [];
-  const lane = new Lane(task, start, every);
   const result = await lane.check(handInOfFiles(task.solution));
-  lane.stop();
   return equalTexts(equalWorlds(task, result), language);
 }
 

@@ -17,21 +17,39 @@ export interface Wanted<T> {
   readonly request: RunRequest;
 }
 
-/**
- * Makes runs side by side, in threads that live until the last one. What they come to does not depend on their number.
- *
- * @param made called with each result, in the order in which they end
- * @returns `null`, or why a run was refused: then the others are given up
- */
-export async function makeRuns<T>(
-  runs: Iterable<Wanted<T>>,
-  jobs: number,
-  made: (is: T, result: RunMade) => void,
-): Promise<{ readonly is: T; readonly problem: string } | null> {
+type Lane = Asker<RunRequest, RunAnswer>;
+
+/** Makes runs side by side, in threads that live until it is stopped. What they come to does not depend on their number. */
+export interface RunMaker {
+  /**
+   * @param made called with each result, in the order in which they end
+   * @returns `null`, or why a run was refused: then the others are given up
+   */
+  make<T>(
+    runs: Iterable<Wanted<T>>,
+    made: (is: T, result: RunMade) => void,
+  ): Promise<{ readonly is: T; readonly problem: string } | null>;
+  /** Ends the threads. */
+  stop(): void;
+}
+
+/** @param jobs the most threads; each starts with its first run */
+export async function runMaker(jobs: number): Promise<RunMaker> {
   const firmware = await WebAssembly.compile(readFirmware());
   const start = threads<RunRequest, RunAnswer>('lab-worker', (): Omit<RunnerData, 'shared'> => ({ firmware }));
   // A run has as long as it takes: only one without a sign of life is given up.
-  const lanes = Array.from({ length: jobs }, () => new Asker(start, every, Infinity));
+  const lanes = Array.from({ length: jobs }, (): Lane => new Asker(start, every, Infinity));
+  return {
+    make: (runs, made) => makeRuns(runs, lanes, made),
+    stop: () => lanes.forEach((lane) => lane.stop()),
+  };
+}
+
+async function makeRuns<T>(
+  runs: Iterable<Wanted<T>>,
+  lanes: readonly Lane[],
+  made: (is: T, result: RunMade) => void,
+): Promise<{ readonly is: T; readonly problem: string } | null> {
   let refused: { readonly is: T; readonly at: number; readonly problem: string } | null = null;
   const isRefused = (): boolean => refused !== null;
   function* wanted(): Generator<Wanted<T>> {
@@ -40,7 +58,8 @@ export async function makeRuns<T>(
       yield run;
     }
   }
-  await inLanes(wanted(), lanes, async ({ is, request }, at, lane) => {
+  const lasting = lanes.map((lane) => ({ lane, stop: () => undefined }));
+  await inLanes(wanted(), lasting, async ({ is, request }, at, { lane }) => {
     const result = await resultOf(request, lane);
     if (!('problem' in result)) made(is, result);
     // Of several that run side by side the first one is told, whichever ends first.
@@ -49,7 +68,7 @@ export async function makeRuns<T>(
   return refused;
 }
 
-async function resultOf(request: RunRequest, lane: Asker<RunRequest, RunAnswer>): Promise<RunMade | Problem> {
+async function resultOf(request: RunRequest, lane: Lane): Promise<RunMade | Problem> {
   const answer = await lane.ask(request);
   if ('result' in answer) return 'refused' in answer.result ? { problem: answer.result.refused } : answer.result;
   if (answer.reason.code === 'broken')

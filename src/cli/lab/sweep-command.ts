@@ -14,7 +14,7 @@ import type { SetupAsked } from '../run-arguments';
 import { CountProgress, refuse, writeReports } from '../results-out';
 import { isInShard } from '../shard';
 import { printable, type Terminal } from '../terminal';
-import { makeRuns, type Wanted } from './make-runs';
+import { runMaker, type Wanted } from './make-runs';
 import { folderSweep, RunsFolder } from './runs-folder';
 import type { SweepOptions } from './sweep-arguments';
 
@@ -150,16 +150,14 @@ async function runAll(
   );
   progress.add(runs.size);
   const missing = places.filter((place) => !runs.has(place));
-  const refused = await makeRuns(
-    wanted(missing, prepared),
-    Math.min(work.jobs, missing.length),
-    (place, { outcome }) => {
-      const run = { values: valuesOf(asked, place), ...outcome };
-      runs.set(place, run);
-      folder?.keep(place, run);
-      progress.add(1);
-    },
-  );
+  const maker = await runMaker(Math.min(work.jobs, missing.length));
+  const refused = await maker.make(wanted(missing, prepared), (place, { outcome }) => {
+    const run = { values: valuesOf(asked, place), ...outcome };
+    runs.set(place, run);
+    folder?.keep(place, run);
+    progress.add(1);
+  });
+  maker.stop();
   terminal.clearProgress();
   if (refused !== null) return { problem: `${namedValues(asked, refused.is)}: ${prepared.placed(refused.problem)}` };
   const inOrder = places.flatMap((place) => runs.get(place) ?? []);

@@ -15,7 +15,7 @@ import { filesOfWord, readCourse } from '../read-files';
 import { isAddress, shortened } from '../read-work';
 import { CountProgress, refuse, writeReports } from '../results-out';
 import { printable, type Terminal } from '../terminal';
-import { makeRuns, type Wanted } from './make-runs';
+import { runMaker, type Wanted } from './make-runs';
 import type { TournamentOptions } from './tournament-arguments';
 
 type Problem = { readonly problem: string };
@@ -106,6 +106,7 @@ async function playAll(
 ): Promise<Tournament | Problem> {
   const of = matchCount(draw);
   const progress = new CountProgress(terminal, of, quiet || json, (done) => progressText(done, of, lang));
+  const maker = await runMaker(Math.min(jobs, of));
   let problem = '';
   const play = async (pairings: readonly Pairing[]): Promise<readonly MatchResult[] | null> => {
     const results: MatchResult[] = [];
@@ -116,7 +117,7 @@ async function playAll(
       else runs.push({ is: place, request: { setup, end: END } });
     }
     if (problem !== '') return null;
-    const refused = await makeRuns(runs, Math.min(jobs, runs.length), (place, made) => {
+    const refused = await maker.make(runs, (place, made) => {
       results[place] = resultOfRun(made, draw.isAlone);
       progress.add(1);
     });
@@ -124,6 +125,7 @@ async function playAll(
     return refused === null ? results : null;
   };
   const found = await played(draw, play);
+  maker.stop();
   terminal.clearProgress();
   return found ?? { problem };
 }

@@ -27,8 +27,11 @@ export function levelAt(here: Vec, speakers: readonly Speaker[]): number {
 }
 
 /** Loudness of its speaker, 0 … 255: every sound is as loud as the volume. */
-const loudnessOf = ({ music, sound }: Speaker['board']): number =>
-  sound.isSpeakerOn && (music.frequencyHz !== null || sound.isSounding) ? sound.volume : 0;
+const loudnessOf = (board: Speaker['board']): number => (isSounding(board) ? board.sound.volume : 0);
+
+/** True while its speaker gives a tone or a sound, however softly. */
+export const isSounding = ({ music, sound }: Speaker['board']): boolean =>
+  sound.isSpeakerOn && (music.frequencyHz !== null || sound.isSounding);
 
 /** Lets a microphone hear the speakers of other boards, as a level. */
 export class Hearing {
