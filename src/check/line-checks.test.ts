@@ -11,7 +11,7 @@ describe('a rescue line', () => {
     { id: 'far', type: 'tiles', count: 2, points: 3, needed: false },
     { id: 'score', type: 'score', least: 15, points: 5, needed: false },
   ];
-  const task = taskWith(line, { checks: checks, seconds: 12 });
+  const task = taskWith(line, { checks, seconds: 12 });
 
   it('gives points for tiles that are reached, and for points on the score sheet', async () => {
     // The start is no tile that is reached; the gap brings 10 points when the tile behind it is reached.
