@@ -11,7 +11,7 @@ describe('a rescue line', () => {
     { id: 'far', type: 'tiles', count: 2, points: 3, needed: false },
     { id: 'score', type: 'score', least: 15, points: 5, needed: false },
   ];
-  const task = taskWith(line, { checks: checks as unknown, seconds: 12 });
+  const task = taskWith(line, { checks, seconds: 12 });
 
   it('gives points for tiles that are reached, and for points on the score sheet', async () => {
     // The start is no tile that is reached; the gap brings 10 points when the tile behind it is reached.
@@ -36,13 +36,13 @@ describe('a rescue line', () => {
       { type: 'score', least: 125 },
     ];
     const solution = readFileSync('courses/rescue-short/main.py', 'utf8');
-    expect(await checked(taskWith(line, { checks: all as unknown }), solution)).toMatchObject({ passed: true });
+    expect(await checked(taskWith(line, { checks: all }), solution)).toMatchObject({ passed: true });
   });
 });
 
 it('a course without a league has neither tiles nor points', async () => {
   const { league: _, ...bare } = line;
-  const task = taskWith(bare, { checks: [{ type: 'tiles', count: 1 }] as unknown, seconds: 5 });
+  const task = taskWith(bare, { checks: [{ type: 'tiles', count: 1 }], seconds: 5 });
   expect((await checked(task, ahead(3000))).checks).toMatchObject([
     { reason: { code: 'tiles', params: { done: 0, of: 1 } } },
   ]);

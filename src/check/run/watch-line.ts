@@ -1,6 +1,6 @@
 import { metAt, OPEN, type Standing, type Watcher } from './watcher';
 
-/** Watches that the robot reaches so many tiles of a league's line, the start aside. */
+/** Watches that the robot reaches so many tiles of a league’s line, the start aside. */
 export function watchTiles(count: number): Watcher {
   const reached = new Set<number>();
   let standing: Standing = OPEN;

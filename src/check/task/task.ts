@@ -73,9 +73,9 @@ export type CheckKind =
   | { readonly type: 'belongs'; readonly object: string; readonly zone: string }
   /** The robot's body was over so much of the floor of the arena or of a zone on which a robot can be. */
   | { readonly type: 'covered'; readonly percent: number; readonly zone: string | null }
-  /** So many tiles of the line of a league, the start aside; those of a section that was passed over do not count. */
+  /** Reaches this many tiles of a league’s line, the start aside; those of a section that was passed over do not count. */
   | { readonly type: 'tiles'; readonly count: number }
-  /** So many points by the rules of the line's league. */
+  /** Comes to this many points by the rules of the line’s league. */
   | { readonly type: 'score'; readonly least: number }
   /** At most this many touches of walls, blocks, obstacles and the edge. */
   | { readonly type: 'touches'; readonly most: number }
