@@ -24,7 +24,7 @@ describe('the sheets of tags', () => {
     const plan = planPrint(scene.size, 'exact');
     if (!('tiles' in plan)) throw new Error('does not fit');
     const words = { name: '', planTitle: '', steps: [] };
-    const pdf = coursePdf(scene, plan, { isCompressed: false }, words);
+    const pdf = coursePdf(scene, plan, { isCompressed: false, outlines: false, background: null }, words);
     expect(pdf.getNumberOfPages()).toBe(2);
     // The black square: 80 mm are 226.772 points.
     expect(pdf.output()).toMatch(/226\.77\d? -226\.77\d? re/);
