@@ -16,7 +16,7 @@ const ACROSS_DEG = 46;
 const HEIGHT_MM = 90;
 const TILT_DEG: Readonly<Record<Exclude<CameraChoice, 'none'>, number>> = { huskylens: 15, 'huskylens-down': 45 };
 const RANGE_MM = 3000;
-/** A cell of its picture is 5 × 5 px: chosen, a colour is found in a millisecond. */
+/** A cell of its picture is 5 × 5 px: chosen, a picture takes a few milliseconds. */
 const CELL_PX = 5;
 /** For how long the last results are shown: chosen, as those of a lidar. */
 const SHOWN_US = 500_000;
@@ -66,11 +66,21 @@ const looksOf =
   (algorithm) => {
     if (algorithm === 'tag') return tagBlocks(camera(atMm, view).tags());
     if (algorithm === 'colour') {
-      return colourBlocks(camera(atMm, view).picture(), ({ shares }) => (shares === null ? 0 : colourNumber(shares)));
+      const numberOf = once(colourNumber);
+      return colourBlocks(camera(atMm, view).picture(), ({ shares }) => (shares === null ? 0 : numberOf(shares)));
     }
     const arrow = algorithm === 'line' ? lineArrow(camera(atMm, view).picture(LINE_ROWS)) : null;
     return arrow === null ? [] : [arrow];
   };
+
+/** Asks anew only for another value than the last one: neighbouring cells mostly see the same thing. */
+function once<T>(ask: (of: T) => number): (of: T) => number {
+  let last: { readonly of: T; readonly number: number } | null = null;
+  return (of) => {
+    if (last?.of !== of) last = { of, number: ask(of) };
+    return last.number;
+  };
+}
 
 /** The part of the floor that it sees, from the lens: near right, far right, far left, near left. */
 function sightOf({ heightMm, tiltRad, acrossTan, uprightTan }: CameraView): readonly Vec[] {

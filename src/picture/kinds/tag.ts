@@ -61,11 +61,11 @@ function standing({ at, number, side, angle }: Tag, { px }: Look): readonly Shap
   const arrow: Shape = {
     ...{ form: 'lines', lines: [[[THICK / 2 + 9, 0], [THICK / 2, 7], [THICK / 2, -7]]], isClosed: true, fill: INK }, // prettier-ignore
   };
-  const size = 16;
-  const words =
-    size < 6 * px
-      ? []
-      : [group([22, 0], [rect([22, 18], 4, { fill: SHEET, stroke: INK, width: line }), written(String(number), 14, INK)], -angle)]; // prettier-ignore
+  // Never smaller than can be read.
+  const size = Math.max(14, 12 * px);
+  const wide = size * (0.62 * String(number).length + 0.7);
+  const pill = rect([wide, size * 1.35], size * 0.3, { fill: SHEET, stroke: INK, width: line });
+  const label = group([THICK / 2 + 12 + wide / 2, 0], [pill, written(String(number), size, INK)], -angle);
   return [
     group(
       at,
@@ -73,7 +73,7 @@ function standing({ at, number, side, angle }: Tag, { px }: Look): readonly Shap
         rect([THICK, sheet], 0, { fill: SHEET, stroke: INK, width: line }),
         rect([THICK, side], 0, { fill: INK }),
         arrow,
-        ...words,
+        label,
       ],
       angle,
     ),

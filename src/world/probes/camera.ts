@@ -78,6 +78,9 @@ interface Thing {
   readonly radius: number;
   readonly heightMm: number;
   readonly shares: Shares | null;
+  /** Rays outside of these slopes pass it. */
+  readonly right: number;
+  readonly left: number;
 }
 
 const NOTHING: CameraCell = { shares: null, isFloor: false };
@@ -115,6 +118,7 @@ export function cameraAt(from: Vec, headingRad: number, view: CameraView, sights
     let bestMm = Math.min(floorMm, view.rangeMm);
     let best: Thing | null = null;
     for (const thing of things) {
+      if (slope < thing.right || slope > thing.left) continue;
       const metMm = meets(thing, slope, rise, view.heightMm);
       if (metMm < bestMm) [bestMm, best] = [metMm, thing];
     }
@@ -180,7 +184,23 @@ function thingOf(obstacle: Obstacle, into: (place: Vec) => Vec, headingRad: numb
     x: middle.x + x * cos - y * sin,
     y: middle.y + x * sin + y * cos,
   }));
-  return [{ corners, middle, radius: corners.length === 0 ? radiusMm : 0, heightMm, shares }];
+  const radius = corners.length === 0 ? radiusMm : 0;
+  return [{ corners, middle, radius, heightMm, shares, ...slopesOf(radius > 0 ? around(middle, radius) : corners) }];
+}
+
+/** The corners of the square around a circle. */
+const around = ({ x, y }: Vec, radius: number): readonly Vec[] =>
+  [-radius, radius].flatMap((dx) => [-radius, radius].map((dy) => ({ x: x + dx, y: y + dy })));
+
+/** The slopes between which a ray can meet a convex outline; of one that reaches behind the lens all. */
+function slopesOf(corners: readonly Vec[]): Pick<Thing, 'right' | 'left'> {
+  let [right, left] = [Infinity, -Infinity];
+  for (const { x, y } of corners) {
+    if (x <= 1) return { right: -Infinity, left: Infinity };
+    right = Math.min(right, y / x);
+    left = Math.max(left, y / x);
+  }
+  return { right, left };
 }
 
 /** The depth at which a ray meets a thing; `Infinity`: it does not. It rises by `rise` per mm of depth. */

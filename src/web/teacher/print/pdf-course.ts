@@ -4,6 +4,7 @@ import type { Scene } from '#scene/scene';
 import { printable } from './shapes/pdf-shapes';
 import { printFloor, type FloorOptions } from './pdf-floor';
 import { MARGIN_MM, OVERLAP_MM, tileName, type PrintPlan, type Tile } from './print-plan';
+import { printTags } from './pdf-tags';
 import { printTask } from './task/pdf-task';
 import type { PaperTask } from './task/task-blocks';
 
@@ -25,7 +26,7 @@ const MARK_MM = { from: 4.5, to: 8.5 } as const;
 
 /**
  * Makes a PDF of a course true to scale: a sheet per tile with marks for cutting and gluing, its name, a map and a
- * ruler; before several tiles one more with the plan of them all, after them the task.
+ * ruler; before several tiles one more with the plan of them all, after them the tags that stand, and the task.
  */
 export function coursePdf(
   scene: Scene,
@@ -53,6 +54,7 @@ export function coursePdf(
     printMarks(pdf, plan, tile);
     printFoot(pdf, plan, tile, words);
   });
+  printTags(pdf, scene);
   if (task !== null) printTask(pdf, task);
   return pdf;
 }

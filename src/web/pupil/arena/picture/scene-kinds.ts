@@ -21,7 +21,7 @@ export interface SceneKinds {
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   /** The course with its lamps and barriers as a run has them; the same one as long as nothing was switched. */
   switched(scene: Scene, states: Readonly<Record<string, boolean>> | undefined): Scene;
-  /** Spikes and barriers, which stand like walls, and lamps. */
+  /** Spikes and barriers, which stand like walls, tags and lamps. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
   /** Draws the changes that wait for the next start, over all the rest. */
@@ -29,7 +29,7 @@ export interface SceneKinds {
 }
 
 /** The kinds that stand, or hang, where they are; lamps last, above the others. */
-const STANDING: readonly SceneObject['type'][] = ['spikes', 'barrier', 'lamp'];
+const STANDING: readonly SceneObject['type'][] = ['spikes', 'barrier', 'tag', 'lamp'];
 
 /**
  * Makes the drawing of one arena.
