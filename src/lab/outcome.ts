@@ -47,7 +47,7 @@ export interface Runner {
 export interface RunResult {
   readonly outcome: Outcome;
   readonly verdict: Verdict | null;
-  /** Where it went, if that was asked for. */
+  /** Its way, if that was asked for. */
   readonly drive?: Drive;
 }
 
@@ -80,9 +80,15 @@ export async function ranTo(
   return { outcome, verdict, ...(drive && { drive }) };
 }
 
-/** What a run tells of its first robot's way; nothing where nobody wants it. */
+/** The part of a run that tells its first robot's way; nothing where nobody wants it. */
 const trailOutlet = (keeper: TrailKeeper | null): Pick<RunOutlets, 'trail'> =>
-  keeper === null ? {} : { trail: (point, device) => void (device === 0 && keeper.add(point, 0)) };
+  keeper === null
+    ? {}
+    : {
+        trail: (point, device) => {
+          if (device === 0) keeper.add(point, 0);
+        },
+      };
 
 function outcomeOf(simulation: Simulation, verdict: Verdict | null): Outcome {
   const { robot } = simulation.snapshot();

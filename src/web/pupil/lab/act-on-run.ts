@@ -25,12 +25,18 @@ async function remade({ run }: App, lab: LabModel, place: number) {
   return { setup, ends, endUs, repeated };
 }
 
-/** Shows a run of the series in the time machine. @returns its fingerprint; `null`: it cannot be made */
-export async function lookBackOn(app: App, lab: LabModel, place: number): Promise<string | null> {
+/**
+ * Shows a run of the series in the time machine.
+ *
+ * @param leave called when it is there: leaves the page of experiments
+ * @returns its fingerprint; `null`: it cannot be made
+ */
+export async function lookBackOn(app: App, lab: LabModel, place: number, leave: () => void): Promise<string | null> {
   const made = await remade(app, lab, place);
   if (made === null) return null;
   const { setup, ends, endUs, repeated } = made;
   const { first, pieces } = repeated;
+  leave();
   if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
   await showAgain(app.run, { kept: setup, untilUs: endUs, ends, first, pieces, atUs: 0 });
   return repeated.result.traceHash;

@@ -24,7 +24,7 @@ export const valueText = (value: Value | undefined): string =>
 /** The values of a run, in words. */
 export const valuesText = ({ values }: LabRun): string => values.map(valueText).join(' · ');
 
-/** What became of a run. */
+/** The result of a run in a few words. */
 export function outcomeText({ passed, atMs, reason, pathMm }: LabRun): string {
   if (passed === true) return atMs === null ? t(words.passed) : t(words.passedIn, { time: timeText(atMs) });
   if (reason !== null) return reasonText(reason, shownLanguage());
@@ -32,7 +32,7 @@ export function outcomeText({ passed, atMs, reason, pathMm }: LabRun): string {
   return pathMm === null ? t(words.ended) : t(words.drove, { way: Math.round(pathMm / 10) });
 }
 
-/** What a thing is called in a list. */
+/** The name of a thing in a list. */
 export function thingText({ name, number }: Thing): string {
   if (number !== null) {
     const file = number.file === 'main.py' ? '' : `${number.file} · `;

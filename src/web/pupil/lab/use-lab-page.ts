@@ -15,7 +15,7 @@ import { timeText, valueText } from './say';
 import { labOf } from './use-lab';
 import words from './words';
 
-/** What the page of experiments is about: one thing, two things, or used robots. */
+/** The subjects of the page: one thing, two things, or used robots. */
 export const LAB_KINDS = ['one', 'two', 'robots'] as const;
 export type LabKind = (typeof LAB_KINDS)[number];
 
@@ -77,7 +77,7 @@ export function useLabPage() {
   };
 }
 
-/** What the page says about a series. */
+/** The sentences of the page about a series. */
 function labSentences(
   lab: ReturnType<typeof labOf>,
   series: Readonly<{ value: Series | null }>,

@@ -21,14 +21,14 @@ export function stretchesOf(runs: readonly SweepRun[]): readonly Stretch[] {
   return stretches;
 }
 
-/** What the curve of one thing that varies means. */
+/** The meaning of the curve of one thing that varies. */
 export interface Meaning {
   /** `free`: the course has no task. */
   readonly kind: 'all' | 'none' | 'one' | 'between' | 'several' | 'free';
   /** The ends of the longest stretch that passes. */
   readonly from: number;
   readonly to: number;
-  /** Where the time is shorter within it: at smaller or larger values. `null`: nowhere in particular. */
+  /** The end of it at which the time is shorter; `null`: neither. */
   readonly faster: 'smaller' | 'larger' | null;
 }
 

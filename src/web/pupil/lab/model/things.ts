@@ -27,7 +27,7 @@ export interface Thing {
   readonly number: ProgramNumber | null;
 }
 
-/** What varies, from where to where. */
+/** A thing that varies, with its first and last value. */
 export interface Range {
   readonly name: string;
   readonly from: number;
