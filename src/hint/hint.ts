@@ -3,7 +3,9 @@ import type { HandIn } from '#check/hand-in/hand-in';
 import type { CheckResult, Reason, WorldResult } from '#check/result';
 import type { Onlooker } from '#check/run/run-world';
 import { mainReason, visibleTask } from '#check/task/visible';
-import type { ClassTask, WorldVariant } from '#check/task/task';
+import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
+import type { Pose, Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import { linesOf, type Change } from './changes/change';
 import { happenedIn, type Happened } from './happened/happened';
 import type { Simulation } from '#simulation/simulation';
@@ -29,12 +31,22 @@ export interface Hinter {
   readonly beat?: (place: number) => void;
 }
 
+/** A moment of a run that did not pass. */
+export interface HintMoment {
+  readonly timeUs: number;
+  readonly pose: Pose;
+  /** The places of the line sensors that this is about, robot frame, in mm. */
+  readonly sensorsMm: readonly Vec[];
+}
+
 /** A hint to a program, as plain data. */
 export interface Hint {
   readonly reason: Reason;
   /** Simulated ms until it was decided; `null`: it was not. */
   readonly atMs: number | null;
   readonly happened: Happened;
+  /** The moment that this is about; `null`: the robot was nowhere, or it is another world than that of the course as it is. */
+  readonly moment: HintMoment | null;
   /** A change with which the program passes, proved by running it; `null`: none was found. */
   readonly change: Change | null;
   /** Number of programs that were tried. */
@@ -68,7 +80,24 @@ export async function hintFor(given: ClassTask, handIn: HandIn, hinter: Hinter):
     isBroken: happened.fact === 'error' && ['SyntaxError', 'IndentationError'].includes(happened.type),
     beat: (count) => beat(task.worlds.length + count),
   });
-  return { reason, atMs: failed.result?.atMs ?? null, happened, change, tried, program: mainOf(handIn) };
+  const atMs = failed.result?.atMs ?? null;
+  const moment = isPlain(failed.world) ? momentOf(happened, atMs, seen) : null;
+  return { reason, atMs, happened, moment, change, tried, program: mainOf(handIn) };
+}
+
+/** True if a world is the course as it is. */
+const isPlain = ({ id: _, hidden: _hidden, ...world }: WorldVariant): boolean => {
+  const { id: _id, hidden: _plain, ...plain } = plainWorld;
+  return isSame(world, plain);
+};
+
+/** The moment of what happened: its own time, or that of the decision, or the end of the run. */
+function momentOf(happened: Happened, atMs: number | null, { moments, sensorsMm }: Observed): HintMoment | null {
+  const atS = 'atS' in happened ? happened.atS : null;
+  const timeUs = atS !== null ? atS * 1_000_000 : atMs !== null ? atMs * 1000 : Infinity;
+  const found = moments.findLast((one) => one.timeUs <= timeUs);
+  if (found === undefined) return null;
+  return { timeUs: found.timeUs, pose: found.pose, sensorsMm: happened.fact === 'bright' ? sensorsMm : [] };
 }
 
 /** Notes what a run does, and how far it gets. */

@@ -28,6 +28,8 @@ export class Observed implements Onlooker {
   readonly moments: Moment[] = [];
   /** For each line of `main.py` that ran, when it last began, in µs. */
   readonly lastRanUs = new Map<number, number>();
+  /** The places of its line sensors, robot frame, in mm. */
+  sensorsMm: readonly Vec[] = [];
   private line: LineWatch | null = null;
   private route: Route | null = null;
   /** Number of the checkpoint that is next; infinite: none is left. */
@@ -66,6 +68,7 @@ export class Observed implements Onlooker {
     const { robot } = run.snapshot();
     if (robot === null) return;
     const { duty, lineSensors } = robot.state;
+    if (this.moments.length === 0) this.sensorsMm = lineSensors.map(({ atMm }) => atMm);
     this.moments.push({
       ...{ timeUs: nowUs, pose, touches: run.touches },
       duty: { left: duty.left, right: duty.right },

@@ -34,6 +34,8 @@ export interface TaskModel {
   readonly isNew: ShallowRef<boolean>;
   /** Number of hints asked for since the course was opened. */
   readonly hints: ShallowRef<number>;
+  /** The hint to the pupil's own program. */
+  readonly own: OwnHintState;
   /** The ready course that is open, changed or not. */
   readonly ready: ComputedRef<Course | null>;
   /** The best results in this browser. */
@@ -47,6 +49,16 @@ export interface TaskModel {
   present(): void;
   /** Folds it to its title line; one that only a request has opened goes. */
   close(): void;
+}
+
+/** The hint to the pupil's own program: when there is one, and how much of it was asked for. */
+export interface OwnHintState {
+  /** Number of runs since the task was opened that did not reach it. */
+  readonly fails: ShallowRef<number>;
+  /** Number of levels asked for. */
+  readonly level: ShallowRef<number>;
+  /** Number of levels that there are, as far as known. */
+  readonly most: ShallowRef<number>;
 }
 
 /**
@@ -63,6 +75,7 @@ export function createTask(
 ): TaskModel {
   const isAsked = shallowRef(false);
   const hints = shallowRef(0);
+  const own = { fails: shallowRef(0), level: shallowRef(0), most: shallowRef(4) };
   const isNew = shallowRef(false);
   const { givesWay, isWanted, isTiny } = useWay(run);
   const isUnfolded = computed(() => settings.current.value.showCard && (!isTiny.value || isWanted.value));
@@ -83,7 +96,7 @@ export function createTask(
     if (isKept.value) settings.change({ showCard: isShown });
   };
   watch([work.openings, work.arrivals], () => {
-    hints.value = 0;
+    hints.value = own.fails.value = own.level.value = 0;
     isAsked.value = isWanted.value = false;
     isNew.value = isKept.value;
     if (isKept.value) show(true);
@@ -99,7 +112,7 @@ export function createTask(
     card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
     givesWay,
     isNew,
-    hints,
+    ...{ hints, own },
     checked: shallowRef(null),
     handIn: createHandIn({ work }),
     open() {
