@@ -125,7 +125,7 @@ function useStepTask(app: StepApp, { verdict, checked, isTask, isPhone }: TaskVi
       isEarly: early.value !== null,
       missing: missing.value,
       hints: { open: card.hints.value, all: card.text.value.hints.length },
-      own: { open: card.own.level.value, all: ownLevels(app) },
+      own: { open: card.own.level.value, all: ownLevels(card.own, app) },
       next: next.value,
       isHandedIn: card.handIn.isDone.value,
     };

@@ -12,6 +12,7 @@ import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import type { Checked } from './checked/checked';
 import { goalsInWords } from './goals';
+import type { OwnHintState } from './own-hint/own-levels';
 import { createHandIn, type HandInModel } from './hand-in';
 import { createKeptStars, type KeptStars } from './kept-stars';
 import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text';
@@ -49,16 +50,6 @@ export interface TaskModel {
   present(): void;
   /** Folds it to its title line; one that only a request has opened goes. */
   close(): void;
-}
-
-/** The hint to the pupil's own program: when there is one, and how much of it was asked for. */
-export interface OwnHintState {
-  /** Number of runs since the task was opened that did not reach it. */
-  readonly fails: ShallowRef<number>;
-  /** Number of levels asked for. */
-  readonly level: ShallowRef<number>;
-  /** Number of levels that there are, as far as known. */
-  readonly most: ShallowRef<number>;
 }
 
 /**

@@ -16,7 +16,7 @@ import { lateModel, type WithLate } from '../../../kit/state/late-models';
 import { every, serveThread } from '../../run/serve-thread';
 import { compileFirmware } from '../../run/worker/firmware';
 import type { WorkParts } from '../../work/model/parts';
-import type { TaskParts } from '../parts';
+import type { OwnHintState } from './own-levels';
 
 /** `looks`: the run is made once more; `tries`: changes are tried; `told`: the hint is there. */
 type OwnHintPhase = 'looks' | 'tries' | 'told' | 'passes' | 'failed';
@@ -47,7 +47,7 @@ const inWorkers: HintPorts = {
   every,
 };
 
-type App = TaskParts & Pick<WorkParts, 'work'>;
+type App = { readonly task: { readonly own: OwnHintState } } & Pick<WorkParts, 'work'>;
 
 /** The hint of this page. */
 export const ownHintOf = lateModel((app: WithLate & App) => createOwnHint(app));
