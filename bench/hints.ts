@@ -13,11 +13,16 @@ import { readyProject } from '../src/cli/ready-courses';
 /** The hint to a faulty program. */
 export interface HintRow {
   readonly fault: Fault;
-  readonly hint: Hint | null;
+  /** `undefined`: it took too long. */
+  readonly hint: Hint | null | undefined;
   readonly line: number;
   readonly cpuS: number;
   readonly text: string;
 }
+
+/** CPU time after which a search is given up here, in s: a hint that takes longer does not count as found. */
+const MOST_CPU_S = 20;
+class TooLong extends Error {}
 
 function taskNamed(course: string): ClassTask {
   const project = readyProject(course);
@@ -35,13 +40,21 @@ export async function* hintRows(words: string): AsyncGenerator<HintRow> {
     const task = taskNamed(fault.course);
     const handIn = handInOfFiles([{ name: 'main.py', text }]);
     const start = process.cpuUsage();
-    const hint = await hintFor(task, handIn, { firmware, budget: USUAL_BUDGET });
-    const { user, system } = process.cpuUsage(start);
+    const cpuS = (): number => (process.cpuUsage(start).user + process.cpuUsage(start).system) / 1e6;
+    let hint: Hint | null | undefined;
+    const beat = (): void => {
+      if (cpuS() > MOST_CPU_S) throw new TooLong();
+    };
+    try {
+      hint = await hintFor(task, handIn, { firmware, budget: USUAL_BUDGET, beat });
+    } catch (error) {
+      if (!(error instanceof TooLong)) throw error;
+    }
     if (hint?.change) {
       const mended = handInOfFiles([{ name: 'main.py', text: withChange(text, hint.change) }]);
       if (!(await check(task, mended, { firmware })).passed) throw new Error('A hint does not hold.');
     }
-    yield { fault, hint, line, cpuS: (user + system) / 1e6, text: hint === null ? '' : hintText(hint, 3, 'de') };
+    yield { fault, hint, line, cpuS: cpuS(), text: hint ? hintText(hint, 3, 'de') : '' };
   }
 }
 
@@ -49,6 +62,7 @@ export async function* hintRows(words: string): AsyncGenerator<HintRow> {
 export function hintLine({ fault, hint, line, cpuS, text }: HintRow): string {
   const head = `${fault.course} ${fault.kind} line ${line}`;
   if (hint === null) return `${head}: passes, it is no fault`;
+  if (hint === undefined) return `${head}: not within ${String(MOST_CPU_S)} s`;
   const { change, tried } = hint;
   const found = change === null ? 'nothing' : `${change.kind} line ${change.line} ${JSON.stringify(change.after)}`;
   return `${head}: ${found}, ${tried} tries, ${cpuS.toFixed(1)} s | ${text}`;
@@ -58,7 +72,7 @@ export function hintLine({ fault, hint, line, cpuS, text }: HintRow): string {
 export function hintSums(rows: readonly HintRow[]): readonly string[] {
   const faulty = rows.filter(({ hint }) => hint !== null);
   const sum = (name: string, some: readonly HintRow[]): string => {
-    const found = some.filter(({ hint, cpuS }) => hint?.change && cpuS <= 20);
+    const found = some.filter(({ hint, cpuS }) => hint?.change && cpuS <= MOST_CPU_S);
     const same = found.filter(({ hint, fault }) => hint?.change?.kind === fault.kind);
     const there = found.filter(({ hint, line }) => Math.abs((hint?.change?.line ?? 0) - line) <= 1);
     const seconds = some.map(({ cpuS }) => cpuS).sort((one, other) => one - other);

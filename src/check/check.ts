@@ -7,7 +7,7 @@ import type { HandIn } from './hand-in/hand-in';
 import { otherTask } from './hand-in/other-task';
 import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
 import { programsOf } from './run/programs';
-import { notRun, runWorld } from './run/run-world';
+import { notRun, runWorld, type Onlooker } from './run/run-world';
 import { isSameCourse } from './task/course-mark';
 import { keptLines } from './task/kept-lines';
 import type { TaskLevel } from './task/levels';
@@ -23,6 +23,8 @@ export interface Checker {
    * Called often while a world runs, and at its beginning, with its place in the task: a sign of progress for watchers.
    */
   readonly beat?: (world: number) => void;
+  /** Looks at the run in the world of this place. Left out: nobody looks. */
+  readonly onlooker?: (world: number) => Onlooker;
   /** The `main.py` that was handed out, as pupils may have found it in other languages. */
   readonly starts?: readonly string[];
   /**
@@ -38,14 +40,17 @@ export interface Checker {
  * are reported.
  */
 export async function check(task: ClassTask, handIn: HandIn, checker: Checker): Promise<CheckResult> {
-  const { firmware, beat, lost, starts = [] } = checker;
+  const { firmware, beat, onlooker, lost, starts = [] } = checker;
   const worlds: WorldResult[] = [];
   for (const [place, world] of task.worlds.entries()) {
     beat?.(place);
     worlds.push(
       lost !== undefined && place >= lost.from
         ? notRun(task, world, lost.reason)
-        : await runWorld(task, handIn.project, world, { firmware, beat: () => beat?.(place) }),
+        : await runWorld(task, handIn.project, world, {
+            ...{ firmware, beat: () => beat?.(place) },
+            ...(onlooker && { onlooker: onlooker(place) }),
+          }),
     );
   }
   return resultOf(task, handIn, worlds, starts);

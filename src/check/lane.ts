@@ -39,6 +39,9 @@ export const STUCK_MS = 10_000;
 /** Longest duration of a run on any machine, in ms of wall time. Chosen: a simulation slower than that is of no use. */
 const LONG_MS = 120_000;
 
+/** Longest duration of a world of a task on any machine, in ms of wall time. */
+export const longestMs = (task: ClassTask): number => Math.max(LONG_MS, 1000 * secondsOf(task));
+
 const LOOK_MS = 200;
 
 /** The end of a thread in the middle of a request. */
@@ -131,7 +134,7 @@ export class Lane {
     start: StartThread,
     every: Every,
   ) {
-    this.asker = new Asker(start, every, Math.max(LONG_MS, 1000 * secondsOf(task)));
+    this.asker = new Asker(start, every, longestMs(task));
   }
 
   /** The result of a hand-in; in the world in which it was stuck, and in those after it, nothing is run. */

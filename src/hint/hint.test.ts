@@ -46,6 +46,24 @@ describe('a hint', () => {
     expect(JSON.parse(hintJson(hint, 1, 'en'))).toMatchObject({ hint: { line: null } });
   });
 
+  it('takes one try for a library that is spelt in another way', async () => {
+    const hint = await hinted(ahead, DRIVES.replace('mbrobot', 'mbrobo'));
+    expect(hint).toMatchObject({ tried: 1, change: { kind: 'name', after: ['from mbrobot import *'] } });
+  });
+
+  it('tries nothing in lines that the program never comes to', async () => {
+    const rest = 'forward()\ndelay(1100)\nstop()\n'.repeat(20);
+    const hint = await hinted(ahead, `from mbrobot import *\nx = 1 / zero\n${rest}`);
+    expect(hint?.tried).toBeLessThan(40);
+  });
+
+  it('reads the program but once for each try', async () => {
+    const long = 'forward()\nleft()\nsetLED(0, 1)\ndelay(20)\nstop()\n'.repeat(30);
+    const start = process.cpuUsage();
+    await hinted(ahead, `from mbrobot import *\nstop()\nwhile button_a.is_pressed():\n    stop()\n${long}`, 1);
+    expect(process.cpuUsage(start).user).toBeLessThan(5_000_000);
+  });
+
   it.each(some)('holds: $course, $kind, $wrong', async (fault) => {
     const task = taskWith(readyScene(fault.course));
     const { text } = faulty(readySolution(fault.course), fault);
@@ -66,7 +84,7 @@ describe('a hint', () => {
 
 describe('the levels of a hint', () => {
   const hint: Hint = {
-    ...{ reason: { code: 'open', params: {} }, atMs: null, tried: 7, program: 'a()\ndelay(650)\n' },
+    ...{ reason: { code: 'open', params: {} }, atMs: null, moment: null, tried: 7, program: 'a()\ndelay(650)\n' },
     happened: { fact: 'past', atS: 3.2, side: 'right', turns: 2, checkpoint: null },
     change: { kind: 'number', line: 2, before: ['delay(650)'], after: ['delay(780)'], direction: 'more' },
   };

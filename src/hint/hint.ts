@@ -1,13 +1,18 @@
 import { check } from '#check/check';
 import type { HandIn } from '#check/hand-in/hand-in';
 import type { CheckResult, Reason, WorldResult } from '#check/result';
-import { runWorld } from '#check/run/run-world';
+import type { Onlooker } from '#check/run/run-world';
 import { mainReason, visibleTask } from '#check/task/visible';
-import type { ClassTask, WorldVariant } from '#check/task/task';
+import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
+import type { Pose, Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import { linesOf, type Change } from './changes/change';
 import { happenedIn, type Happened } from './happened/happened';
-import { findChange, mainOf } from './search';
+import type { Simulation } from '#simulation/simulation';
+import { findChange } from './search';
+import { mainOf } from './trials';
 import { Observed } from './watch/observed';
+import { scoreOf, Stall } from './watch/stall';
 
 /** How much a hint tells: the moment, the lines, the kind of change, the change itself. */
 export const hintLevels = [1, 2, 3, 4] as const;
@@ -22,8 +27,16 @@ export interface Hinter {
   readonly firmware: WebAssembly.Module;
   /** The most programs that are tried. */
   readonly budget: number;
-  /** Called often. */
-  readonly beat?: () => void;
+  /** Called often, with the place of the world that runs; from the number of worlds on: with that and the number of tries. */
+  readonly beat?: (place: number) => void;
+}
+
+/** A moment of a run that did not pass. */
+export interface HintMoment {
+  readonly timeUs: number;
+  readonly pose: Pose;
+  /** The places of the line sensors that this is about, robot frame, in mm. */
+  readonly sensorsMm: readonly Vec[];
 }
 
 /** A hint to a program, as plain data. */
@@ -32,6 +45,8 @@ export interface Hint {
   /** Simulated ms until it was decided; `null`: it was not. */
   readonly atMs: number | null;
   readonly happened: Happened;
+  /** The moment that this is about; `null`: the robot was nowhere, or it is another world than that of the course as it is. */
+  readonly moment: HintMoment | null;
   /** A change with which the program passes, proved by running it; `null`: none was found. */
   readonly change: Change | null;
   /** Number of programs that were tried. */
@@ -49,27 +64,69 @@ export interface Hint {
 export async function hintFor(given: ClassTask, handIn: HandIn, hinter: Hinter): Promise<Hint | null> {
   const { firmware, budget, beat = () => undefined } = hinter;
   const task = visibleTask(given);
-  const result = await check(task, handIn, { firmware, beat });
+  const watches = task.worlds.map(() => new Watch(task));
+  const onlooker = (world: number): Watch => watches[world] ?? new Watch(task);
+  const result = await check(task, handIn, { firmware, beat, onlooker });
   if (result.passed) return null;
   const failed = failedIn(task, result);
-  const seen = new Observed();
-  await runWorld(task, handIn.project, failed.world, { firmware, beat, onlooker: seen });
+  const { seen, stall } = onlooker(failed.place);
   const reason = mainReason(task, result) ?? { code: 'open', params: {} };
   const happened = happenedIn({ reason, result: failed.result, seen, course: task.project.scene });
-  const suspects = suspectsIn(mainOf(handIn), seen, happened);
-  const isBroken = happened.fact === 'error' && ['SyntaxError', 'IndentationError'].includes(happened.type);
-  const search = { task, handIn, firmware, budget, beat, failedIn: failed.world, suspects, isBroken };
-  const { change, tried } = await findChange(search);
-  return { reason, atMs: failed.result?.atMs ?? null, happened, change, tried, program: mainOf(handIn) };
+  const { change, tried } = await findChange({
+    ...{ task, handIn, firmware, budget, failedIn: failed.world },
+    score: failed.result === null ? -Infinity : scoreOf(stall, failed.result),
+    ran: failed.result?.passed === false && seen.lastRanUs.size > 0 ? new Set(seen.lastRanUs.keys()) : null,
+    suspects: suspectsIn(mainOf(handIn), seen, happened),
+    isBroken: happened.fact === 'error' && ['SyntaxError', 'IndentationError'].includes(happened.type),
+    beat: (count) => beat(task.worlds.length + count),
+  });
+  const atMs = failed.result?.atMs ?? null;
+  const moment = isPlain(failed.world) ? momentOf(happened, atMs, seen) : null;
+  return { reason, atMs, happened, moment, change, tried, program: mainOf(handIn) };
+}
+
+/** True if a world is the course as it is. */
+const isPlain = ({ id: _, hidden: _hidden, ...world }: WorldVariant): boolean => {
+  const { id: _id, hidden: _plain, ...plain } = plainWorld;
+  return isSame(world, plain);
+};
+
+/** The moment of what happened: its own time, or that of the decision, or the end of the run. */
+function momentOf(happened: Happened, atMs: number | null, { moments, sensorsMm }: Observed): HintMoment | null {
+  const atS = 'atS' in happened ? happened.atS : null;
+  const timeUs = atS !== null ? atS * 1_000_000 : atMs !== null ? atMs * 1000 : Infinity;
+  const found = moments.findLast((one) => one.timeUs <= timeUs);
+  if (found === undefined) return null;
+  return { timeUs: found.timeUs, pose: found.pose, sensorsMm: happened.fact === 'bright' ? sensorsMm : [] };
+}
+
+/** Notes what a run does, and how far it gets. */
+class Watch implements Onlooker {
+  readonly hasEnough = false;
+  readonly seen = new Observed();
+  readonly stall: Stall;
+
+  constructor(task: ClassTask) {
+    this.stall = new Stall(task);
+  }
+
+  look(run: Simulation): void {
+    this.seen.look(run);
+    if (!this.stall.hasEnough) this.stall.look(run);
+  }
+}
+
+/** A world of a task with its place and what came out there. */
+interface Failed {
+  readonly place: number;
+  readonly world: WorldVariant;
+  readonly result: WorldResult | null;
 }
 
 /** The first world in which the program does not pass; the first of all if only its text is wrong. */
-function failedIn(
-  { worlds }: ClassTask,
-  result: CheckResult,
-): { readonly world: WorldVariant; readonly result: WorldResult | null } {
+function failedIn({ worlds }: ClassTask, result: CheckResult): Failed {
   const place = Math.max(0, result.worlds.findIndex(({ passed }) => !passed)); // prettier-ignore
-  return { world: worlds[place] ?? worlds[0], result: result.worlds[place] ?? null };
+  return { place, world: worlds[place] ?? worlds[0], result: result.worlds[place] ?? null };
 }
 
 /** The lines of a program, those first that ran last before it failed, and an error's before all. */

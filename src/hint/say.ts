@@ -7,12 +7,16 @@ import type { Happened } from './happened/happened';
 import type { Hint, HintLevel } from './hint';
 import words from './words';
 
+/** The sentences of a hint in one text. */
+export const hintText = (hint: Hint, level: HintLevel, language: Language): string =>
+  hintTexts(hint, level, language).join(' ');
+
 /** The sentences of a hint: what happened, and as much of the change as the level allows. */
-export function hintText(hint: Hint, level: HintLevel, language: Language): string {
+export function hintTexts(hint: Hint, level: HintLevel, language: Language): readonly string[] {
   const { change, happened } = hint;
   const said = [happenedText(happened, level, language)];
   if (level > 1) said.push(...(change === null ? [nothingText(hint, language)] : changeTexts(hint, change, level, language))); // prettier-ignore
-  return said.join(' ');
+  return said;
 }
 
 /** The sentence to a program that passes. */

@@ -1,38 +1,11 @@
-import { check } from '#check/check';
-import type { HandIn } from '#check/hand-in/hand-in';
-import { findFact } from '#check/program/facts';
-import { runWorld } from '#check/run/run-world';
-import { keptLines } from '#check/task/kept-lines';
-import { isFact, type ClassTask, type WorldVariant } from '#check/task/task';
-import { runFilesOf, withFiles } from '#project/devices';
-import { MAIN } from '#project/project';
 import type { Change } from './changes/change';
-import { withChange } from './changes/change';
-import { extraChanges, indentChanges, isWellFormed, orderChanges } from './changes/lines';
+import { extraChanges, indentChanges, orderChanges } from './changes/lines';
 import { elseChanges, missingChanges } from './changes/missing';
 import { nameChanges, relatedNameChanges } from './changes/names';
 import { between, coarseValues, FIRST_STEPS, numbersOf, type NumberPlace, type Tried } from './changes/numbers';
 import { readProgram, type Program } from './changes/program';
 import { branchChanges, comparisonChanges, logicChanges, polarityChanges } from './changes/signs';
-import { Stall } from './watch/stall';
-
-/** A search for a small change with which a program passes. */
-export interface Search {
-  /** The task as pupils see it. */
-  readonly task: ClassTask;
-  readonly handIn: HandIn;
-  readonly firmware: WebAssembly.Module;
-  /** The most programs that are tried. */
-  readonly budget: number;
-  /** The world in which the program failed: there it is tried first. */
-  readonly failedIn: WorldVariant;
-  /** How likely it is that the fault is in a line: the lines from the most likely on. */
-  readonly suspects: readonly number[];
-  /** True if the program does not even begin: then only changes count that make it one. */
-  readonly isBroken: boolean;
-  /** Called often. */
-  readonly beat: () => void;
-}
+import { mainOf, Trials, type Search } from './trials';
 
 /** The end of a search. */
 export interface Found {
@@ -42,116 +15,39 @@ export interface Found {
   readonly tried: number;
 }
 
-/** Chosen: most runs of a try are over sooner, and a school's computer does a thousand simulated seconds in two or three. */
-const SECONDS_PER_TRY = 12;
-
-/** Tries one program after the other. */
-class Trials {
-  tried = 0;
-  private seconds = 0;
-  private readonly known = new Map<string, number>();
-
-  constructor(private readonly search: Search) {}
-
-  /** True once no more may be tried. */
-  get isOver(): boolean {
-    const { budget } = this.search;
-    return this.tried >= budget || this.seconds >= budget * SECONDS_PER_TRY;
-  }
-
-  /** How far the program gets as it is. */
-  async scoreBefore(): Promise<number> {
-    return (await this.run(this.search.handIn)) ?? -Infinity;
-  }
-
-  /** True if the program passes with a change. */
-  async passes(change: Change): Promise<boolean> {
-    return (await this.score(change)) === Infinity;
-  }
-
-  /** How far a changed program gets; infinite: it passes. */
-  async score(change: Change): Promise<number> {
-    const { handIn, task, firmware, beat } = this.search;
-    const text = withChange(mainOf(handIn), change);
-    const known = this.known.get(text);
-    if (known !== undefined) return known;
-    if (this.isOver || !this.isAllowed(text)) return -Infinity;
-    const changed = withMain(handIn, text);
-    this.tried += 1;
-    let score = (await this.run(changed)) ?? Infinity;
-    // What was seen by an onlooker is proved as hand-ins are checked.
-    if (score === Infinity && !(await check(task, changed, { firmware, beat })).passed) score = -Infinity;
-    this.known.set(text, score);
-    return score;
-  }
-
-  /** How far a program gets in the first world in which it does not pass; `null`: it passes in all. */
-  private async run({ project }: HandIn): Promise<number | null> {
-    const { task, failedIn, firmware, beat } = this.search;
-    const comesAgain = task.checks.some(({ type }) => type === 'laps');
-    for (const world of [failedIn, ...task.worlds.filter((one) => one !== failedIn)]) {
-      const stall = new Stall(task.project.scene, comesAgain);
-      const result = await runWorld(task, project, world, { firmware, beat, onlooker: stall });
-      this.seconds += stall.seconds;
-      if (!result.passed || stall.hasEnough) return stall.score + result.held.length * HELD_MM;
-    }
-    return null;
-  }
-
-  /** True if the text is as the task wants it, and keeps the lines that are locked. */
-  private isAllowed(text: string): boolean {
-    const { task, handIn, isBroken } = this.search;
-    if (isBroken && !isWellFormed(text)) return false;
-    const { lines } = task.locks;
-    const start = runFilesOf(task.project, 0)[MAIN] ?? '';
-    const isKept = (program: string): boolean => lines.length === 0 || keptLines(start, program, lines) !== null;
-    if (isKept(mainOf(handIn)) && !isKept(text)) return false;
-    const files = { ...runFilesOf(handIn.project, 0), [MAIN]: text };
-    return task.checks.every((one) => !one.needed || !isFact(one) || findFact(one, files).holds);
-  }
-}
-
-/** A check that holds is worth more than any place. */
-const HELD_MM = 10_000_000;
-
-/** The program of the first device. */
-export const mainOf = ({ project }: HandIn): string => runFilesOf(project, 0)[MAIN] ?? '';
-
-const withMain = (handIn: HandIn, text: string): HandIn => {
-  const files = { ...runFilesOf(handIn.project, 0), [MAIN]: text };
-  const named = Object.entries(files).map(([name, content]) => ({ name, text: content }));
-  return { ...handIn, project: withFiles(handIn.project, 0, named) };
-};
-
 /** Searches for a small change with which the program passes: likely kinds first, and of each the likely lines first. */
 export async function findChange(search: Search): Promise<Found> {
   const program = readProgram(mainOf(search.handIn));
-  const trials = new Trials(search);
+  const trials = new Trials(program, search);
   const change = await searchIn(program, trials, search);
   return { change, tried: trials.tried };
 }
 
-async function searchIn(program: Program, trials: Trials, { suspects }: Search): Promise<Change | null> {
+async function searchIn(program: Program, trials: Trials, { suspects, score }: Search): Promise<Change | null> {
   const inOrder = (...makers: readonly ((of: Program) => readonly Change[])[]): readonly Change[] =>
     makers.flatMap((make) => bySuspicion(make(program), program, suspects));
-  const numbers = new NumberSearch(numbersInOrder(program, suspects), trials);
-  const missing = missingChanges(program);
+  const numbers = new NumberSearch(numbersInOrder(program, suspects), trials, score);
+  let found: readonly Change[] | null = null;
+  const missing = (): readonly Change[] => (found ??= missingChanges(program));
   const steps: readonly (() => Promise<Change | null>)[] = [
     () => firstOf(inOrder(polarityChanges, nameChanges, comparisonChanges, logicChanges), trials),
     () => numbers.coarse(0, FIRST_STEPS),
     () => numbers.finer(FIRST_FINER),
     () => firstOf(inOrder(branchChanges, extraChanges, orderChanges, indentChanges), trials),
-    () => firstOf(missing.slice(0, LIKELY), trials),
+    () => firstOf(missing().slice(0, LIKELY), trials),
     () => numbers.coarse(FIRST_STEPS, Infinity),
     () => numbers.finer(FINER),
     () => firstOf(inOrder(relatedNameChanges), trials),
     () =>
-      firstOf([...missing.slice(LIKELY, 3 * LIKELY), ...elseChanges(program), ...missing.slice(3 * LIKELY)], trials),
+      firstOf(
+        [...missing().slice(LIKELY, 3 * LIKELY), ...elseChanges(program), ...missing().slice(3 * LIKELY)],
+        trials,
+      ),
     () => numbers.finer(Infinity),
   ];
   for (const step of steps) {
-    const found = await step();
-    if (found !== null || trials.isOver) return found;
+    const change = await step();
+    if (change !== null || trials.isOver) return change;
   }
   return null;
 }
@@ -192,16 +88,13 @@ class NumberSearch {
   constructor(
     places: readonly NumberPlace[],
     private readonly trials: Trials,
+    score: number,
   ) {
-    this.values = places.map((place) => [place, []]);
+    this.values = places.map((place) => [place, [{ value: place.value, score }]]);
   }
 
   /** Coarse steps, those at these places in their order: of each number in turn. */
   async coarse(from: number, to: number): Promise<Change | null> {
-    if (from === 0) {
-      const score = await this.trials.scoreBefore();
-      for (const [place, tried] of this.values) tried.push({ value: place.value, score });
-    }
     const steps = this.values.map(([place]) => coarseValues(place));
     const last = Math.min(to, Math.max(0, ...steps.map(({ length }) => length)));
     for (let step = from; step < last; step += 1)

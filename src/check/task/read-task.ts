@@ -16,6 +16,7 @@ import { readAbout } from './about';
 import { readExam, type Exam } from './exam';
 import { levelLimits } from './chosen-level';
 import { readLevels, type TaskLevel } from './levels';
+import { readMostHint } from './most-hint';
 import { readChecks } from './read-checks';
 import {
   lockNames,
@@ -68,9 +69,10 @@ export function draftOf(project: Project): ReadTask {
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
     ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
-    ...['about', 'levels', 'level', 'exam'],
+    ...['about', 'levels', 'level', 'exam', 'hint'],
   ]);
   const exam = readExam(fields['exam'], reader);
+  const hint = readMostHint(fields['hint'], reader);
   const levels = readLevels(fields['levels'], reader, linesIn);
   if (fields['level'] !== undefined)
     reader.whole(fields['level'], 'task.level', { min: 0, max: levelLimits.levels.max - 1 });
@@ -95,6 +97,7 @@ export function draftOf(project: Project): ReadTask {
     ...(about !== undefined && { about }),
     ...(levels !== undefined && { levels }),
     ...(exam !== undefined && { exam }),
+    ...(hint !== undefined && { hint }),
   };
   const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
   return problems.length > 0 ? { problem: summaryOf(problems), problems } : { task };

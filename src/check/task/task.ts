@@ -6,6 +6,7 @@ import type { Project, SourceFile } from '#project/project';
 import type { TaskAbout } from './about';
 import type { Exam } from './exam';
 import type { TaskLevel } from './levels';
+import type { MostHint } from './most-hint';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
 export interface ClassTask {
@@ -32,6 +33,8 @@ export interface ClassTask {
   readonly levels?: readonly TaskLevel[];
   /** Left out: it is no exam. */
   readonly exam?: Exam;
+  /** The most that hints to a pupil's program tell; left out: `USUAL_HINT`. */
+  readonly hint?: MostHint;
 }
 
 /**

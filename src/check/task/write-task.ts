@@ -13,7 +13,7 @@ import { visibleTask } from './visible';
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
 
 /** A task without one of its parts that it need not have. */
-export function withoutPart(task: ClassTask, part: 'about' | 'levels' | 'exam'): ClassTask {
+export function withoutPart(task: ClassTask, part: 'about' | 'levels' | 'exam' | 'hint'): ClassTask {
   const { [part]: _, ...others } = task;
   return others;
 }
@@ -71,11 +71,12 @@ function dataOf({
   about,
   levels,
   exam,
+  hint,
 }: ClassTask): Carried {
   const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
   const plain: unknown = {
     // An earlier app says that it is too old, where it would find words it does not know.
-    version: checks.some(isNew) || [about, levels, exam].some((one) => one !== undefined) ? TASK_VERSION : 1,
+    version: checks.some(isNew) || [about, levels, exam, hint].some((one) => one !== undefined) ? TASK_VERSION : 1,
     ...(id !== '' && { id }),
     checks: checks.map(checkData),
     ...(others.length > 0 && { worlds: others.map(worldData) }),
@@ -87,6 +88,7 @@ function dataOf({
     ...(about !== undefined && { about: aboutData(about) }),
     ...(levels !== undefined && { levels: levelsData(levels) }),
     ...(exam !== undefined && { exam }),
+    ...(hint !== undefined && { hint }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }

@@ -1,6 +1,6 @@
 import { unreadText } from '#check/report/say';
-import { hintFor } from '#hint/hint';
 import { hintJson } from '#hint/hint-json';
+import { HintLane } from '#hint/hint-lane';
 import { hintText, passedText } from '#hint/say';
 import { contentOf } from '#intake/sources';
 import { findHandIns } from '../check/sources';
@@ -8,7 +8,9 @@ import { readTask } from '../check/read-task';
 import { readFirmware } from '../firmware';
 import { refuse } from '../results-out';
 import { printable, type Terminal } from '../terminal';
+import { every } from '../threads/threads';
 import type { HintOptions } from './hint-arguments';
+import { hintThread } from './hint-thread';
 
 /**
  * Carries out `parcours hint`.
@@ -27,7 +29,10 @@ export async function giveHint(options: HintOptions, terminal: Terminal): Promis
   const content = await contentOf(source);
   if ('problem' in content) return refuse(`${program}: ${unreadText(content.problem, lang)}`, terminal);
   const firmware = await WebAssembly.compile(readFirmware());
-  const hint = await hintFor(read.task, content.handIn, { firmware, budget });
+  const { task } = read;
+  const lane = new HintLane(task, hintThread(task, firmware), every);
+  const hint = await lane.hint(content.handIn, budget);
+  lane.stop();
   if (json) terminal.line(hintJson(hint, level, lang));
   else terminal.line(printable(hint === null ? passedText(lang) : hintText(hint, level, lang)));
   return hint === null ? 0 : 3;

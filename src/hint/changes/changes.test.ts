@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { linesToSee, withChange, type Change } from './change';
-import { extraChanges, indentChanges, orderChanges } from './lines';
+import { extraChanges, indentChanges, isRight, orderChanges } from './lines';
 import { elseChanges, missingChanges } from './missing';
 import { nameChanges, oppositesOf } from './names';
 import { between, coarseValues, numbersOf } from './numbers';
 import { readProgram, type Program } from './program';
+import { mattersTo } from './reach';
 import { comparisonChanges, logicChanges, polarityChanges } from './signs';
 
 /** The changed lines, each change as one text. */
@@ -105,7 +106,10 @@ describe('lines', () => {
   it('are exchanged with neighbours of their block', () => expect(made(orderChanges, text)).toEqual(['    delay(3)\n    left()'])); // prettier-ignore
 
   it('are moved in and out where that leaves a program', () =>
-    expect(made(indentChanges, text)).toEqual(['delay(3)', '    stop()']));
+    expect(made((one) => indentChanges(one).filter((change) => isRight(one, change)), text)).toEqual([
+      'delay(3)',
+      '    stop()',
+    ]));
 
   it('are moved into the block that they were left out of', () =>
     expect(made(indentChanges, 'if a:\nleft()\n')).toContain('    left()'));
@@ -126,4 +130,28 @@ describe('lines', () => {
     expect(changes).toContain('else:\n    left()');
     expect(elseChanges(readProgram('if a:\n    left()\n'))[0]).toMatchObject({ line: 3, before: [] });
   });
+});
+
+describe('a change that cannot matter', () => {
+  const text = 'import x\nif a > 1:\n    b(5)\n    c()\nelif d:\n    e()\nwhile True:\n    f()\ng()\n';
+  const program = readProgram(text);
+  const matters = mattersTo(program, new Set([1, 2, 5, 8]));
+  const lines = (make: (program: Program) => readonly Change[]): readonly number[] =>
+    [
+      ...new Set(
+        make(program)
+          .filter(matters)
+          .map(({ line }) => line),
+      ),
+    ].sort((one, other) => one - other);
+
+  it('is one of a number, a name or a whole line that was never come to', () => {
+    expect(lines((one) => numbersOf(one).flatMap((place) => place.to(7) ?? []))).toEqual([2]);
+    expect(lines(extraChanges)).toEqual([8]);
+  });
+
+  it('is a line more beside one that was never come to', () => expect(lines(missingChanges)).toEqual([2, 7, 8, 9]));
+
+  it('is not a line never come to that moves out of its block, or under a line that was', () =>
+    expect(lines(indentChanges)).toEqual([2, 3, 4, 5, 6, 7, 8, 9]));
 });

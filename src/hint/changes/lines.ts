@@ -1,4 +1,4 @@
-import { parsePython } from '#python/tree';
+import { parsePython, readPython } from '#python/tree';
 import { linesOf, withChange, type Change } from './change';
 import type { Program, ProgramLine } from './program';
 
@@ -38,7 +38,7 @@ export function indentChanges(program: Program): readonly Change[] {
       const one = { ...plain('indent', line.number), before: [line.text], after: [moved(line)] };
       const isTwo = next?.kind === 'simple' && next.indent === line.indent;
       const two = isTwo && { ...one, before: [line.text, next.text], after: [moved(line), moved(next)] };
-      return [one, ...(two ? [two] : [])].filter((change) => isRight(program, change));
+      return [one, ...(two ? [two] : [])];
     });
   });
 }
@@ -60,10 +60,10 @@ export const isImport = ({ statement }: ProgramLine): boolean => statement === '
 /** True if a text is a program by its syntax and its indentation. */
 export const isWellFormed = (text: string): boolean => !parsePython(text).hasErrors && !isBroken(text);
 
-/** True if the syntax is right after a change; one that mends a mistake somewhere else is not known. */
+/** True if a change makes no new mistake of syntax. */
 export function isRight({ source }: Program, change: Change): boolean {
   const text = withChange(source.text, change);
-  return !parsePython(text).hasErrors && (!isBroken(text) || isBroken(source.text));
+  return (source.hasErrors || !readPython(text).hasErrors) && (!isBroken(text) || isBroken(source.text));
 }
 
 /** True if a block is empty or a line stands further in than its block: the parser does not see that. */

@@ -1,5 +1,5 @@
 import type { Change } from './change';
-import { isImport, isRight, plain, simple, stepOf } from './lines';
+import { isImport, plain, simple, stepOf } from './lines';
 import { oppositeCodes } from './names';
 import type { Program } from './program';
 
@@ -9,7 +9,10 @@ const USUAL = [
   ...['setSpeed(50)', 'setSpeed(40)', 'setSpeed(30)', 'setSpeed(100)', 'setSpeed(20)', 'delay(20)', 'break'],
 ];
 
-/** A line more, the likely ones first: one of the program once more, the opposite of one, a usual one. */
+/**
+ * A line more, the likely ones first, without a look at whether the program is still one (`isRight`): one of the program once more, the opposite of
+ * one, a usual one.
+ */
 export function missingChanges(program: Program): readonly Change[] {
   const statements = statementsOf(program);
   const pairs = pairsIn(program);
@@ -21,8 +24,7 @@ export function missingChanges(program: Program): readonly Change[] {
     .map(({ place, statement }): Change => ({
       ...plain('missing', place.line),
       ...{ before: [], after: [`${place.indent}${statement.code}`] },
-    }))
-    .filter((change) => isRight(program, change));
+    }));
 }
 
 /** A place for a line more. */

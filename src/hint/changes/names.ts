@@ -27,17 +27,42 @@ const LIBRARY = [
   ...['read_digital', 'rotate', 'irLeftValue', 'irRightValue', 'fillRGB', 'setAlarm', 'range', 'print'],
 ];
 
+/** The robots' libraries, and others that are on the boards. */
+const ROBOTS = [
+  ...['mbrobot', 'mbrobot_plus', 'mbrobot_plusV2', 'mbrobot_plusV3', 'callibot', 'callimk', 'mbbitbot', 'cutebot'],
+  ...['mbrobotmot', 'callibotmot'],
+];
+const MODULES = [
+  ...ROBOTS,
+  'microbit',
+  'calliopemini',
+  'mbalarm',
+  'mbled',
+  'cbalarm',
+  'time',
+  'utime',
+  'random',
+  'math',
+];
+
 /** The names with an opposite meaning: `irLeft` → `irRight`. */
 export function oppositesOf(name: string): readonly string[] {
-  const parts = name.split(/(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)|(_)/).filter((part) => part !== undefined);
+  const parts = partsOf(name);
   const found: string[] = [];
   for (const [place, part] of parts.entries())
     for (const pair of OPPOSITES)
       for (const [one, other] of [pair, [pair[1], pair[0]] as const])
         if (part.toLowerCase() === one && (one.length > 1 || parts.length > 1))
-          found.push(parts.with(place, inCaseOf(part, other)).join(''));
+          found.push([...parts.slice(0, place), inCaseOf(part, other), ...parts.slice(place + 1)].join(''));
   return [...new Set(found)];
 }
+
+/** The words of a name: `irLeft_2` → `ir`, `Left`, `_`, `2`. The oldest browsers' expressions do not look behind. */
+const partsOf = (name: string): readonly string[] =>
+  name
+    .replace(/[a-z](?=[A-Z])|[A-Za-z](?=\d)|_/g, (end) => (end === '_' ? ' _ ' : `${end} `))
+    .split(' ')
+    .filter((part) => part !== '');
 
 const inCaseOf = (model: string, word: string): string =>
   model === model.toUpperCase()
@@ -50,15 +75,28 @@ const inCaseOf = (model: string, word: string): string =>
 export function nameChanges(program: Program): readonly Change[] {
   const own = program.nodes('VariableName', 'PropertyName').map((node) => program.textOf(node));
   const known = new Set([...own, ...LIBRARY]);
-  return renamed(program, (name) => [
-    ...oppositesOf(name).filter((one) => known.has(one)),
-    ...(LIBRARY.includes(name) ? [] : [...LIBRARY, ...own].filter((one) => isNear(name, one))),
-    ...constantsLike(name, own),
-  ]);
+  return [
+    ...moduleChanges(program, (name) => (MODULES.includes(name) ? [] : MODULES.filter((one) => isNear(name, one)))),
+    ...renamed(program, (name) => [
+      ...oppositesOf(name).filter((one) => known.has(one)),
+      ...(LIBRARY.includes(name) ? [] : [...LIBRARY, ...own].filter((one) => isNear(name, one))),
+      ...constantsLike(name, own),
+    ]),
+  ];
 }
+
+/** Other modules in the place of those that a program imports from. */
+const moduleChanges = (program: Program, others: (name: string) => readonly string[]): readonly Change[] =>
+  program.nodes('ImportStatement').flatMap((node) => {
+    const name = node.getChild('VariableName');
+    if (name === null) return [];
+    const { from, to } = name;
+    return others(program.textOf(name)).flatMap((by) => replaced(program, 'name', [{ from, to, by }]) ?? []);
+  });
 
 /** Names in the place of others with which they are less often confused: they do another thing, or stand in the line already. */
 export const relatedNameChanges = (program: Program): readonly Change[] => [
+  ...moduleChanges(program, (name) => (/robot|bot|calli|mk/i.test(name) ? ROBOTS.filter((one) => one !== name) : [])),
   ...renamed(program, (name) => RELATED.filter((names) => names.includes(name)).flat()),
   ...allRenamed(program, oppositesOf),
 ];

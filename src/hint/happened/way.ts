@@ -41,19 +41,24 @@ const isTurning = ({ duty }: Moment): boolean => duty.left * duty.right < 0;
 /** The least angle of a turn. Chosen: less is steering. */
 const TURN_RAD = 0.35;
 
-/** The places in the moments at which turns on the spot were over. */
-function turnEnds(moments: readonly Moment[]): readonly number[] {
-  const ends: number[] = [];
+/** A turn on the spot: the places in the moments at which it began and was over. */
+interface Turn {
+  readonly from: number;
+  readonly to: number;
+}
+
+function turnsIn(moments: readonly Moment[]): readonly Turn[] {
+  const turns: Turn[] = [];
   let from: number | null = null;
   for (const [place, moment] of moments.entries()) {
     if (isTurning(moment)) from ??= place;
     else if (from !== null) {
       const turned = moment.pose.headingRad - (moments[from]?.pose.headingRad ?? 0);
-      if (Math.abs(turned) >= TURN_RAD) ends.push(place);
+      if (Math.abs(turned) >= TURN_RAD) turns.push({ from, to: place });
       from = null;
     }
   }
-  return ends;
+  return turns;
 }
 
 /** Chosen: nobody counts further. */
@@ -62,17 +67,19 @@ const MOST_TURNS = 8;
 /** Way past a place after which the robot has passed it, and the farthest at which it is passed by, in mm. Chosen. */
 const [BEYOND_MM, BESIDE_MM] = [40, 250];
 
-/** True if the robot passed by the place that was next at the end of its run, without reaching it. */
-export function passedBy({ moments, next }: Observed, course: Scene): PassedBy | null {
+/** The parts of a run that say whether a place was passed by. */
+type Passing = Pick<Observed, 'moments' | 'next' | 'nextSinceUs'>;
+
+/** Finds between which turns the robot passed by the place that was next at the end of its run; `null`: it did not. */
+export function passedBy({ moments, next, nextSinceUs }: Passing, course: Scene): PassedBy | null {
   const [zone] = next;
   if (zone === undefined || zone.blocks > 0 || next.length !== 1) return null;
-  const ends = turnEnds(moments);
-  const from = ends.at(-1) ?? 0;
-  const after = moments.slice(from);
-  const near = nearestTo(zone, after);
-  const last = after.at(-1);
-  if (near === null || last === undefined || near.mm > BESIDE_MM) return null;
-  const { moment } = near;
+  const near = nearestTo(zone, moments, nextSinceUs);
+  if (near === null || near.mm > BESIDE_MM) return null;
+  const { moment, place } = near;
+  const turns = turnsIn(moments);
+  const made = turns.filter(({ to }) => to <= place).length;
+  const last = moments[turns.find(({ to }) => to > place)?.from ?? moments.length - 1] ?? moment;
   const way = { x: last.pose.xMm - moment.pose.xMm, y: last.pose.yMm - moment.pose.yMm };
   const ahead = along(moment, way);
   const toZone = { x: zone.at[0] - moment.pose.xMm, y: zone.at[1] - moment.pose.yMm };
@@ -84,7 +91,7 @@ export function passedBy({ moments, next }: Observed, course: Scene): PassedBy |
   return {
     atS: moment.timeUs / 1_000_000,
     side: across > 0 ? 'right' : 'left',
-    turns: ends.length > MOST_TURNS ? 0 : ends.length,
+    turns: made > MOST_TURNS ? 0 : made,
     checkpoint: checkpoint ? zone.number : null,
   };
 }
@@ -95,13 +102,21 @@ const along = ({ pose }: Moment, { x, y }: Vec): number =>
 const beside = ({ pose }: Moment, { x, y }: Vec): number =>
   y * exactCos(pose.headingRad) - x * exactSin(pose.headingRad);
 
-function nearestTo(zone: Zone, moments: readonly Moment[]): { readonly moment: Moment; readonly mm: number } | null {
+/** A moment of a run with its place among them, and how far the robot was from something. */
+interface Near {
+  readonly moment: Moment;
+  readonly place: number;
+  readonly mm: number;
+}
+
+function nearestTo(zone: Zone, moments: readonly Moment[], sinceUs: number): Near | null {
   const outline = shapeOutline(zone);
-  let best: { readonly moment: Moment; readonly mm: number } | null = null;
-  for (const moment of moments) {
+  let best: Near | null = null;
+  for (const [place, moment] of moments.entries()) {
+    if (moment.timeUs < sinceUs) continue;
     const at = { x: moment.pose.xMm, y: moment.pose.yMm };
     const mm = zoneHolds(zone, at) ? 0 : distanceToEdge(outline, at);
-    if (best === null || mm < best.mm) best = { moment, mm };
+    if (best === null || mm < best.mm) best = { moment, place, mm };
   }
   return best;
 }

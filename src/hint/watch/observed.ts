@@ -1,4 +1,4 @@
-import type { Pose } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import type { Onlooker } from '#check/run/run-world';
 import { LineWatch } from '#check/run/line-watch';
 import { MAIN } from '#project/project';
@@ -28,9 +28,15 @@ export class Observed implements Onlooker {
   readonly moments: Moment[] = [];
   /** For each line of `main.py` that ran, when it last began, in µs. */
   readonly lastRanUs = new Map<number, number>();
+  /** The places of its line sensors, robot frame, in mm. */
+  sensorsMm: readonly Vec[] = [];
   private line: LineWatch | null = null;
   private route: Route | null = null;
+  /** Number of the checkpoint that is next; infinite: none is left. */
+  private number: number | null = null;
   private isNew = true;
+  /** Simulated time since which the places that were next at the end were next, in µs. */
+  nextSinceUs = 0;
   /** Simulated time at which its program ended; `null`: it did not. */
   endedUs: number | null = null;
 
@@ -56,16 +62,24 @@ export class Observed implements Onlooker {
     }
     const { nowUs, pose, ended } = run;
     if (ended !== null) this.endedUs ??= ended.timeUs;
-    if (pose !== null) this.route?.pass({ x: pose.xMm, y: pose.yMm });
+    if (pose !== null) this.pass({ x: pose.xMm, y: pose.yMm }, nowUs);
     if (pose === null || nowUs % EVERY_US !== 0 || this.moments.length >= MOST_MOMENTS) return;
     this.line?.look(nowUs, { x: pose.xMm, y: pose.yMm });
     const { robot } = run.snapshot();
     if (robot === null) return;
     const { duty, lineSensors } = robot.state;
+    if (this.moments.length === 0) this.sensorsMm = lineSensors.map(({ atMm }) => atMm);
     this.moments.push({
       ...{ timeUs: nowUs, pose, touches: run.touches },
       duty: { left: duty.left, right: duty.right },
       bright: lineSensors.map(({ bright }) => bright),
     });
+  }
+
+  private pass(at: Vec, nowUs: number): void {
+    const { route } = this;
+    if (route === null) return;
+    const next = route.pass(at);
+    if (next !== this.number) [this.number, this.nextSinceUs] = [next, nowUs];
   }
 }

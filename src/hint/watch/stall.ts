@@ -1,4 +1,5 @@
-import type { Scene } from '#scene/scene';
+import type { WorldResult } from '#check/result';
+import type { ClassTask } from '#check/task/task';
 import { Approach } from '#check/run/approach';
 import type { Onlooker } from '#check/run/run-world';
 import type { Simulation } from '#simulation/simulation';
@@ -24,12 +25,12 @@ export class Stall implements Onlooker {
   private isStalled = false;
   private lastUs = 0;
 
-  /** @param comesAgain true for a task in which places are reached several times */
-  constructor(
-    course: Scene,
-    private readonly comesAgain: boolean,
-  ) {
-    this.approach = new Approach(course);
+  /** True for a task in which places are reached several times. */
+  private readonly comesAgain: boolean;
+
+  constructor({ project, checks }: ClassTask) {
+    this.approach = new Approach(project.scene);
+    this.comesAgain = checks.some(({ type }) => type === 'laps');
   }
 
   get hasEnough(): boolean {
@@ -64,6 +65,11 @@ export class Stall implements Onlooker {
     this.isStalled = isLost || nowUs - this.newUs > (this.comesAgain ? ROUNDS_US : STALL_US);
   }
 }
+
+/** How far a run got: each check that holds is worth more than any place. */
+export const scoreOf = ({ score }: Stall, { held }: WorldResult): number => score + held.length * HELD_MM;
+
+const HELD_MM = 10_000_000;
 
 /** A place reached is worth more than any distance. */
 const REACHED_MM = 100_000;

@@ -20,7 +20,7 @@ export type StepTone = 'plain' | 'notYet' | 'done' | 'error';
 
 /** The action of the bar's button. */
 export type StepAction =
-  'run' | 'hint' | 'mission' | 'stars' | 'missions' | 'hand-in' | 'again' | 'change' | 'try' | 'restart';
+  'run' | 'hint' | 'own-hint' | 'mission' | 'stars' | 'missions' | 'hand-in' | 'again' | 'change' | 'try' | 'restart';
 
 /** The one button of the bar. */
 export interface StepButton {
@@ -78,6 +78,8 @@ export interface StepTask {
   readonly missing: string;
   /** The hints that are open, and all of them. */
   readonly hints: { readonly open: number; readonly all: number };
+  /** The levels of the hint to the pupil's own program that are open, and all that there are now. */
+  readonly own: { readonly open: number; readonly all: number };
   /** The next mission, stars that are still to be had, the list of missions; `null`: not known yet. */
   readonly next: 'mission' | 'stars' | 'missions' | null;
   readonly isHandedIn: boolean;
@@ -168,10 +170,11 @@ function afterwards({ kind, next, isHandedIn }: StepTask): StepButton | null {
   return next === null ? null : action(next, t(words.next[next]), next !== 'missions');
 }
 
-/** Not done: the reason, and the next hint while there is one. */
-function notYet({ hints: { open, all } }: StepTask, reason: string): NextStep {
+/** Not done: the reason, and the next hint while there is one: those written on the card first. */
+function notYet({ hints, own }: StepTask, reason: string): NextStep {
+  const [name, { open, all }] = hints.open < hints.all ? (['hint', hints] as const) : (['own-hint', own] as const);
   const text = open === 0 ? t(words.hint) : t(words.hintNumber, { number: open + 1 });
-  return step('notYet', 'notYet', t('verdict.notYet'), reason, open < all ? action('hint', text) : null);
+  return step('notYet', 'notYet', t('verdict.notYet'), reason, open < all ? action(name, text) : null);
 }
 
 function errorStep({ line }: { readonly line: number | null }, isPhone: boolean): NextStep {

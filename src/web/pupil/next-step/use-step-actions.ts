@@ -18,6 +18,10 @@ export function useStepActions(app: StepApp): (action: StepAction) => void {
       task.open();
       task.hints.value += 1;
     },
+    'own-hint'() {
+      task.open();
+      task.own.level.value += 1;
+    },
     mission: () => void openNext(app).catch(() => app.notices.show(latePart)),
     stars: toMissions,
     missions: toMissions,

@@ -6,6 +6,7 @@ import { useWaiting } from '../../course/editor/use-waiting';
 import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
 import { goalsInWords, rulesInWords } from '../../session/task/goals';
+import { ownLevels } from '../../session/task/own-hint/own-levels';
 import goalWords from '../../session/task/words';
 import { causeOfEnd } from '../console/error-text';
 import type { Drive, StepFacts, StepTask } from './next-step';
@@ -124,6 +125,7 @@ function useStepTask(app: StepApp, { verdict, checked, isTask, isPhone }: TaskVi
       isEarly: early.value !== null,
       missing: missing.value,
       hints: { open: card.hints.value, all: card.text.value.hints.length },
+      own: { open: card.own.level.value, all: ownLevels(card.own, app) },
       next: next.value,
       isHandedIn: card.handIn.isDone.value,
     };

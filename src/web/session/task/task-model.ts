@@ -13,6 +13,7 @@ import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import type { Checked } from './checked/checked';
 import { goalsInWords } from './goals';
+import type { OwnHintState } from './own-hint/own-levels';
 import { createHandIn, type HandInModel } from './hand-in';
 import { createKeptStars, type KeptStars } from './kept-stars';
 import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text';
@@ -35,6 +36,8 @@ export interface TaskModel {
   readonly isNew: ShallowRef<boolean>;
   /** Number of hints asked for since the course was opened. */
   readonly hints: ShallowRef<number>;
+  /** The hint to the pupil's own program. */
+  readonly own: OwnHintState;
   /** The ready course that is open, changed or not. */
   readonly ready: ComputedRef<Course | null>;
   /** The best results in this browser. */
@@ -64,6 +67,7 @@ export function createTask(
 ): TaskModel {
   const isAsked = shallowRef(false);
   const hints = shallowRef(0);
+  const own = { fails: shallowRef(0), level: shallowRef(0), most: shallowRef(4) };
   const isNew = shallowRef(false);
   const { givesWay, isWanted, isTiny } = useWay(run);
   const isUnfolded = computed(() => settings.current.value.showCard && (!isTiny.value || isWanted.value));
@@ -84,7 +88,7 @@ export function createTask(
     if (isKept.value) settings.change({ showCard: isShown });
   };
   watch([work.openings, work.arrivals], () => {
-    hints.value = 0;
+    hints.value = own.fails.value = own.level.value = 0;
     isAsked.value = isWanted.value = false;
     isNew.value = isKept.value;
     if (isKept.value) show(true);
@@ -100,7 +104,7 @@ export function createTask(
     card: computed(() => (isOpen.value ? 'open' : isKept.value && hasText.value ? 'folded' : null)),
     givesWay,
     isNew,
-    hints,
+    ...{ hints, own },
     checked: shallowRef(null),
     handIn: createHandIn({ work }),
     open() {

@@ -6,6 +6,7 @@ import type { HandIn } from '#check/hand-in/hand-in';
 import type { Answer, CheckRequest } from '#check/lane';
 import type { CheckResult } from '#check/result';
 import type { Hint } from '#hint/hint';
+import type { HintRequest } from '#hint/hint-lane';
 import type { RunAnswer, RunRequest } from '#lab/run-request';
 import type { Project } from '#project/project';
 
@@ -22,7 +23,7 @@ export interface Services {
   /** Finds hints to programs for a task; the result is `null` if the program passes. */
   readonly hint: {
     readonly open: { readonly task: Project };
-    readonly request: { readonly handIn: HandIn; readonly budget: number };
+    readonly request: HintRequest;
     readonly result: Hint | null;
   };
 }

@@ -36,7 +36,7 @@ const services: { readonly [Name in ServiceName]: Open<Name> } = {
   async hint({ task: project }, { firmware, beat }) {
     const { hintFor } = await import('#hint/hint');
     const task = taskIn(project);
-    return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat: () => beat(0) });
+    return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat });
   },
 };
 
