@@ -50,7 +50,7 @@ export type PlayStage = (
 /** Plays a tournament with its final round. */
 export async function playedStages(draw: Draw, play: PlayStage): Promise<readonly Stage[] | null> {
   const stages: Stage[] = [];
-  for (let plan: StagePlan | null = firstStage(draw); plan !== null; ) {
+  for (let plan: StagePlan | null = firstStage(draw); plan !== null;) {
     const now: StagePlan = plan;
     const found = await played(now, (pairings) => play(now, stages.length, pairings));
     if (found === null) return null;

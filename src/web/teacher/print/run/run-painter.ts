@@ -37,6 +37,14 @@ export interface PaintedRun {
   readonly colors: readonly number[];
   /** `null`: none is drawn. */
   readonly trails: Trails | null;
+  /** What is drawn in place of the trails and of the numbers on several robots; left out: those. */
+  readonly marks?: RunMarks;
+}
+
+/** Marks of robots below and above all of them, on a canvas in its own px. */
+export interface RunMarks {
+  under(context: CanvasRenderingContext2D, view: View, moment: Snapshot): void;
+  over(context: CanvasRenderingContext2D, view: View, moment: Snapshot): void;
 }
 
 /** Paints moments of a run, all at the same size. */
@@ -91,7 +99,7 @@ async function paintingOf(look: RobotLook, options: OptionValues, redraw: () => 
 }
 
 function createPainter(
-  { scene, trails, colors }: PaintedRun,
+  { scene, trails, colors, marks }: PaintedRun,
   robots: readonly (RobotPainting | null)[],
   longestPx: number,
   came: () => void,
@@ -126,7 +134,7 @@ function createPainter(
     const robot = { now, painting, scale: now.scale };
     const moving = { ...nothing, arena: scene.size, blocks, robot, display };
     drawMoving(context, view, size, 1, moving, palette);
-    if (robots.length < 2) return;
+    if (robots.length < 2 || marks !== undefined) return;
     const at = toPx(view, { x: now.pose.xMm, y: now.pose.yMm });
     const look = { ground: deviceColor(colors[place] ?? place), height: 18, fontPx: 12 };
     drawPill(context, String(place + 1), at, size, palette, look);
@@ -143,7 +151,9 @@ function createPainter(
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
       for (const mover of movers) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
+      marks?.under(context, view, moment);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
+      marks?.over(context, view, moment);
       contextOf(canvas).drawImage(context.canvas, -RIM_PX, -RIM_PX);
       return canvas;
     },

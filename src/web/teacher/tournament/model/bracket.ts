@@ -69,3 +69,7 @@ function playedTie(tie: Tie, matches: readonly Match[], ofEach: number): Bracket
     isBye: other === null,
   };
 }
+
+/** How many rounds each entrant has won so far: what decides its place first. */
+export const reachedIn = (rounds: readonly BracketRound[], count: number): readonly number[] =>
+  Array.from({ length: count }, (_, entrant) => rounds.filter((round) => round.some(({ winner }) => winner === entrant)).length); // prettier-ignore

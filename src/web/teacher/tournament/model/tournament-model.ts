@@ -84,7 +84,9 @@ export class TournamentModel {
   readonly entry = computed((): Entry | null => {
     const course = this.course.value;
     if (course === null) return null;
-    const programs = this.programs.value.flatMap(({ shown, files }) => (files === null ? [] : [{ name: shown, files }]));
+    const programs = this.programs.value.flatMap(({ shown, files }) =>
+      files === null ? [] : [{ name: shown, files }],
+    );
     return { name: course.name, scene: course.scene, programs, mode: this.mode.value, seeds: this.seeds.value };
   });
   readonly draw = computed((): Draw | null => this.entry.value && drawOf(this.entry.value));
@@ -267,10 +269,7 @@ interface Playing {
 const keyOf = ({ entrants }: StagePlan, { a, b, seed }: Pairing): string =>
   [entrants[a], b === null ? '' : entrants[b], seed].join();
 
-const matchesOf = (
-  pairings: readonly Pairing[],
-  results: readonly (MatchResult | undefined)[],
-): readonly Match[] =>
+const matchesOf = (pairings: readonly Pairing[], results: readonly (MatchResult | undefined)[]): readonly Match[] =>
   pairings.flatMap((pairing, at) => {
     const result = results[at];
     return result === undefined ? [] : [{ ...pairing, ...result }];
