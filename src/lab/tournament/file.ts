@@ -31,7 +31,7 @@ const limits = {
   matches: 20_000,
 } as const;
 
-/** What is needed to play a tournament again. */
+/** Course, programs and kind of a tournament: with them it is played again. */
 export interface Entry {
   /** The name of the course. */
   readonly name: string;

@@ -1,4 +1,6 @@
-import { t } from '../../kit/i18n';
+import { reasonText } from '#lab/say';
+
+import { shownLanguage, t } from '../../kit/i18n';
 import type { ShownMatch } from './model/shown-matches';
 import words from './words';
 
@@ -24,10 +26,20 @@ export const namesIn = ({ stage, match }: ShownMatch): readonly [string, string 
   match.b === null ? null : (stage.names[match.b] ?? ''),
 ];
 
-/** Who has won a match, in words. */
+/** The winner of a match, in words. */
 export function winnerText(shown: ShownMatch): string {
   const { winner } = shown.match;
   const [a, b] = namesIn(shown);
   if (b === null) return t(winner === 'a' ? words.passes : words.misses, { name: a });
   return winner === 'draw' ? t(words.drawnMatch) : t(words.wins, { name: winner === 'a' ? a : b });
+}
+
+/** The same, and what has become of the other one, or why nobody has won. */
+export function resultText(shown: ShownMatch): string {
+  const { winner, reason } = shown.match;
+  const [a, b] = namesIn(shown);
+  if (reason === null) return winnerText(shown);
+  const loser = b === null || winner === 'draw' ? '' : winner === 'a' ? b : a;
+  const why = reasonText(reason, shownLanguage());
+  return `${winnerText(shown)} · ${loser === '' ? why : t(words.why, { name: loser, reason: why })}`;
 }

@@ -33,7 +33,7 @@ export const tournamentOf = lateModel(() => {
   return model;
 });
 
-/** What has been played on this page so far. */
+/** The course and the number of matches that have been played on this page so far. */
 export const playedHere = lateModel((app): Ref<{ readonly name: string; readonly count: number }> => {
   const { course, stages } = tournamentOf(app);
   return computed(() => ({
@@ -55,7 +55,9 @@ export function coursesNow({ work }: WorkParts): {
     scene: one.scene,
   }));
   const all = [open, ...ready].filter((one) => hasTask(one.scene) && one.scene.task.robots !== 'together');
-  return { versus: all.filter((one) => !isForOne(one.scene)), alone: all.filter((one) => isForOne(one.scene)) };
+  const isRing = ({ scene: { task } }: Course): number => Number(task.robots === 'ring');
+  const versus = all.filter((one) => !isForOne(one.scene)).sort((one, other) => isRing(other) - isRing(one));
+  return { versus, alone: all.filter((one) => isForOne(one.scene)) };
 }
 
 /**

@@ -29,7 +29,7 @@ export const roundsOf = (stage: Pick<LiveStage, 'names' | 'matches' | 'seeds'>):
 
 /** All matches that have ended: those of a league in the order in which they have, those of brackets by rounds and pairs. */
 export function shownMatches(stages: readonly LiveStage[]): readonly ShownMatch[] {
-  return stages.flatMap((stage, place) => {
+  return stages.flatMap((stage, place): readonly ShownMatch[] => {
     const keyOf = ({ a, b, seed }: Match): string => [place, a, b, seed].join();
     if (stage.mode === 'league')
       return stage.ended.map((match, at) => ({ key: keyOf(match), stage, match, number: at + 1, tie: null }));

@@ -74,7 +74,7 @@ export class TournamentModel {
   readonly stages: ShallowRef<readonly LiveStage[]> = shallowRef([]);
   /** The reason why nothing can be played, as a key or in words; `null`: none. */
   readonly failure: ShallowRef<TroubleKey | { readonly problem: string } | null> = shallowRef(null);
-  /** What a file says has come of the tournament; `null`: it is from no file. */
+  /** The results that its file tells; `null`: it is from no file. */
   readonly told: ShallowRef<readonly unknown[] | null> = shallowRef(null);
   /** Number of matches that have come out otherwise than the file says; `null`: from no file, or not over yet. */
   readonly differing = computed(() =>

@@ -16,9 +16,9 @@ export interface WatchedRun {
   readonly endMs: number;
 }
 
-/** What is seen after the decision, in ms: who has been pushed out is seen leaving. */
+/** Time that is shown after the decision, in ms: one that has been pushed out is seen leaving. */
 const AFTER_MS = 1000;
-/** What is shown of a match without a decision, in ms. */
+/** Length of a match without a decision, in ms: more of it is not shown. */
 const UNDECIDED_MS = 60_000;
 
 /**
