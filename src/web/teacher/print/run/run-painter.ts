@@ -37,7 +37,7 @@ export interface PaintedRun {
   readonly colors: readonly number[];
   /** `null`: none is drawn. */
   readonly trails: Trails | null;
-  /** What is drawn in place of the trails and of the numbers on several robots; left out: those. */
+  /** Marks in place of the trails and of the numbers on several robots; left out: those. */
   readonly marks?: RunMarks;
 }
 
@@ -113,7 +113,6 @@ function createPainter(
   const context = contextOf(emptyCanvas(size.widthPx, size.heightPx));
   const paintTrail = trailPainter(size.widthPx, size.heightPx);
   const kinds = createSceneKinds(came);
-  const movers = scene.objects.filter((object): object is Mover => object.type === 'mover');
   let still: { readonly look: string; readonly canvas: HTMLCanvasElement } | null = null;
 
   /** The still layer, painted once for each step of the task. */
@@ -149,7 +148,7 @@ function createPainter(
       for (const place of robots.keys())
         if (trails !== null)
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
-      for (const mover of movers) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
+      for (const mover of moversOf(scene)) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
       marks?.under(context, view, moment);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
@@ -159,6 +158,9 @@ function createPainter(
     },
   };
 }
+
+const moversOf = ({ objects }: Scene): readonly Mover[] =>
+  objects.filter((object): object is Mover => object.type === 'mover');
 
 /** One robot's trail is blue, those of several are in their colours. */
 const traceOf = (colors: readonly number[], place: number) =>
