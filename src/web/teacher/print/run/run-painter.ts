@@ -113,16 +113,17 @@ function createPainter(
   const context = contextOf(emptyCanvas(size.widthPx, size.heightPx));
   const paintTrail = trailPainter(size.widthPx, size.heightPx);
   const kinds = createSceneKinds(came);
-  let still: { readonly look: string; readonly canvas: HTMLCanvasElement } | null = null;
+  let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task. */
-  function stillAt({ verdict }: Snapshot): HTMLCanvasElement {
+  /** The still layer, painted once for each step of the task and each switching of a lamp or a barrier. */
+  function stillAt({ verdict, switched }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
+    const shown = kinds.switched(scene, switched);
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();
-    if (still?.look === look) return still.canvas;
+    if (still?.look === look && still.shown === shown) return still.canvas;
     const painted = emptyCanvas(size.widthPx, size.heightPx);
-    drawScene(contextOf(painted), view, { scene, zones, sheets, kinds, verdict }, size, palette);
-    still = { look, canvas: painted };
+    drawScene(contextOf(painted), view, { scene: shown, zones, sheets, kinds, verdict }, size, palette);
+    still = { look, shown, canvas: painted };
     return painted;
   }
   function drawRobotOf(device: DeviceSnapshot, place: number, blocks: MovingScene['blocks']): void {
@@ -130,8 +131,7 @@ function createPainter(
     const { robot: now, display } = device;
     if (!painting || now === null) return;
     const nothing = { heldBlock: null, robotHeld: false, overlay: null, marks: null };
-    const robot = { now, painting, scale: now.scale };
-    const moving = { ...nothing, arena: scene.size, blocks, robot, display };
+    const moving = { ...nothing, arena: scene.size, blocks, robot: { now, painting, scale: now.scale }, display };
     drawMoving(context, view, size, 1, moving, palette);
     if (robots.length < 2 || marks !== undefined) return;
     const at = toPx(view, { x: now.pose.xMm, y: now.pose.yMm });
@@ -145,8 +145,8 @@ function createPainter(
       const { blocks } = arranged(scene, moment);
       context.drawImage(stillAt(moment), 0, 0);
       trails?.lookAt(moment.timeUs);
-      for (const place of robots.keys())
-        if (trails !== null)
+      if (trails !== null)
+        for (const place of robots.keys())
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
       for (const mover of moversOf(scene)) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
