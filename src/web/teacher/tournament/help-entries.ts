@@ -11,7 +11,7 @@ export const helpEntries: readonly HelpEntry[] = [
     after: 'projector',
     icon: mdiTrophyOutline,
     name: () => t(words.title),
-    text: () => t(words.help),
+    text: () => `${t(words.help)} ${t(words.finalKeys)}`,
     covers: ['menu-tournament'],
   },
 ];
