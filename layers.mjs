@@ -132,6 +132,7 @@ export const wings = {
     desk: ['session', 'pupil/galleries'],
     class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk'],
     classes: ['session', 'pupil/galleries', 'teacher/class', 'teacher/desk'],
+    tournament: ['session', 'pupil/arena', 'pupil/galleries', 'teacher/class', 'teacher/desk', 'teacher/print'],
     'task-maker': [
       'session', 'course/editor', 'pupil/code', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share',
       'teacher/class', 'teacher/print', 'teacher/desk', 'teacher/shelf',

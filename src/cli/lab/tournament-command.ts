@@ -1,7 +1,6 @@
 import { resolve } from 'node:path';
-import type { RunEnd } from '#lab/run-end';
 import { progressText } from '#lab/say';
-import { isForOne, matchSetup, type Files } from '#lab/tournament/match-setup';
+import { isForOne, MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
 import { resultOfRun, type MatchResult, type Pairing } from '#lab/tournament/match';
 import { programNames } from '#lab/tournament/names';
 import { leagueCount, matchCount, played, type Draw, type Tournament } from '#lab/tournament/play';
@@ -10,7 +9,6 @@ import { MOST_RUNS } from '#lab/values';
 import type { Scene } from '#scene/scene';
 import { hasTask } from '#simulation/task/task-brief';
 import { outputProblem } from '../outputs';
-import { DEFAULT_LIMIT_US } from '../prepared-run';
 import { filesOfWord, readCourse } from '../read-files';
 import { isAddress, shortened } from '../read-work';
 import { CountProgress, refuse, writeReports } from '../results-out';
@@ -28,9 +26,6 @@ interface Entered {
   readonly programs: readonly Files[];
   readonly draw: Draw;
 }
-
-/** A match is over when the task is decided, or when nothing more can happen. */
-const END: RunEnd = { untilUs: DEFAULT_LIMIT_US, untilProgramEnds: false, untilVerdict: true };
 
 /**
  * Carries out `parcours tournament`.
@@ -114,7 +109,7 @@ async function playAll(
     for (const [place, { a, b, seed }] of pairings.entries()) {
       const setup = matchSetup(scene, programs[a] ?? {}, b === null ? null : (programs[b] ?? {}), seed);
       if ('problem' in setup) problem = setup.problem;
-      else runs.push({ is: place, request: { setup, end: END } });
+      else runs.push({ is: place, request: { setup, end: MATCH_END } });
     }
     if (problem !== '') return null;
     const refused = await maker.make(runs, (place, made) => {

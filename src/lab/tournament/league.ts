@@ -17,3 +17,17 @@ export const meeting = (one: number, other: number, seeds: readonly number[]): r
     { a: one, b: other, seed },
     { a: other, b: one, seed },
   ]);
+
+/**
+ * Matches of a league in the order of its rounds, in each of which nobody plays twice: so nobody is far ahead in matches while the
+ * table grows.
+ */
+export function inRounds<T extends Pairing>(matches: readonly T[], count: number): readonly T[] {
+  const rounds = count % 2 === 0 ? count - 1 : count;
+  const roundOf = ({ a, b }: Pairing): number => {
+    if (b === null) return 0;
+    const [one, other] = [Math.min(a, b), Math.max(a, b)];
+    return (one + (other === rounds ? one : other)) % rounds;
+  };
+  return matches.toSorted((one, other) => one.seed - other.seed || roundOf(one) - roundOf(other));
+}

@@ -3,9 +3,16 @@ import { AUTO, chooseHardware, hardwareIds, sceneOfFurther } from '#simulation/h
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { furtherStart } from '#simulation/several/starts';
 import type { RobotStart, Scene } from '#scene/scene';
+import type { RunEnd } from '../run-end';
 
 /** The files of a program's board. */
 export type Files = Readonly<Record<string, string>>;
+
+/**
+ * A match is over when the task is decided, or when nothing more can happen; at the latest after ten minutes, longer than any
+ * task.
+ */
+export const MATCH_END: RunEnd = { untilUs: 600_000_000, untilProgramEnds: false, untilVerdict: true };
 
 /** True if the programs do not meet in a course: its task is for one robot, or there is one start only. */
 export const isForOne = (scene: Scene): boolean => scene.task.robots === undefined || furtherStart(scene, 1) === null;

@@ -21,6 +21,8 @@ export interface MatchResult {
   readonly atMs: number | null;
   /** Why the other one has not won, or why nobody has; `null`: one robot that has passed. */
   readonly reason: MatchReason | null;
+  /** The fingerprint of its run; left out: nobody keeps it. */
+  readonly traceHash?: string;
 }
 
 /** A match that was played. */

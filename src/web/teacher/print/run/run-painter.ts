@@ -37,6 +37,14 @@ export interface PaintedRun {
   readonly colors: readonly number[];
   /** `null`: none is drawn. */
   readonly trails: Trails | null;
+  /** Marks in place of the trails and of the numbers on several robots; left out: those. */
+  readonly marks?: RunMarks;
+}
+
+/** Marks of robots below and above all of them, on a canvas in its own px. */
+export interface RunMarks {
+  under(context: CanvasRenderingContext2D, view: View, moment: Snapshot): void;
+  over(context: CanvasRenderingContext2D, view: View, moment: Snapshot): void;
 }
 
 /** Paints moments of a run, all at the same size. */
@@ -91,7 +99,7 @@ async function paintingOf(look: RobotLook, options: OptionValues, redraw: () => 
 }
 
 function createPainter(
-  { scene, trails, colors }: PaintedRun,
+  { scene, trails, colors, marks }: PaintedRun,
   robots: readonly (RobotPainting | null)[],
   longestPx: number,
   came: () => void,
@@ -105,7 +113,6 @@ function createPainter(
   const context = contextOf(emptyCanvas(size.widthPx, size.heightPx));
   const paintTrail = trailPainter(size.widthPx, size.heightPx);
   const kinds = createSceneKinds(came);
-  const movers = scene.objects.filter((object): object is Mover => object.type === 'mover');
   let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
   /** The still layer, painted once for each step of the task and each switching of a lamp or a barrier. */
@@ -124,10 +131,9 @@ function createPainter(
     const { robot: now, display } = device;
     if (!painting || now === null) return;
     const nothing = { heldBlock: null, robotHeld: false, overlay: null, marks: null };
-    const robot = { now, painting, scale: now.scale };
-    const moving = { ...nothing, arena: scene.size, blocks, robot, display };
+    const moving = { ...nothing, arena: scene.size, blocks, robot: { now, painting, scale: now.scale }, display };
     drawMoving(context, view, size, 1, moving, palette);
-    if (robots.length < 2) return;
+    if (robots.length < 2 || marks !== undefined) return;
     const at = toPx(view, { x: now.pose.xMm, y: now.pose.yMm });
     const look = { ground: deviceColor(colors[place] ?? place), height: 18, fontPx: 12 };
     drawPill(context, String(place + 1), at, size, palette, look);
@@ -139,17 +145,22 @@ function createPainter(
       const { blocks } = arranged(scene, moment);
       context.drawImage(stillAt(moment), 0, 0);
       trails?.lookAt(moment.timeUs);
-      for (const place of robots.keys())
-        if (trails !== null)
+      if (trails !== null)
+        for (const place of robots.keys())
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
-      for (const mover of movers) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
+      for (const mover of moversOf(scene)) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
+      marks?.under(context, view, moment);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
+      marks?.over(context, view, moment);
       contextOf(canvas).drawImage(context.canvas, -RIM_PX, -RIM_PX);
       return canvas;
     },
   };
 }
+
+const moversOf = ({ objects }: Scene): readonly Mover[] =>
+  objects.filter((object): object is Mover => object.type === 'mover');
 
 /** One robot's trail is blue, those of several are in their colours. */
 const traceOf = (colors: readonly number[], place: number) =>

@@ -1,0 +1,149 @@
+/**
+ * A tournament as a file that anybody can check by running it again, `parcours-tournament` version 1: the course, the programs, how
+ * they play, and what came of it.
+ */
+import { isRecord } from '#core/record';
+import { isSame } from '#core/same';
+import { readJsonFile, summaryOf } from '#scene/json-file';
+import { parseSceneValue } from '#scene/parse';
+import { versionProblem } from '#scene/problem';
+import { Reader } from '#scene/reader';
+import type { Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+import { isForOne, type Files } from './match-setup';
+import { leagueCount, modes, type Draw, type Mode } from './play';
+import type { Stage } from './stages';
+
+/** The name of the format in a file. */
+export const TOURNAMENT_FORMAT = 'parcours-tournament';
+const VERSION = 1;
+
+/** Chosen: a class's programs are far shorter, and its matches some hundred. */
+const limits = {
+  characters: 40_000_000,
+  programs: { min: 1, max: 100 },
+  nameCharacters: 200,
+  files: 20,
+  fileCharacters: 262_144,
+  seeds: { min: 1, max: 20 },
+  seed: { min: 1, max: 1_000_000 },
+  stages: { min: 0, max: 2 },
+  matches: 20_000,
+} as const;
+
+/** Course, programs and kind of a tournament: with them it is played again. */
+export interface Entry {
+  /** The name of the course. */
+  readonly name: string;
+  readonly scene: Scene;
+  /** Each with a name unlike the others'. */
+  readonly programs: readonly { readonly name: string; readonly files: Files }[];
+  readonly mode: Mode;
+  readonly seeds: readonly number[];
+}
+
+/** The programs of a tournament and its mode, as it is played. */
+export const drawOf = ({ scene, programs, mode, seeds }: Entry): Draw => ({
+  ...{ mode, seeds, isAlone: isForOne(scene) },
+  names: programs.map(({ name }) => name),
+});
+
+/** A tournament of a file: `told` is what the file says has come of it, for `differences`. */
+export interface ToldTournament extends Entry {
+  readonly told: readonly unknown[];
+}
+
+/** A stage for a file: its matches with the names of their programs, and the fingerprints of their runs. */
+const dataOf = ({ mode, seeds, names, matches, table }: Stage): Readonly<Record<string, unknown>> => ({
+  ...{ mode, seeds, names, table },
+  matches: matches.map(({ a, b, ...match }) => ({ a: names[a], b: b === null ? null : names[b], ...match })),
+});
+
+/** The file of a tournament that was played. */
+export function tournamentFile({ name, scene, programs, mode, seeds }: Entry, stages: readonly Stage[]): string {
+  const list = (values: readonly unknown[]): string =>
+    `[\n    ${values.map((value) => JSON.stringify(value)).join(',\n    ')}\n  ]`;
+  const lines = [
+    `"format": ${JSON.stringify(TOURNAMENT_FORMAT)}`,
+    `"version": ${VERSION}`,
+    `"name": ${JSON.stringify(name)}`,
+    `"mode": ${JSON.stringify(mode)}`,
+    `"seeds": ${JSON.stringify(seeds)}`,
+    `"programs": ${list(programs)}`,
+    `"stages": ${list(stages.map(dataOf))}`,
+    `"course": ${serializeScene(scene).trimEnd().replaceAll('\n', '\n  ')}`,
+  ];
+  return `{\n  ${lines.join(',\n  ')}\n}\n`;
+}
+
+/** Number of matches that have come out otherwise than the file says, those included that only one of both has. */
+export function differences(stages: readonly Stage[], told: readonly unknown[]): number {
+  let count = 0;
+  for (let place = 0; place < Math.max(stages.length, told.length); place++) {
+    const [stage, other] = [stages[place], told[place]];
+    const here = stage === undefined ? {} : dataOf(stage);
+    const there = isRecord(other) ? other : {};
+    const [played, toldOf] = [listIn(here), listIn(there)];
+    for (let match = 0; match < Math.max(played.length, toldOf.length); match++)
+      if (!isSame(played[match], toldOf[match])) count += 1;
+    if (count === 0 && !isSame(here['table'], there['table'])) count = 1;
+  }
+  return count;
+}
+
+const listIn = ({ matches }: Readonly<Record<string, unknown>>): readonly unknown[] =>
+  Array.isArray(matches) ? (matches as readonly unknown[]) : [];
+
+/** True if a text seems to be the file of a tournament: only then it is worth parsing. */
+export const looksLikeTournament = (text: string): boolean => /^\ufeff?\s*\{[^{[]*"parcours-tournament"/.test(text);
+
+/** Reads the file of a tournament. Never throws. */
+export function parseTournament(text: string): { readonly tournament: ToldTournament } | { readonly problem: string } {
+  const read = readJsonFile(text, 'tournament', limits.characters);
+  if ('problem' in read) return { problem: read.problem.message };
+  if (!isRecord(read.value) || read.value['format'] !== TOURNAMENT_FORMAT)
+    return { problem: `This is not a tournament: "format" must be "${TOURNAMENT_FORMAT}".` };
+  const { version } = read.value;
+  if (version !== VERSION) return { problem: versionProblem('Tournament', version, VERSION).message };
+  return readTournament(read.value);
+}
+
+function readTournament(value: unknown): ReturnType<typeof parseTournament> {
+  const reader = new Reader();
+  const fields = reader.fields(value, '', ['format', 'version', 'name', 'mode', 'seeds', 'programs', 'stages', 'course']); // prettier-ignore
+  const name = reader.text(fields['name'], 'name', limits.nameCharacters, '');
+  const mode = modes.find((one) => one === fields['mode']);
+  if (mode === undefined) reader.report('unknown-value', 'mode', fields['mode'], `must be ${modes.join(' or ')}.`);
+  const seeds = reader
+    .list(fields['seeds'], 'seeds', limits.seeds)
+    .map((seed, place) => reader.whole(seed, `seeds[${place}]`, limits.seed));
+  const programs = reader
+    .list(fields['programs'], 'programs', limits.programs)
+    .map((program, place) => readProgram(program, `programs[${place}]`, reader));
+  const told = reader.list(fields['stages'], 'stages', limits.stages);
+  if (new Set(programs.map((one) => one.name)).size < programs.length)
+    reader.report('unknown-value', 'programs', undefined, 'two programs have the same name.');
+  const [first] = reader.problems;
+  if (first !== undefined || mode === undefined) return { problem: summaryOf(reader.problems) };
+  const course = parseSceneValue(fields['course']);
+  if ('problems' in course) return { problem: summaryOf(course.problems) };
+  const tournament = { name, scene: course.scene, programs, mode, seeds, told };
+  const draw = drawOf(tournament);
+  return !draw.isAlone && programs.length < 2
+    ? { problem: 'One program has nobody to meet.' }
+    : leagueCount(draw) > limits.matches
+      ? { problem: `${leagueCount(draw)} matches are too many, at most ${limits.matches}.` }
+      : { tournament };
+}
+
+function readProgram(value: unknown, path: string, reader: Reader): Entry['programs'][number] {
+  const fields = reader.fields(value, path, ['name', 'files']);
+  const files = isRecord(fields['files']) ? Object.entries(fields['files']).slice(0, limits.files) : [];
+  if (files.length === 0) reader.report('unknown-value', `${path}.files`, fields['files'], 'there is no program.');
+  return {
+    name: reader.text(fields['name'], `${path}.name`, limits.nameCharacters),
+    files: Object.fromEntries(
+      files.map(([file, text]) => [file, reader.text(text, `${path}.files.${file}`, limits.fileCharacters)]),
+    ),
+  };
+}

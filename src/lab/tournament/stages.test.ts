@@ -1,0 +1,97 @@
+import { describe, expect, it } from 'vitest';
+
+import { parseSceneValue } from '#scene/parse';
+
+import { differences, parseTournament, tournamentFile, type Entry } from './file';
+import { inRounds, leaguePairings } from './league';
+import type { MatchResult, Pairing } from './match';
+import type { Draw } from './play';
+import { finalistsOf, playedStages, type Stage } from './stages';
+
+const names = ['a', 'b', 'c', 'd', 'e'];
+const draw: Draw = { mode: 'league', names, seeds: [1, 2], isAlone: false };
+/** The later one in the list of programs wins. */
+const later = ({ a, b }: Pairing): MatchResult => ({ winner: a > (b ?? -1) ? 'a' : 'b', atMs: 1000, reason: 'left', traceHash: `${a}${b ?? ''}` }); // prettier-ignore
+
+/** A tournament in which each stage knows its programs by their places in the whole. */
+async function stagesOf(one: Draw): Promise<readonly Stage[]> {
+  const found = await playedStages(one, ({ entrants }, _, pairings) =>
+    Promise.resolve(
+      pairings.map(({ a, b, seed }) => later({ a: entrants[a] ?? 0, b: b === null ? null : (entrants[b] ?? 0), seed })),
+    ),
+  );
+  return found ?? [];
+}
+
+describe('a tournament with a final round', () => {
+  it('plays it with the first of the league, with a seed of its own', async () => {
+    const [league, finals] = await stagesOf(draw);
+    expect(league?.table.map(({ name }) => name)).toEqual(['e', 'd', 'c', 'b', 'a']);
+    expect(finals).toMatchObject({ mode: 'knockout', names: ['e', 'd', 'c', 'b'], seeds: [3], entrants: [4, 3, 2, 1] });
+    expect(finals?.table[0]?.name).toBe('e');
+  });
+  it.each([
+    [2, 0],
+    [3, 2],
+    [7, 4],
+    [24, 8],
+  ])('of %i programs has %i in it', (count, of) =>
+    expect(finalistsOf({ ...draw, names: Array.from({ length: count }, String) })).toBe(of),
+  );
+  it('has none in a course for one robot, or where the brackets are all', async () => {
+    expect(finalistsOf({ ...draw, isAlone: true })).toBe(0);
+    expect(await stagesOf({ ...draw, mode: 'knockout' })).toHaveLength(1);
+  });
+});
+
+describe('the rounds of a league', () => {
+  it.each([4, 5])('of %i programs have nobody twice', (count) => {
+    const all = inRounds([...leaguePairings(count, [1], false)], count);
+    expect(all).toHaveLength(count * (count - 1));
+    // Both sides of a pair follow each other.
+    const inRound = 2 * Math.floor(count / 2);
+    for (let from = 0; from < all.length; from += inRound) {
+      const playing = all.slice(from, from + inRound).map(({ a }) => a);
+      expect(new Set(playing).size).toBe(inRound);
+    }
+  });
+});
+
+describe('the file of a tournament', () => {
+  const course = parseSceneValue({
+    ...{ format: 'parcours-scene', version: 4, name: 'Ring', size: [1500, 1500] },
+    ...{ robot: { at: [560, 700], heading: 0 }, task: { seconds: 60, robots: 'ring' } },
+    objects: [
+      { id: 'ring', type: 'target', at: [750, 750], size: [840, 840], round: true },
+      { id: 'rival', type: 'start', at: [930, 820], heading: 180 },
+    ],
+  });
+  if ('problem' in course) throw new Error(course.problem);
+  const entry: Entry = {
+    ...{ name: 'Ring', mode: 'league', seeds: [1, 2], scene: course.scene },
+    programs: names.map((name) => ({ name, files: { 'main.py': `# ${name}\n` } })),
+  };
+  it('read again is the same tournament, and the same matches are equal to it', async () => {
+    const stages = await stagesOf(draw);
+    const read = parseTournament(tournamentFile(entry, stages));
+    if ('problem' in read) throw new Error(read.problem);
+    const { told, ...again } = read.tournament;
+    expect(again).toEqual(entry);
+    expect(differences(stages, told)).toBe(0);
+  });
+  it('tells how many matches come out otherwise', async () => {
+    const stages = await stagesOf(draw);
+    const changed = tournamentFile(entry, stages).replace('"a":"a","b":"b","seed":1,"winner":"b"', '"a":"a","b":"b","seed":1,"winner":"a"'); // prettier-ignore
+    const read = parseTournament(changed);
+    expect('tournament' in read && differences(stages, read.tournament.told)).toBe(1);
+  });
+  it.each([
+    ['{', 'not JSON'],
+    ['{"format":"parcours-project"}', 'not a tournament'],
+    ['{"format":"parcours-tournament","version":2}', 'newer'],
+    ['{"format":"parcours-tournament","version":1,"mode":"cup","seeds":[1],"programs":[],"stages":[]}', 'mode'],
+  ])('%s is refused with the reason', (text, reason) => {
+    const read = parseTournament(text);
+    expect('problem' in read && read.problem).toContain(reason);
+  });
+});

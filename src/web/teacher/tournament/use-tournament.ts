@@ -1,0 +1,90 @@
+import { computed, type Ref } from 'vue';
+
+import { courses } from '#catalogue/courses';
+import { looksLikeTournament, parseTournament } from '#lab/tournament/file';
+import { isForOne } from '#lab/tournament/match-setup';
+import { listSources } from '#intake/sources';
+import { hasTask } from '#simulation/task/task-brief';
+
+import type { AddedFile } from '../../kit/files/added-files';
+import { shownLanguage, t } from '../../kit/i18n';
+import { askBeforeLeaving } from '../../kit/state/ask-before-leaving';
+import { lateModel } from '../../kit/state/late-models';
+import { every, laneCount, serveThread } from '../../session/run/serve-thread';
+import { compileFirmware } from '../../session/run/worker/firmware';
+import { courseName } from '../../session/work/catalogue/first-course';
+import { readyScene } from '../../session/work/catalogue/ready-courses';
+import type { WorkParts } from '../../session/work/model/parts';
+import { handInReader } from '../class/take-files';
+import { TournamentModel, type Course } from './model/tournament-model';
+import words from './words';
+
+/** `Course.from` of the work that is open in the app. */
+const OPEN = 'open';
+
+/** The tournament of this page: it stays while the page is open, also when it is out of sight. */
+export const tournamentOf = lateModel(() => {
+  const model = new TournamentModel({
+    starter: async () => serveThread({ service: 'runs' }, await compileFirmware()),
+    every,
+    lanes: laneCount(),
+  });
+  askBeforeLeaving(() => model.isUnsaved.value);
+  return model;
+});
+
+/** The course and the number of matches that have been played on this page so far. */
+export const playedHere = lateModel((app): Ref<{ readonly name: string; readonly count: number }> => {
+  const { course, stages } = tournamentOf(app);
+  return computed(() => ({
+    name: course.value?.name ?? '',
+    count: stages.value.reduce((sum, { matches }) => sum + matches.length, 0),
+  }));
+});
+
+/** The courses that a tournament can have: those in which programs meet, and those in which each drives alone. */
+export function coursesNow({ work }: WorkParts): {
+  readonly versus: readonly Course[];
+  readonly alone: readonly Course[];
+} {
+  const { scene, course } = work.work.value.project;
+  const open = { name: t(words.open, { name: courseName(scene, course) }), from: OPEN, scene };
+  const ready = courses.map((one) => ({
+    name: one.texts[shownLanguage()].name,
+    from: one.id,
+    scene: one.scene,
+  }));
+  const all = [open, ...ready].filter((one) => hasTask(one.scene) && one.scene.task.robots !== 'together');
+  const isRing = ({ scene: { task } }: Course): number => Number(task.robots === 'ring');
+  const versus = all.filter((one) => !isForOne(one.scene)).sort((one, other) => isRing(other) - isRing(one));
+  return { versus, alone: all.filter((one) => isForOne(one.scene)) };
+}
+
+/**
+ * Takes files that were dropped or chosen: the file of a tournament is played again, all others are programs.
+ *
+ * @returns `null`, or why the file of a tournament cannot be read
+ */
+export async function takeFiles(model: TournamentModel, files: readonly AddedFile[]): Promise<string | null> {
+  for (const { path, file } of files) {
+    const text = path.endsWith('.json') && file.size < MOST_BYTES ? await file.text() : '';
+    if (!looksLikeTournament(text)) continue;
+    const read = parseTournament(text);
+    if ('problem' in read) return t(words.badFile, { name: path, reason: read.problem });
+    void model.open(read.tournament);
+    return null;
+  }
+  const { sources } = await handInReader.open(files);
+  if (sources.length > 0) void model.add(sources);
+  return null;
+}
+
+/** Larger files are no tournament's. */
+const MOST_BYTES = 40_000_000;
+
+/** Adds the programs behind the links in a text. @returns false if there are none */
+export function addLinks(model: TournamentModel, text: string): Promise<boolean> {
+  const sources = listSources(text, readyScene);
+  if (sources.length > 0) void model.add(sources);
+  return Promise.resolve(sources.length > 0);
+}
