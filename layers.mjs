@@ -71,6 +71,7 @@ export const layers = {
     'device-log',
     'check',
     'lab',
+    'hint',
     'school-class',
     'intake',
     'hex',

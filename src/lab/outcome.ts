@@ -33,11 +33,18 @@ export interface Outcome {
   readonly traceHash: string;
 }
 
-/** Takes a run to its end. `beat` is called after each slice: a sign of life. */
+/** Means for runs. */
+export interface Runner {
+  readonly firmware: WebAssembly.Module;
+  /** Called after each slice: a sign of life. */
+  readonly beat: () => void;
+}
+
+/** Takes a run to its end. */
 export async function ranTo(
   setup: RunSetup,
   end: RunEnd,
-  { firmware, beat }: { readonly firmware: WebAssembly.Module; readonly beat: () => void },
+  { firmware, beat }: Runner,
 ): Promise<{ readonly outcome: Outcome; readonly verdict: Verdict | null }> {
   // The programs' output is not kept: of a hundred thousand runs nobody reads it.
   const simulation = await Simulation.create(setup, firmware, { print: () => undefined });

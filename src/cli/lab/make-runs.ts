@@ -1,9 +1,10 @@
 import { Asker, inLanes } from '#check/lane';
 import { stuckOutcome } from '#lab/outcome';
+import type { RunAnswer, RunRequest } from '#lab/run-request';
 import { hasTask } from '#simulation/task/task-brief';
 import { readFirmware } from '../firmware';
 import { every, threads } from '../threads/threads';
-import type { RunAnswer, RunnerData, RunRequest } from './lab-messages';
+import type { RunnerData } from './lab-messages';
 
 type Problem = { readonly problem: string };
 

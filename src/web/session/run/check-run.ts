@@ -6,7 +6,7 @@ import type { CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
 import type { Project } from '#project/project';
 
-import { every, startThread } from './check-thread';
+import { every, checkThread } from './serve-thread';
 import { compileFirmware } from './worker/firmware';
 import { troubleKey, type TroubleKey } from './worker/firmware-trouble';
 
@@ -18,7 +18,7 @@ export interface CheckPorts {
 }
 
 /** Threads in workers of their own. */
-const inWorkers: CheckPorts = { starter: async (task) => startThread(task, await compileFirmware()), every };
+const inWorkers: CheckPorts = { starter: async (task) => checkThread(task, await compileFirmware()), every };
 
 /** Checks one project at a time as a hand-in of a task: a model solution, or a pupil's own work. */
 export class CheckRun {

@@ -6,7 +6,7 @@ import type { Project } from '#project/project';
 import { shownLanguage, t } from '../../kit/i18n';
 import { lateModel } from '../../kit/state/late-models';
 import { compileFirmware } from '../../session/run/worker/firmware';
-import { every, laneCount, startThread } from '../../session/run/check-thread';
+import { every, laneCount, checkThread } from '../../session/run/serve-thread';
 import { askOnLeaving } from './ask-on-leaving';
 import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './model/class-model';
@@ -19,7 +19,7 @@ export const [OPEN, FILE, SERIES, KEPT] = ['open', 'file', 'series', 'kept'];
 export const classOf = lateModel(
   () =>
     new ClassModel({
-      starter: async (task) => startThread(task, await compileFirmware(), startsOf(task.project)),
+      starter: async (task) => checkThread(task, await compileFirmware(), startsOf(task.project)),
       every,
       lanes: laneCount(),
       language: shownLanguage,

@@ -6,7 +6,7 @@ import type { Every } from '#check/lane';
 import type { Scene } from '#scene/scene';
 
 import type { AddedFile } from '../../../kit/files/added-files';
-import { every } from '../check-thread';
+import { every } from '../serve-thread';
 import { createWorker } from '../worker/create-worker';
 import type { FromReader, ToReader } from '../worker/reader';
 

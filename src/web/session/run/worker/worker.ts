@@ -1,13 +1,12 @@
 /**
- * The worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), checks hand-ins
- * (`checker.ts`) or reads them (`reader.ts`), makes a film (`film.ts`) or a hex (`hex.ts`). A run exchanges the messages of
+ * The worker that owns one run, inspects a past one or repeats it (`look/`), fits one robot (`fit.ts`), serves beside a run
+ * (`serve/`: checks, runs by the hundred, hints), reads hand-ins (`reader.ts`), makes a film (`film.ts`) or a hex (`hex.ts`). A run exchanges the messages of
  * `protocol.ts`; its logic is in `runner.ts`.
  */
 import '../../../kit/oldest/fill';
 
 import { Simulation } from '#simulation/simulation';
 
-import type { Checker, ToChecker } from './checker';
 import type { createFilmMaker, ToFilm } from './film';
 import { answerFit, type FitRequest } from './fit';
 import type { HexAnswer, HexRequest } from './hex';
@@ -19,6 +18,8 @@ import { sealSandbox } from './sandbox';
 import { packPictures } from './pictures';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
+import type { ToServer } from './serve/protocol';
+import type { Server } from './serve/server';
 
 sealSandbox(globalThis);
 
@@ -53,11 +54,11 @@ const looker = new Looker({
   rest: () => new Promise((resolve) => soon(resolve)),
 });
 
-/** Loaded on demand: no run needs the code that reads a class's programs. */
-let checker: Promise<Checker> | null = null;
-const loadChecker = (): Promise<Checker> =>
-  (checker ??= import('./checker').then(
-    (late) => new late.Checker({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
+/** Loaded on demand: no run needs the code that serves beside it. */
+let server: Promise<Server> | null = null;
+const loadServer = (): Promise<Server> =>
+  (server ??= import('./serve/server').then(
+    (late) => new late.Server({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
   ));
 
 const isForLooker = (data: Asked): data is ToLooker =>
@@ -72,7 +73,7 @@ let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
 const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
   (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
 
-type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToChecker | ToReader | ToFilm;
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToServer | ToReader | ToFilm;
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
@@ -84,7 +85,7 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
       .catch((error: unknown): HexAnswer => ({ type: 'failed', message: String(error) }))
       .then((answer) => postMessage(answer));
   else if (isForLooker(data)) looker.receive(data);
-  else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
+  else if (data.type === 'serve-open' || data.type === 'serve') void loadServer().then((it) => it.receive(data));
   else if (data.type === 'read-open' || data.type === 'read')
     void loadReader()
       .then((it) => it.answer(data))

@@ -1,0 +1,51 @@
+/** The services of a worker. Each is loaded when it is opened: no run needs their code. */
+import { taskOf } from '#check/task/read-task';
+import type { ClassTask } from '#check/task/task';
+import type { Project } from '#project/project';
+
+import type { Opening, ServiceName, Services } from './protocol';
+
+/** A service's means: the compiled VM, and a sign of life with the place of the world that runs. */
+export interface Means {
+  readonly firmware: WebAssembly.Module;
+  readonly beat: (world: number) => void;
+}
+
+/** Answers one request. */
+export type Serve<Name extends ServiceName> = (request: Services[Name]['request']) => Promise<Services[Name]['result']>;
+
+/** A task of the page, which has read it, too. */
+function taskIn(project: Project): ClassTask {
+  const read = taskOf(project);
+  if ('problem' in read) throw new Error(read.problem);
+  return read.task;
+}
+
+type Open<Name extends ServiceName> = (open: Services[Name]['open'], means: Means) => Promise<Serve<Name>>;
+
+const services: { readonly [Name in ServiceName]: Open<Name> } = {
+  async check({ task: project, starts }, means) {
+    const { check } = await import('#check/check');
+    const task = taskIn(project);
+    return ({ handIn, lost }) => check(task, handIn, { ...means, starts, ...(lost !== undefined && { lost }) });
+  },
+  async runs(_, { firmware, beat }) {
+    const { answerRun } = await import('#lab/run-request');
+    return (request) => answerRun(request, { firmware, beat: () => beat(0) });
+  },
+  async hint({ task: project }, { firmware, beat }) {
+    const { hintFor } = await import('#hint/hint');
+    const task = taskIn(project);
+    return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat: () => beat(0) });
+  },
+};
+
+/** Opens a service. */
+export function openService(opening: Opening, means: Means): Promise<(request: unknown) => Promise<unknown>> {
+  // Requests of one service come with its opening: the page's types say so (`serveThread`).
+  const open = services[opening.service] as (
+    open: Opening,
+    means: Means,
+  ) => Promise<(request: unknown) => Promise<unknown>>;
+  return open(opening, means);
+}
