@@ -2,6 +2,8 @@ import type { Vec } from '#core/geometry';
 import { exactAtan2, exactCos, exactSin } from '#core/exact-math';
 import { lengthOf } from '#scene/outline';
 import type { Scene, Stroke } from '#scene/scene';
+import { shapeOutline } from '#scene/shape/shape';
+import { middleOf } from '#check/run/line-watch';
 import type { Moment } from '../watch/observed';
 
 /** The ways of leaving a line at a bend: the robot went straight on, turned too late or too little, or turned too far. */
@@ -10,6 +12,8 @@ export type Manner = (typeof manners)[number];
 
 /** The place at which a robot left its line. `bend`: number of the bend from the start, from 1; 0: before the first. */
 export interface Departure {
+  /** Simulated seconds at which it was last on the line. */
+  readonly atS: number;
   readonly bend: number;
   /** `null`: it left on the straight after that bend. */
   readonly manner: Manner | null;
@@ -29,68 +33,115 @@ const STEP_MM = 10;
 const [WINDOW_STEPS, LEAST_RAD] = [8, 0.16];
 /** A bend's least angle as a whole. Chosen: less is a line drawn by hand. */
 const BEND_RAD = 0.6;
-/** The robot is off its line at this distance, in mm; the bend is then behind it by at most this much. Chosen. */
-const [OFF_MM, BEHIND_MM, BEFORE_MM] = [120, 180, 60];
+/** The robot is on its line up to this distance from its edge, and off from the other on, in mm. Chosen: sensors lie before the axle. */
+const [ON_MM, OFF_MM] = [30, 60];
+/** A bend reaches so far behind its end for a robot that swings out. Chosen. */
+const [BEFORE_MM, BEHIND_MM] = [20, 180];
 /** Heading by which a robot has turned with a bend. Chosen. */
 const TURNED_RAD = 0.2;
+/** A robot that has driven less along its line has not followed it, in mm. Chosen: half a robot. */
+const FOLLOWED_MM = 50;
 
-/**
- * The place at which a robot left the line on which it started; `null`: it did not start on one, or left it where that cannot be told.
- *
- * @param leftUs simulated time at which it was last on the line
- */
-export function departureIn(moments: readonly Moment[], leftUs: number, course: Scene): Departure | null {
-  const [start] = moments;
-  const left = moments.findIndex(({ timeUs }) => timeUs >= leftUs);
-  const line = start && lineAt(course, placeOf(start));
-  if (start === undefined || left < 0 || line === null || line === undefined) return null;
-  const closed = isClosed(line.places);
-  const track = trackFrom(line.places, line.at, start.pose.headingRad, closed);
-  const along = alongTrack(track, moments.slice(0, left + 1), closed);
-  const way = along.at(-1) ?? 0;
-  const bends = bendsOf(track);
-  const bend = bends.findIndex(({ from, to }) => way >= from - BEFORE_MM && way <= to + BEHIND_MM);
-  const found = bends[bend];
-  if (found === undefined) return { bend: bends.filter(({ to }) => to < way).length, manner: null };
-  const entered = moments[Math.max(0, along.findLastIndex((mm) => mm < found.from - BEFORE_MM / 2))]; // prettier-ignore
-  const off = moments.slice(left).find((one) => lengthOf(...offsetOf(one, track, way)) > OFF_MM) ?? moments.at(-1);
-  if (entered === undefined || off === undefined) return null;
-  return { bend: bend + 1, manner: mannerOf(found, { entered, off, track, way }) };
-}
+/** The line on which a robot started and that leads to all places of the course, seen along its way. */
+export class Track {
+  private readonly bends: readonly Bend[];
 
-function mannerOf(
-  { turnRad }: Bend,
-  {
-    entered,
-    off,
-    track,
-    way,
-  }: { readonly entered: Moment; readonly off: Moment; readonly track: readonly Vec[]; readonly way: number },
-): Manner {
-  const heading = headingAt(track, Math.round(way / STEP_MM));
-  const [x, y] = offsetOf(off, track, way);
-  const across = y * exactCos(heading) - x * exactSin(heading);
-  if (across * turnRad > 0) return 'far';
-  const turned = (off.pose.headingRad - entered.pose.headingRad) * Math.sign(turnRad);
-  return turned < TURNED_RAD ? 'straight' : 'late';
+  private constructor(
+    private readonly places: readonly Vec[],
+    private readonly halfMm: number,
+    private readonly closed: boolean,
+  ) {
+    this.bends = bendsOf(places);
+  }
+
+  /** The track of a robot that begins like this; `null`: it does not start on a line, or that leads elsewhere. */
+  static from({ objects }: Scene, start: Moment): Track | null {
+    const place = placeOf(start);
+    const goals = objects.flatMap((one) =>
+      one.type === 'checkpoint' || one.type === 'target' ? [middleOf(shapeOutline(one))] : [],
+    );
+    for (const { points, width } of objects.filter((one): one is Stroke => one.type === 'stroke')) {
+      const places = evenly(points);
+      const reaches = (goal: Vec, mm: number): boolean => distance(places, goal) <= width / 2 + mm;
+      if (goals.length === 0 || !reaches(place, OFF_MM) || !goals.every((goal) => reaches(goal, ON_MM))) continue;
+      const closed = isClosed(places);
+      const track = trackFrom(places, nearest(places, place, 0, places.length), start.pose.headingRad, closed);
+      return new Track(track, width / 2, closed);
+    }
+    return null;
+  }
+
+  /** Number of the bend at a place, from 1; `null`: there is none. */
+  bendAt(place: Vec): number | null {
+    const at = nearest(this.places, place, 0, this.places.length);
+    return distance(this.places, place) > BEHIND_MM ? null : this.bendOn(at * STEP_MM);
+  }
+
+  /** The place at which the robot left the line for good; `null`: it did not, or had not followed it before. */
+  departure(moments: readonly Moment[]): Departure | null {
+    const isOn = (moment: Moment): boolean => distance(this.places, placeOf(moment)) <= this.halfMm + ON_MM;
+    const left = moments.findLastIndex(isOn);
+    const off = moments.slice(left).find((one) => distance(this.places, placeOf(one)) > this.halfMm + OFF_MM);
+    const along = this.along(moments.slice(0, left + 1));
+    const way = along.at(-1) ?? 0;
+    const timeUs = moments[left]?.timeUs;
+    if (off === undefined || timeUs === undefined || Math.max(...along) < FOLLOWED_MM) return null;
+    const atS = Math.round(timeUs / 100_000) / 10;
+    const number = this.bendOn(way);
+    const bend = this.bends[(number ?? 0) - 1];
+    if (number === null || bend === undefined)
+      return { atS, bend: this.bends.filter(({ to }) => to < way).length, manner: null };
+    const entered =
+      moments[
+        Math.max(
+          0,
+          along.findLastIndex((mm) => mm < bend.from),
+        )
+      ];
+    return { atS, bend: number, manner: entered === undefined ? null : this.manner(bend, { entered, off, way }) };
+  }
+
+  private bendOn(way: number): number | null {
+    const found = this.bends.findLastIndex(({ from }) => way >= from - BEFORE_MM);
+    return way <= (this.bends[found]?.to ?? -Infinity) + BEHIND_MM ? found + 1 : null;
+  }
+
+  private manner(
+    { turnRad }: Bend,
+    { entered, off, way }: { readonly entered: Moment; readonly off: Moment; readonly way: number },
+  ): Manner {
+    const index = Math.round(way / STEP_MM);
+    const heading = headingAt(this.places, index);
+    const { x, y } = this.places[index] ?? { x: 0, y: 0 };
+    const across = (off.pose.yMm - y) * exactCos(heading) - (off.pose.xMm - x) * exactSin(heading);
+    if (across * turnRad > 0) return 'far';
+    const turned = (off.pose.headingRad - entered.pose.headingRad) * Math.sign(turnRad);
+    return turned < TURNED_RAD ? 'straight' : 'late';
+  }
+
+  /** For each moment how far along the track the robot is, in mm. Of a line that crosses itself the piece nearby is meant. */
+  private along(moments: readonly Moment[]): readonly number[] {
+    const { places, closed } = this;
+    let at = 0;
+    return moments.map((moment) => {
+      const place = placeOf(moment);
+      at = nearest(places, place, Math.max(0, at - NEAR_STEPS), at + NEAR_STEPS);
+      const { x, y } = places[at] ?? place;
+      if (lengthOf(x - place.x, y - place.y) > BEHIND_MM) at = nearest(places, place, 0, places.length);
+      if (closed && at >= places.length - 1) at = 0;
+      return at * STEP_MM;
+    });
+  }
 }
 
 const placeOf = ({ pose }: Moment): Vec => ({ x: pose.xMm, y: pose.yMm });
 
-const offsetOf = (moment: Moment, track: readonly Vec[], way: number): [x: number, y: number] => {
-  const { x, y } = track[Math.round(way / STEP_MM)] ?? { x: 0, y: 0 };
-  return [moment.pose.xMm - x, moment.pose.yMm - y];
-};
+/** Chosen: a robot at full speed drives two of these steps in a moment. */
+const NEAR_STEPS = 12;
 
-/** The line under a place, as places `STEP_MM` apart, and the index of the nearest one. */
-function lineAt({ objects }: Scene, place: Vec): { readonly places: readonly Vec[]; readonly at: number } | null {
-  for (const { points, width } of objects.filter((one): one is Stroke => one.type === 'stroke')) {
-    const places = evenly(points);
-    const at = nearest(places, place, 0, places.length);
-    const { x, y } = places[at] ?? { x: Infinity, y: Infinity };
-    if (lengthOf(x - place.x, y - place.y) <= width / 2 + OFF_MM / 2) return { places, at };
-  }
-  return null;
+function distance(places: readonly Vec[], place: Vec): number {
+  const { x, y } = places[nearest(places, place, 0, places.length)] ?? { x: Infinity, y: Infinity };
+  return lengthOf(x - place.x, y - place.y);
 }
 
 function evenly(points: Stroke['points']): readonly Vec[] {
@@ -120,20 +171,6 @@ function trackFrom(places: readonly Vec[], at: number, headingRad: number, close
   const [row, from] = ahead >= 0 ? [places, at] : [places.toReversed(), places.length - 1 - at];
   return closed ? [...row.slice(from), ...row.slice(0, from)] : row.slice(from);
 }
-
-/** For each moment how far along the track the robot is, in mm; a robot beside it is where it was nearest. */
-function alongTrack(track: readonly Vec[], moments: readonly Moment[], closed: boolean): readonly number[] {
-  let at = 0;
-  return moments.map((moment) => {
-    // Of a line that crosses itself the piece nearby is meant; a lap ends where it began.
-    at = nearest(track, placeOf(moment), Math.max(0, at - NEAR_STEPS), at + NEAR_STEPS);
-    if (closed && at >= track.length - 1) at = 0;
-    return at * STEP_MM;
-  });
-}
-
-/** Chosen: a robot at full speed drives two of these steps in a moment. */
-const NEAR_STEPS = 12;
 
 function nearest(places: readonly Vec[], { x, y }: Vec, from: number, to: number): number {
   let [best, least] = [from, Infinity];

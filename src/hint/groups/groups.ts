@@ -18,6 +18,8 @@ export interface ToGroup {
 export type GroupKind =
   | { readonly kind: 'passed'; readonly side: PassedSide | null }
   | { readonly kind: 'straight' | 'late' | 'far' | 'after-bend'; readonly bend: number }
+  /** They come no further; `bend`: at that one; 0: from the start; `null`: elsewhere. */
+  | { readonly kind: 'stays'; readonly bend: number | null; readonly next: number | null }
   | { readonly kind: 'line' }
   | { readonly kind: 'past'; readonly side: 'left' | 'right'; readonly checkpoint: number | null }
   | { readonly kind: 'ended' | 'ended-near' | 'stands' | 'turns'; readonly next: number | null }
@@ -72,16 +74,28 @@ const NEAR_CM = 15;
  */
 export function groupsOf(all: readonly ToGroup[], size: Point): readonly Group[] {
   const sides = sidesIn(all.filter(({ result }) => result.passed));
-  const sorted = all.map((one): Sorted => {
-    const is = kindOf(one, sides);
-    return { one, is, base: `${baseOf(is)}${one.facts === null ? '' : `@${one.facts.world}`}` };
-  });
+  const sorted = atOneBend(all.map((one) => sortedAs(one, kindOf(one, sides))));
   const clusters = [...byBase(sorted).values()].flatMap((those) => (isByPlace(those[0]?.is) ? nearEachOther(those) : [those])); // prettier-ignore
   const few = fewer(clusters.length > MOST_GROUPS ? [...byBase(sorted).values()] : clusters);
   const isAlone = ([first]: readonly Sorted[]): boolean => few.filter(([other]) => other?.base === first?.base).length === 1; // prettier-ignore
   return few
     .map((those) => groupOf(those, isAlone(those) ? null : size))
     .toSorted((one, other) => rank(one) - rank(other) || other.members.length - one.members.length || startOf(one) - startOf(other) || (one.key < other.key ? -1 : 1)); // prettier-ignore
+}
+
+const sortedAs = (one: ToGroup, is: GroupKind): Sorted => ({
+  ...{ one, is },
+  base: `${baseOf(is)}${one.facts === null ? '' : `@${one.facts.world}`}`,
+});
+
+/** Those that stay near each other do so at the same bend: a place between two bends belongs to either. */
+function atOneBend(sorted: readonly Sorted[]): readonly Sorted[] {
+  const staying = sorted.filter(({ is }) => is.kind === 'stays' && is.bend !== 0);
+  const first = new Map(nearEachOther(staying).flatMap((part) => part.map((one) => [one, part[0]?.is] as const)));
+  return sorted.map((one) => {
+    const [is, as] = [one.is, first.get(one)];
+    return is.kind === 'stays' && as?.kind === 'stays' ? sortedAs(one.one, { ...is, bend: as.bend }) : one;
+  });
 }
 
 interface Sorted {
@@ -100,12 +114,14 @@ function kindOf({ name, result, facts }: ToGroup, sides: ReadonlyMap<string, Pas
   if (isForOtherTask(result)) return { kind: 'other-task' };
   if (isUnread(result)) return { kind: 'unread' };
   if (facts === null) return { kind: 'reason', reason: reasonIn(result) };
-  const { happened, departure, next } = facts;
+  const { happened, departure, next, stays, bend } = facts;
+  const isOfWay = ['bright', 'left-line', 'past', 'reached', 'turns'].includes(happened.fact);
+  if (isOfWay && stays && (departure === null || bend === 0)) return { kind: 'stays', bend, next };
+  if (isOfWay && departure !== null) return { kind: departure.manner ?? 'after-bend', bend: departure.bend };
   switch (happened.fact) {
     case 'bright':
     case 'left-line':
-      if (departure === null) return { kind: 'line' };
-      return { kind: departure.manner ?? 'after-bend', bend: departure.bend };
+      return { kind: 'line' };
     case 'past':
       return { kind: 'past', side: happened.side, checkpoint: happened.checkpoint };
     case 'ended':
@@ -149,6 +165,7 @@ function plainKind(
 /** The common feature as text; values that differ a little from run to run are not in it. */
 function baseOf(is: GroupKind): string {
   const { kind } = is;
+  if (is.kind === 'stays') return `${kind}:${is.bend ?? ''}:${is.next ?? ''}`;
   if ('bend' in is) return `${kind}:${is.bend}`;
   if ('next' in is) return `${kind}:${is.next ?? ''}`;
   if (is.kind === 'passed') return `${kind}:${is.side ?? ''}`;
@@ -161,7 +178,7 @@ function baseOf(is: GroupKind): string {
 
 /** True of what may happen at different places of a course. */
 const isByPlace = (is: GroupKind | undefined): boolean =>
-  is !== undefined && ['line', 'ended', 'stands', 'turns', 'touched', 'forbidden', 'spikes', 'robot', 'ring'].includes(is.kind); // prettier-ignore
+  is !== undefined && !(is.kind === 'stays' && is.bend !== null) && ['line', 'stays', 'ended', 'stands', 'turns', 'touched', 'forbidden', 'spikes', 'robot', 'ring'].includes(is.kind); // prettier-ignore
 
 const byBase = (sorted: readonly Sorted[]): ReadonlyMap<string, readonly Sorted[]> => {
   const found = new Map<string, Sorted[]>();
@@ -217,8 +234,10 @@ function groupOf(those: readonly Sorted[], size: Point | null): Group {
 const keyOf = (first: Sorted | undefined, place: Group['place']): string =>
   `${first?.base ?? ''}${place === null ? '' : `#${place.at.join(',')}`}`;
 
-function secondsOf({ one: { result, facts } }: Sorted): number | null {
+function secondsOf({ is, one: { result, facts } }: Sorted): number | null {
   const { happened } = facts ?? {};
+  if (is.kind === 'stays') return null;
+  if ('bend' in is) return facts?.departure?.atS ?? null;
   if (happened !== undefined && 'atS' in happened) return happened.atS;
   const ms = result.passed ? (result.worlds[0]?.atMs ?? null) : null;
   return ms === null ? null : Math.round(ms / 100) / 10;

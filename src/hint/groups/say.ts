@@ -35,13 +35,14 @@ export function groupSign({ is: { kind } }: Group): 'passed' | 'wrong' | 'missin
 }
 
 const MISSING: readonly GroupKind['kind'][] = [
-  ...(['ended', 'ended-near', 'stands', 'reached', 'slow', 'unmoved', 'empty', 'waits', 'reason'] as const),
+  ...(['stays', 'ended', 'ended-near', 'stands', 'reached', 'slow', 'unmoved', 'empty', 'waits', 'reason'] as const),
   ...(['other-task', 'unread', 'others'] as const),
 ];
 
 const TITLES = { 'ended-near': 'endedNear', 'other-task': 'otherTask' } as const;
 
 function titleOf(is: GroupKind): keyof typeof words.titles {
+  if (is.kind === 'stays') return is.bend === null ? 'stays' : is.bend === 0 ? 'staysAtStart' : 'staysAtBend';
   if (is.kind === 'after-bend') return is.bend === 0 ? 'beforeBend' : 'afterBend';
   return is.kind === 'ended-near' || is.kind === 'other-task' ? TITLES[is.kind] : is.kind;
 }
