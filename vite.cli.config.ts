@@ -64,6 +64,7 @@ export default defineConfig(({ mode }) => {
               main: here('src/cli/main.ts'),
               worker: here('src/cli/worker.ts'),
               'check-worker': here('src/cli/check/check-worker.ts'),
+              'facts-worker': here('src/cli/check/facts-worker.ts'),
               'lab-worker': here('src/cli/lab/lab-worker.ts'),
               'man-page': here('src/cli/commands/man-page.ts'),
             },

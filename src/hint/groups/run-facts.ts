@@ -43,7 +43,7 @@ export async function factsOf(
   result: CheckResult,
   means: { readonly firmware: WebAssembly.Module; readonly beat?: () => void },
 ): Promise<RunFacts | null> {
-  if (result.passed || isUnread(result) || isForOtherTask(result)) return null;
+  if (!needsRun(result)) return null;
   const { world, found } = failedIn(task, result);
   const reason: Reason = mainReason(task, result) ?? { code: 'open', params: {} };
   const seen = new Observed();
@@ -76,6 +76,10 @@ function lineFacts(moments: readonly Moment[], course: Scene): Pick<RunFacts, 'd
   const bend = isNear(start, last) ? 0 : (track?.bendAt({ x: last.pose.xMm, y: last.pose.yMm }) ?? null);
   return { departure: track?.departure(moments) ?? null, stays, bend };
 }
+
+/** True of a hand-in whose run has to be looked at. */
+export const needsRun = (result: CheckResult): boolean =>
+  !result.passed && !isUnread(result) && !isForOtherTask(result);
 
 /** True of a hand-in that belongs to another task. */
 export const isForOtherTask = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'other-task');
