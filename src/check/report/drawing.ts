@@ -53,7 +53,7 @@ export class Drawings {
   ways({ world, trails, tone, example, mark }: WaysToDraw, label: string): string {
     return this.over(world, label, (size) => {
       const [width, height] = size;
-      const all = trails.map((trail) => linesOf(trail, height, { color: wayTones[tone], wide: width / 150, opacity: 0.55 })); // prettier-ignore
+      const all = trails.map((trail) => linesOf(trail, height, { color: wayTones[tone], wide: width / 110, opacity: 0.6 })); // prettier-ignore
       const own = example === null ? '' : linesOf(example, height, { color: '#fff', wide: width / 75, opacity: 1 }) + linesOf(example, height, { color: WAY, wide: width / 150, opacity: 1 }) + endDot(example, height, width / 75); // prettier-ignore
       return all.join('') + own + (mark === null ? '' : markDrawing(mark, size));
     });

@@ -238,7 +238,8 @@ function secondsOf({ is, one: { result, facts } }: Sorted): number | null {
   const { happened } = facts ?? {};
   if (is.kind === 'stays') return null;
   if ('bend' in is) return facts?.departure?.atS ?? null;
-  if (happened !== undefined && 'atS' in happened) return happened.atS;
+  // A program that does not begin has no time.
+  if (happened !== undefined && 'atS' in happened) return happened.atS === 0 ? null : happened.atS;
   const ms = result.passed ? (result.worlds[0]?.atMs ?? null) : null;
   return ms === null ? null : Math.round(ms / 100) / 10;
 }
