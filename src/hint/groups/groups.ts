@@ -83,10 +83,10 @@ export function groupsOf(all: readonly ToGroup[], size: Point): readonly Group[]
     .toSorted((one, other) => rank(one) - rank(other) || other.members.length - one.members.length || startOf(one) - startOf(other) || (one.key < other.key ? -1 : 1)); // prettier-ignore
 }
 
-const sortedAs = (one: ToGroup, is: GroupKind): Sorted => ({
-  ...{ one, is },
-  base: `${baseOf(is)}${one.facts === null ? '' : `@${one.facts.world}`}`,
-});
+const sortedAs = (one: ToGroup, is: GroupKind): Sorted => {
+  const world = one.facts?.world ?? one.result.worlds.find(({ passed }) => !passed)?.id;
+  return { one, is, base: `${baseOf(is)}${world === undefined || is.kind === 'other-task' ? '' : `@${world}`}` };
+};
 
 /** Those that stay near each other do so at the same bend: a place between two bends belongs to either. */
 function atOneBend(sorted: readonly Sorted[]): readonly Sorted[] {
@@ -113,7 +113,7 @@ function kindOf({ name, result, facts }: ToGroup, sides: ReadonlyMap<string, Pas
   if (result.passed) return { kind: 'passed', side: sides.get(name) ?? null };
   if (isForOtherTask(result)) return { kind: 'other-task' };
   if (isUnread(result)) return { kind: 'unread' };
-  if (facts === null) return { kind: 'reason', reason: reasonIn(result) };
+  if (facts === null) return kindOfReason(reasonIn(result));
   const { happened, departure, next, stays, bend } = facts;
   const isOfWay = ['bright', 'left-line', 'past', 'reached', 'turns'].includes(happened.fact);
   if (isOfWay && stays && (departure === null || bend === 0)) return { kind: 'stays', bend, next };
@@ -133,6 +133,28 @@ function kindOf({ name, result, facts }: ToGroup, sides: ReadonlyMap<string, Pas
       return { kind: 'reached', done: happened.done, of: happened.of };
     default:
       return plainKind(happened);
+  }
+}
+
+/** The kind by the reason alone, of a run that could not be looked at. */
+function kindOfReason(reason: Reason): GroupKind {
+  const { code, params } = reason;
+  switch (code) {
+    case 'unmoved':
+    case 'empty':
+    case 'panic':
+    case 'stuck':
+    case 'touched':
+    case 'forbidden':
+    case 'spikes':
+    case 'robot':
+      return { kind: code };
+    case 'waits':
+      return { kind: code, name: String(params['name'] ?? '') };
+    case 'exception':
+      return { kind: 'error', type: String(params['type'] ?? '') };
+    default:
+      return { kind: 'reason', reason };
   }
 }
 
