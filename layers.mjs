@@ -111,11 +111,12 @@ export const wings = {
       'session', 'course/editor', 'pupil/console', 'pupil/board', 'pupil/narration', 'pupil/several-devices', 'pupil/look-back',
       'pupil/next-step',
     ], // prettier-ignore
-    code: ['session', 'pupil/console', 'pupil/board', 'pupil/several-devices', 'pupil/debug'],
+    code: ['session', 'pupil/console', 'pupil/board', 'pupil/several-devices', 'pupil/debug', 'pupil/lab'],
     locks: ['session', 'course/editor', 'pupil/code'],
     device: ['session', 'pupil/arena', 'pupil/several-devices'],
     galleries: ['session', 'pupil/device'],
     works: ['session', 'pupil/galleries'],
+    lab: ['session', 'pupil/galleries', 'pupil/console'],
     'real-device': ['session'],
     'my-robot': ['session', 'pupil/device', 'pupil/galleries', 'pupil/real-device'],
   },

@@ -67,6 +67,7 @@ export const reasonCodes = [
   ...(['empty', 'unmoved', 'waits'] as const),
   // of the other checks
   ...(['stop', 'whole', 'heading', 'reach', 'stay', 'laps', 'checkpoints', 'belongs', 'covered'] as const),
+  ...(['tiles', 'score'] as const),
   ...(['touches', 'slow', 'early'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
@@ -78,7 +79,7 @@ export type ReasonCode = (typeof reasonCodes)[number];
 /** The codes of requirements that a run may still meet. */
 const unreached: readonly ReasonCode[] = [
   ...(['open', 'empty', 'unmoved', 'waits', 'stop', 'whole', 'heading', 'reach', 'stay'] as const),
-  ...(['laps', 'checkpoints', 'belongs', 'covered'] as const),
+  ...(['laps', 'checkpoints', 'belongs', 'covered', 'tiles', 'score'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
 ];
 

@@ -122,7 +122,7 @@ function setupOf(options: SetupAsked, read: RunFiles, hardware: Hardware): RunSe
     scene,
     devices: all,
     inputs: (options.senses ?? settings.arenaSenses) ? [...feelingInputs(all), ...inputs] : inputs,
-    ...chanceOf(options, read),
+    ...chanceOf(options, read.settings),
   };
 }
 
@@ -141,7 +141,10 @@ function withProject<T extends Pick<SetupAsked, 'robot' | 'board' | 'firmware'>>
 }
 
 /** Seed and *reality*; the project's seed counts only if the robot is not ideal. */
-function chanceOf(options: SetupAsked, { settings }: RunFiles): { readonly seed: number; readonly reality: number } {
+export function chanceOf(
+  options: Pick<SetupAsked, 'seed' | 'reality'>,
+  settings: RunFiles['settings'],
+): { readonly seed: number; readonly reality: number } {
   const reality = options.reality ?? settings.reality ?? 0;
   return { reality, seed: options.seed ?? (reality > 0 ? (settings.seed ?? 1) : 1) };
 }

@@ -11,6 +11,7 @@ import { outputProblem } from './outputs';
 import { DEFAULT_LIMIT_US, placed, preparedRun } from './prepared-run';
 import { readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, runEnding, type Report } from './report';
+import { refuse } from './results-out';
 import { nothingYet, supervise } from './supervise';
 import { printable, type Terminal } from './terminal';
 import { verdictLines } from './verdict-lines';
@@ -72,11 +73,6 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
 
 /** 0 for a task that is passed, 3 for one that is not: the codes of `check`. */
 const verdictCodeOf = ({ verdict }: Report): 0 | 3 => (verdict?.state === 'passed' ? 0 : 3);
-
-function refuse(problem: string, terminal: Terminal): 2 {
-  for (const line of problem.split('\n')) terminal.message(`parcours: ${line}`);
-  return 2;
-}
 
 /**
  * Lists what the real board would not understand.

@@ -19,7 +19,7 @@ import { within } from './plane';
 
 /**
  * A number of an object that can be typed in. `x` and `y`: its place, of a line its start; `endX`, `endY`: its end. `length` and
- * `breadth`: its extent from above; `height`: its top above the floor.
+ * `breadth`: its extent from above; `side`: of a tag's square; `height`: its top above the floor.
  */
 export type NumberName =
   | 'x'
@@ -33,6 +33,7 @@ export type NumberName =
   | 'thickness'
   | 'penWidth'
   | 'number'
+  | 'side'
   | 'blocks'
   | 'speed'
   | 'spin'
@@ -50,7 +51,7 @@ export type NumberName =
 /** Name of something about an object that can be changed. */
 export type FieldName =
   | NumberName
-  | ('shape' | 'spiked' | 'rolls' | 'color' | 'robotColor' | 'lampColor' | 'text' | 'name' | 'type' | 'way')
+  | ('shape' | 'spiked' | 'rolls' | 'flat' | 'color' | 'robotColor' | 'lampColor' | 'text' | 'name' | 'type' | 'way')
   | ('switching' | 'onText' | 'offText' | 'switchButton' | 'switchPin');
 
 /** The value of a field. */
@@ -70,7 +71,7 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly step: number;
       readonly unit: 'mm' | 'deg' | 'mm/s' | 'deg/s' | 's' | 'cd' | 'g' | 'ratio' | 'times' | 'count';
     }
-  | { readonly kind: 'switch'; readonly name: 'spiked' | 'rolls'; readonly value: boolean }
+  | { readonly kind: 'switch'; readonly name: 'spiked' | 'rolls' | 'flat'; readonly value: boolean }
   | {
       readonly kind: 'choice';
       readonly name: 'color';

@@ -1,3 +1,6 @@
+import { TrailKeeper } from '#check/run/trail';
+import type { Point } from '#scene/scene';
+import type { RunOutlets } from '#simulation/outlets';
 import { msOf, robotReport } from '#simulation/report';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
@@ -40,14 +43,30 @@ export interface Runner {
   readonly beat: () => void;
 }
 
-/** Takes a run to its end. */
+/** The result of a run. */
+export interface RunResult {
+  readonly outcome: Outcome;
+  readonly verdict: Verdict | null;
+  /** Where it went, if that was asked for. */
+  readonly drive?: Drive;
+}
+
+/** The way of the first robot, thinned, and the simulated time at the end of the run. */
+export interface Drive {
+  readonly way: readonly (readonly Point[])[];
+  readonly endUs: number;
+}
+
+/** Takes a run to its end. @param withDrive its way is kept */
 export async function ranTo(
   setup: RunSetup,
   end: RunEnd,
   { firmware, beat }: Runner,
-): Promise<{ readonly outcome: Outcome; readonly verdict: Verdict | null }> {
+  withDrive = false,
+): Promise<RunResult> {
+  const trail = withDrive ? new TrailKeeper() : null;
   // The programs' output is not kept: of a hundred thousand runs nobody reads it.
-  const simulation = await Simulation.create(setup, firmware, { print: () => undefined });
+  const simulation = await Simulation.create(setup, firmware, { print: () => undefined, ...trailOutlet(trail) });
   beat();
   const { isOver, advance } = runningTo(simulation, end);
   while (!isOver()) {
@@ -56,9 +75,14 @@ export async function ranTo(
   }
   const { verdict } = simulation;
   const outcome = outcomeOf(simulation, verdict);
+  const drive = trail && { way: trail.way().trail, endUs: simulation.nowUs };
   simulation.dispose();
-  return { outcome, verdict };
+  return { outcome, verdict, ...(drive && { drive }) };
 }
+
+/** What a run tells of its first robot's way; nothing where nobody wants it. */
+const trailOutlet = (keeper: TrailKeeper | null): Pick<RunOutlets, 'trail'> =>
+  keeper === null ? {} : { trail: (point, device) => void (device === 0 && keeper.add(point, 0)) };
 
 function outcomeOf(simulation: Simulation, verdict: Verdict | null): Outcome {
   const { robot } = simulation.snapshot();

@@ -1,11 +1,9 @@
+import { secondsText } from '#check/report/texts';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { MatchReason } from './tournament/match';
 import { passedOf, type SweepResult, type SweepRun } from './sweep-texts';
 import words from './words';
-
-/** A simulated time as people read it. */
-export const secondsText = (ms: number): string => `${(ms / 1000).toFixed(1)} s`;
 
 /** Why a run has not passed, in a few words. */
 export const reasonText = (reason: MatchReason, language: Language): string => words.reasons[reason][language];

@@ -49,12 +49,29 @@ describe('a sweep', () => {
     expect(setupWith('reality=1 seed=1', 0.5, 9)).toMatchObject({ reality: 0.5, seed: 9 });
   });
 
+  it('gives an ideal robot the seed of an ideal run, also where the project has a used one', () => {
+    const used: Base = { ...base, setup: { ...base.setup, seed: 7, reality: 0.5 }, idealSeed: 1 };
+    const { varied } = swept('reality=0,0.5');
+    expect([0, 0.5].map((value) => withValues(used, varied, [value]).seed)).toEqual([1, 7]);
+    expect(withValues(used, swept('start.x=1').varied, [300]).seed).toBe(7);
+  });
+
+  it('chooses what a board without a robot is plugged into', () => {
+    const bare: Base = { ...base, setup: { ...base.setup, devices: [{ ...base.setup.devices[0], robot: 'none' }] } };
+    const read = readSweep(['option.inHand=nothing,gamepad'], bare);
+    expect(read).toMatchObject({ count: 2 });
+    expect('problem' in read ? null : withValues(bare, read.varied, ['gamepad']).devices[0].robotOptions).toEqual({
+      inHand: 'gamepad',
+    });
+  });
+
   it.each([
     ['main.py:4=1', 'main.py:4: there is no number in this line: print("5")'],
     ['main.py:2=1', 'main.py:2: which of 2 numbers? main.py:2.1 is 0, main.py:2.2 is 100.'],
     ['main.py:2.3=1', 'main.py:2.3: there is no such number in this line: main.py:2.1 is 0'],
     ['main.py:9=1', 'main.py:9: main.py has 5 lines.'],
     ['ben.py:1=1', 'ben.py:1: there is no file "ben.py". There are main.py, turn.py.'],
+    ['constructor:1=1', 'constructor:1: there is no file "constructor".'],
     ['speed=1', 'speed: is not known. There are main.py:5'],
     ['main.py:3', '"main.py:3" is not like main.py:5=500..900/50.'],
     ['main.py:3=fast', 'main.py:3: "fast" is neither like'],

@@ -1,7 +1,8 @@
 import { optionProblem, type Option } from '#core/option';
+import { lineCount, lineOf, numbersOfLine, withNumber, type NumberAt } from '#python/numbers';
+import { bareOptions } from '#robots/bare-options';
 import { findRobot } from '#robots/index';
 import type { RunSetup } from '#simulation/run-setup';
-import { lineCount, lineOf, numbersOfLine, withNumber, type NumberAt } from './numbers';
 import { readNumbers } from './values';
 
 /** A value of a thing that varies: a number, or the choice of an option. */
@@ -32,6 +33,8 @@ export interface Base {
   readonly setup: RunSetup;
   /** The seed of a run that is not ideal, where the seed itself does not vary. */
   readonly usedSeed: number;
+  /** The seed of an ideal one; left out: that of the set-up. */
+  readonly idealSeed?: number;
   /** Another name of `main.py`: that of the file it was read from. Left out: it has none. */
   readonly mainName?: string;
 }
@@ -74,8 +77,8 @@ interface Named {
 
 function numberNamed(name: string, { file, line, place }: Named, { setup, mainName }: Base): What | Problem {
   const { files } = setup.devices[0];
-  const here = !(file in files) && file === mainName ? 'main.py' : file;
-  const text = files[here];
+  const here = !Object.hasOwn(files, file) && file === mainName ? 'main.py' : file;
+  const text = Object.hasOwn(files, here) ? files[here] : undefined;
   if (text === undefined) return { problem: `${name}: there is no file "${file}". There are ${Object.keys(files).join(', ')}.` }; // prettier-ignore
   if (line < 1 || line > lineCount(text)) return { problem: `${name}: ${file} has ${lineCount(text)} lines.` };
   const numbers = numbersOfLine(text, line);
@@ -108,8 +111,9 @@ function numbersFor(text: string, { kind }: What): { readonly values: readonly n
 
 /** The choices of an option: listed, or by steps where they are numbers. */
 function readChoices(text: string, id: string, { setup }: Base): { readonly values: readonly Value[] } | Problem {
-  const robot = findRobot(setup.devices[0].robot);
-  const options: readonly Option[] = robot?.options ?? [];
+  const [{ robot: robotId, board }] = setup.devices;
+  const robot = findRobot(robotId);
+  const options: readonly Option[] = robot?.options ?? bareOptions({ id: board });
   const numbers = /\.\./.test(text) ? readNumbers(text) : null;
   if (numbers !== null && 'problem' in numbers) return numbers;
   const values = numbers?.numbers.map(String) ?? text.split(',').map((one) => one.trim());
@@ -132,7 +136,7 @@ export function withValues(base: Base, varied: readonly Varied[], values: readon
   const [x, y, heading] = (['x', 'y', 'heading'] as const).map((of) => numberOf((what) => what.kind === 'start' && what.of === of)); // prettier-ignore
   const { robot } = scene;
   const reality = numberOf(({ kind }) => kind === 'reality');
-  const seed = numberOf(({ kind }) => kind === 'seed') ?? (reality === undefined || reality === 0 ? rest.seed : base.usedSeed); // prettier-ignore
+  const seed = numberOf(({ kind }) => kind === 'seed') ?? seedWith(base, reality);
   const at = [x ?? robot.at[0], y ?? robot.at[1]] as const;
   const options = varied.flatMap(({ what }, place) =>
     what.kind === 'option' ? [[what.id, String(values[place])] as const] : [],
@@ -150,6 +154,11 @@ export function withValues(base: Base, varied: readonly Varied[], values: readon
       ...others,
     ],
   };
+}
+
+function seedWith({ setup, usedSeed, idealSeed }: Base, reality: number | undefined): number {
+  if (reality === undefined) return setup.seed;
+  return reality > 0 ? usedSeed : (idealSeed ?? setup.seed);
 }
 
 /** The programs with other numbers, written from the end on: what comes before keeps its place. */

@@ -95,8 +95,88 @@ const colour = module('colour', {
   calibrate: within(sensor, fn('(address: int = 0x29) -> None')),
 });
 
+const key = {
+  is_pressed: withWordsOf('controller.is_pressed', fn('() -> bool')),
+  was_pressed: withWordsOf('controller.was_pressed', fn('() -> bool')),
+  get_presses: withWordsOf('controller.get_presses', fn('() -> int')),
+};
+
+/** The names of controller.py. */
+const controller = module('controller', {
+  joystick: object({
+    get_x: fn('() -> float'),
+    get_y: fn('() -> float'),
+    get_z: fn('() -> int'),
+    ...key,
+    calibrate: fn(
+      '(dead_zone: float, center_x: float = 0.0, center_y: float = 0.0, x_min: float = -1.0, x_max: float = 1.0, y_min: float = -1.0, y_max: float = 1.0) -> None',
+    ),
+  }),
+  button_z: object(key),
+  button_c: object(key),
+  button_d: object(key),
+  button_e: object(key),
+  button_f: object(key),
+  button_green: withWordsOf('controller.button_c', object(key)),
+  button_yellow: withWordsOf('controller.button_d', object(key)),
+  button_red: withWordsOf('controller.button_e', object(key)),
+  button_blue: withWordsOf('controller.button_f', object(key)),
+  trigger_left: object(key),
+  trigger_right: object(key),
+  vibrate: within({ state: range(0, 1) }, fn('(state: int) -> None')),
+});
+
+const found = { id: range(1, 255) };
+const model = { number: range(0, 4) };
+const thing = { id: value('int') };
+
+/** The names of huskylens.py. */
+const huskylens = module('huskylens', {
+  Algorithm: type([], {
+    ...values('int', [
+      'FACE_RECOGNITION',
+      'OBJECT_TRACKING',
+      'OBJECT_RECOGNITION',
+      'LINE_TRACKING',
+      'COLOR_RECOGNITION',
+    ]),
+    ...values('int', ['TAG_RECOGNITION', 'OBJECT_CLASSIFICATION', 'QR_RECOGNITION', 'BARCODE_RECOGNITION']),
+  }),
+  Block: type(['(x: int, y: int, width: int, height: int, id: int)'], {
+    ...values('int', ['x', 'y', 'width', 'height']),
+    ...thing,
+  }),
+  Arrow: type(['(x_tail: int, y_tail: int, x_head: int, y_head: int, id: int)'], {
+    ...values('int', ['x_tail', 'y_tail', 'x_head', 'y_head']),
+    id: withWordsOf('huskylens.Block.id', value('int')),
+    get_direction: fn('() -> int'),
+  }),
+  Huskylens: type(['()'], {
+    algorithm: value('int'),
+    initialize: fn('() -> bool'),
+    is_pro: fn('() -> bool'),
+    set_algorithm: within({ algorithm: range(0, 8) }, fn('(algorithm: int) -> bool')),
+    get_all: fn('() -> list'),
+    get_all_learned: fn('() -> list'),
+    get_all_with_id: within(found, fn('(id: int) -> list')),
+    get_one: fn('() -> Block | Arrow | None'),
+    get_one_learned: fn('() -> Block | Arrow | None'),
+    get_one_with_id: within(found, fn('(id: int) -> Block | Arrow | None')),
+    learn: within(found, fn('(id: int, name: str | None = None) -> bool')),
+    forget: fn('() -> bool'),
+    attach_label: within(found, fn('(id: int, name: str) -> bool')),
+    clear_labels: fn('() -> None'),
+    add_text: within({ x: range(0, 319), y: range(0, 240) }, fn('(text: str, x: int, y: int) -> bool')),
+    clear_texts: fn('() -> bool'),
+    save_photo: fn('() -> bool'),
+    save_screenshot: fn('() -> bool'),
+    save_model: within(model, fn('(number: int) -> bool')),
+    load_model: within(model, fn('(number: int) -> bool')),
+  }),
+});
+
 /** The editor's reference of the libraries that belong to no robot. */
 export const freeReference: Omit<RobotReference, 'robot'> = {
-  modules: [simrobot, colour],
+  modules: [simrobot, colour, controller, huskylens],
   texts: words,
 };

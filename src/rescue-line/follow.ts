@@ -18,7 +18,7 @@ export interface Way {
 }
 
 /** The side at which a robot leaves a tile, both as it lies; `null`: none. */
-export function exitOf({ paths, turns }: MapTile, entry: Side): Side | null {
+function exitOf({ paths, turns }: MapTile, entry: Side): Side | null {
   const exit = paths.get(turned(entry, -turns));
   return exit === undefined ? null : turned(exit, turns);
 }

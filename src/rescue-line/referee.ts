@@ -215,7 +215,7 @@ const holds = ({ at, size }: RescueZone, x: number, y: number): boolean =>
   Math.abs(x - at[0]) <= size[0] / 2 && Math.abs(y - at[1]) <= size[1] / 2;
 
 /** The pose of a robot that begins on a tile: on the line, in the direction of the way. */
-export function startOn(tiles: readonly LeagueTile[], index: number): Pose {
+function startOn(tiles: readonly LeagueTile[], index: number): Pose {
   const tile = tiles[index];
   const [x, y] = tile?.at ?? [0, 0];
   const heading = tile?.heading ?? 0;

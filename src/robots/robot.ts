@@ -27,12 +27,15 @@ import type { Vec } from '#core/geometry';
 import type { Option, OptionValues } from '#core/option';
 import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
+import type { HuskyAlgorithm, HuskyResult } from '#devices/huskylens';
 import type { InfraredLight } from '#devices/nec-remote';
 import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
+import type { Camera, CameraView } from '#world/probes/camera';
 import type { DepthCell, DepthView } from '#world/probes/depth-grid';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
 import type { Light } from '#devices/tcs34725';
+import type { Shares } from '#world/shapes';
 import type { ColourName, RawColour } from './colour-names';
 import type { LightEye } from './light-eyes';
 import type { LineReadings } from './traits';
@@ -148,6 +151,10 @@ export interface RobotContext {
   readonly light: (spot: Vec, radiusMm: number) => Light;
   /** The nearest thing ahead of `from` (robot frame) and the light that it returns; `null`: nothing is in range. */
   readonly lightAhead: (from: Vec, cone: Cone) => { readonly distanceMm: number; readonly light: Light } | null;
+  /** The sight of a camera whose lens is at `from` (robot frame) and looks ahead. It costs nothing until it is asked. */
+  readonly camera: (from: Vec, view: CameraView) => Camera;
+  /** The number under which a camera knows a colour: 1 red, 2 yellow, 3 green, 4 blue, 5 orange, 6 purple, 7 brown; 0: none. */
+  readonly colourNumber: (shares: Shares) => number;
   /**
    * The level that a light sensor sees, 0 … 255 like a board's and on the same law: as the board's was set by hand, or in
    * an arena with lamps as the light falls on this eye.
@@ -229,6 +236,8 @@ export interface RobotState extends RobotLights {
   readonly lidar: LidarState | null;
   /** The colour sensors that it carries; left out: none. */
   readonly colours?: readonly ColourState[];
+  /** The camera that it carries; left out: none. */
+  readonly camera?: CameraState;
   /** For each half of the bumper: true if it is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
@@ -255,6 +264,17 @@ export interface ColourState {
   /** Hue in whole degrees, white-balanced. */
   readonly hue: number;
   readonly name: ColourName;
+}
+
+/** A camera, as seen from outside. */
+export interface CameraState {
+  /** Its lens, world frame. */
+  readonly fromMm: Vec;
+  /** Corners of what it sees of the floor, world frame: near right, far right, far left, near left. */
+  readonly sightMm: readonly Vec[];
+  readonly algorithm: HuskyAlgorithm;
+  /** The last answer to the program; `null`: it has not asked within the last half second. */
+  readonly seen: readonly HuskyResult[] | null;
 }
 
 /** A distance sensor's beam, world frame. */

@@ -22,7 +22,7 @@ describe('the description of the course file', () => {
   it('shows and explains every kind of object', () => {
     const parsed = parseScene('{"format":"parcours-scene","version":2,"objects":[{"id":"x","type":"?"}]}');
     const known = 'problems' in parsed ? String(parsed.problems[0]?.params['known']).split(', ') : [];
-    expect(known).toHaveLength(15);
+    expect(known).toHaveLength(16);
     for (const type of known) {
       expect(example).toContain(`"type": "${type}"`);
       expect(page).toMatch(new RegExp(`^\\| \`${type}\` +\\|`, 'm'));

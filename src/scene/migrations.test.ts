@@ -301,6 +301,8 @@ const version8: Scene = {
     { id: 'g1', type: 'barrier', from: [300, 800], to: [500, 800], thickness: 10, height: 80, opens: 'hand' },
     { id: 'g2', type: 'barrier', from: [300, 850], to: [500, 850], thickness: 6, opens: { button: 'b' } },
     { id: 'h1', type: 'tunnel', at: [1000, 500], size: [300, 150], angle: 30 },
+    { id: 'k1', type: 'tag', at: [700, 700], number: 7, side: 60, angle: 0 },
+    { id: 'k2', type: 'tag', at: [700, 800], number: 99, side: 40, angle: 90, flat: true },
   ], // prettier-ignore
 };
 

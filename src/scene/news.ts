@@ -6,7 +6,7 @@ import { isFirstColor } from './paint/paint';
 import type { Scene, SceneObject } from './scene';
 
 /** The kinds of objects that no course file before version 8 can hold. */
-const newKinds = ['paper', 'lamp', 'barrier', 'tunnel'] as const satisfies readonly SceneObject['type'][];
+const newKinds = ['paper', 'lamp', 'barrier', 'tunnel', 'tag'] as const satisfies readonly SceneObject['type'][];
 
 /** An object of a new kind. */
 export type NewObject = Extract<SceneObject, { readonly type: (typeof newKinds)[number] }>;

@@ -9,9 +9,11 @@ import type { League } from './league/league';
 import type { Common, Point, Shaped, Standing } from './kinds/base';
 import type { Painted, PaintColor } from './paint/paint';
 import type { Barrier, Lamp, Tunnel } from './kinds/lit-things';
+import type { Tag } from './kinds/tag-thing';
 
 export type { Point, Shaped } from './kinds/base';
 export { lampColors, type Barrier, type Lamp, type LampColor, type Tunnel } from './kinds/lit-things';
+export type { Tag } from './kinds/tag-thing';
 
 /** A straight solid wall; `from` and `to` are the ends of its centre line. */
 export interface Wall extends Common, Standing, Painted {
@@ -150,7 +152,7 @@ export type RobotColor = (typeof robotColors)[number];
 
 /** Everything that can stand or lie in the arena. */
 export type SceneObject =
-  Wall | Block | Stroke | Zone | Paper | Spikes | Mover | Lamp | Barrier | Tunnel | Label | Start;
+  Wall | Block | Stroke | Zone | Paper | Spikes | Mover | Lamp | Barrier | Tunnel | Tag | Label | Start;
 
 /** How many points an object holds: a stroke may have tens of thousands, a polygon has some. */
 export function countPoints(object: SceneObject): number {
@@ -290,6 +292,7 @@ export const sceneDefaults = {
   rollingFriction: 0.02, // likewise: a ball on hard felt or lino
   brightness: 40, // chosen: an LED torch (docs/hardware/light.md)
   ambient: 300,
+  tagSide: 60, // chosen: a camera recognises it from a metre away
   labelHeight: 30, // chosen: read on a projector from the last row
 } as const;
 
@@ -324,6 +327,9 @@ export const sceneLimits = {
   brightnessCd: { min: 0.1, max: 1_000 },
   /** From the dark to the sun. */
   ambientLx: { min: 0, max: 100_000 },
+  /** A tag's number and the side of its square. */
+  tag: { min: 1, max: 99 },
+  tagMm: { min: 10, max: 300 },
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },
   options: 50,

@@ -20,6 +20,7 @@ export const changesInRun: Readonly<Record<SceneObject['type'], ChangeInRun>> = 
   lamp: 'shown',
   barrier: 'lasting',
   tunnel: 'shown',
+  tag: 'shown',
   mover: 'lasting',
   label: 'shown',
   start: 'lasting',

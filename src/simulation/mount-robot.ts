@@ -5,6 +5,7 @@ import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import type { InfraredLight } from '#devices/nec-remote';
 import { heardCone } from '#robots/incidence';
+import { withCamera } from '#robots/camera';
 import { withColourSensors } from '#robots/colour-sensor';
 import { bodyOf, type OnSet, type Robot, type RobotContext, type RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
@@ -15,6 +16,7 @@ import type { Shares } from '#world/shapes';
 import type { World } from '#world/world';
 import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import type { Hardware } from './hardware';
+import { colourNumber } from './colour-number';
 import { lampLevel, robotLight } from './switching/light-sense';
 import { isMisplugged } from './robot-fit';
 import { createReality, FULL_MV } from './reality';
@@ -83,6 +85,8 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const hit = world.colorAhead(chassis.toWorld(from), headingRad, cone, chassis);
       return hit && { distanceMm: hit.distanceMm, light: reality.light(litBy(hit.shares)) };
     },
+    camera: (from, view) => world.camera(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
+    colourNumber,
     lightLevel: robotLight(world, { chassis, sensors: place.board.sensors, nowUs: () => clock.nowUs }),
     miss: () => reality.miss(),
     supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
@@ -92,7 +96,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     lineReadings: place.traits?.line ?? {},
     ...(place.onSet && { onSet: place.onSet }),
   };
-  const robot = withColourSensors(build.attach(context), type, context);
+  const robot = withCamera(withColourSensors(build.attach(context), type, context), type, context);
   const boardLevel = () => lampLevel(world, chassis.toWorld({ x: 0, y: 0 }), chassis);
   const senses = createArenaSenses(place.board.sensors, {
     chassis,

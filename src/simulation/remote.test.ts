@@ -135,6 +135,27 @@ describe('a gamepad in the hand', () => {
     expect(lines).toEqual(['512 512 1', '767 0 1', '767 0 0']);
   });
 
+  it('is read by the library controller: stick from -1 to 1, keys like the buttons of the board', async () => {
+    const asked = [
+      'from controller import *\nfrom microbit import sleep',
+      'while True:\n    sleep(300)',
+      '    print(joystick.get_x(), joystick.get_y(), joystick.get_z(), button_green.is_pressed(), button_c.get_presses(), button_blue.was_pressed())',
+    ];
+    const tap = [450, 520].map((ms, place): InputEvent => {
+      const action = { type: 'gamepad', key: 'F', down: place === 0 } as const;
+      return { timeUs: ms * 1000, device: 'pad', action };
+    });
+    const [, lines] = await printed(
+      [robot, { ...pad, files: { 'main.py': asked.join('\n') } }],
+      [...inputs, ...tap],
+      1.25,
+    );
+    const [rest, moved, held] = lines ?? [];
+    expect(rest).toMatch(/^0\.(0|498\d*) (0\.0|-1\.0) 0 False 0 False$/);
+    expect(moved).toMatch(/^0\.498\d* -1\.0 0 False 0 True$/);
+    expect(held).toMatch(/^0\.498\d* -1\.0 0 True 1 False$/);
+  });
+
   it('is refused on a device that has none, with the way out', async () => {
     const refused = printed([robot, { ...pad, robotOptions: {} }], inputs, 1);
     await expect(refused).rejects.toThrow('[0]: This device has no gamepad. Give it one: --device');

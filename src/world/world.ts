@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 import type { Chassis, ChassisType } from './chassis';
 import { createPaintedFloor } from './ground/painted-floor';
 import type { BlockBody } from './physics/block-body';
@@ -8,6 +9,7 @@ import { createLight, type Eye, type Light } from './light/light';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
 import { nearestColor, type ColorHit } from './probes/nearest-color';
+import { cameraAt, type Camera, type CameraView, type TagShape } from './probes/camera';
 import { depthGrid, type DepthCell, type DepthView } from './probes/depth-grid';
 import { circleRadiusMm, formParts } from './physics/form';
 import { wallCorners } from './shapes';
@@ -43,6 +45,8 @@ export interface World {
   addStroke(stroke: StrokeShape): StrokeHandle;
   /** Paints a field, under all strokes. */
   addField(field: FieldShape): StrokeHandle;
+  /** Puts up a tag, which cameras see and nothing feels. */
+  addTag(tag: TagShape): Stop;
   /** Lays a picture under strokes and fields, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
   /**
@@ -76,6 +80,13 @@ export interface World {
    * @param except the robot that carries it
    */
   depthGrid(from: Vec, headingRad: number, view: DepthView, except?: Chassis): readonly DepthCell[];
+  /**
+   * The sight of a camera, which looks only when its picture or tags are asked for.
+   *
+   * @param from place of its lens
+   * @param except the robot that carries it
+   */
+  camera(from: Vec, headingRad: number, view: CameraView, except?: Chassis): Camera;
   /** Its light: that of the room, and lamps and tunnels that are added to it. */
   readonly light: Omit<Light, 'at'>;
   /** The light that an eye receives, in lx. Walls, blocks, movers and robots throw shadows. @param except see `depthGrid` */
@@ -84,6 +95,9 @@ export interface World {
 
 /** Thickness in mm of the wall around the arena for a beam. Any value above 0 will do. */
 const EDGE_MM = 1;
+
+/** Radius of what a cell of a camera's picture sees of the floor. Chosen: nearly a point, so that colours do not mix. */
+const POINT_MM = 0.5;
 
 /** Height of the wall around the arena: chosen, as high as a wall of a course. */
 const EDGE_HEIGHT_MM = 250;
@@ -95,6 +109,8 @@ const EDGE_HEIGHT_MM = 250;
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const [ground, light] = [createPaintedFloor(), createLight()];
+  const tags = new Set<TagShape>();
+  const point = ({ x, y }: Vec): Shares | null => (holds(size, { x, y }) ? ground.sharesAt(x, y, POINT_MM) : null);
   const solids: Solids = { things: edgesOf(size), barriers: [], blocks: new Map(), robots: [] };
   const { things, barriers, blocks, robots } = solids;
   const obstacles = (except: Chassis | undefined): Iterable<Obstacle> => obstaclesIn(solids, except);
@@ -129,6 +145,7 @@ export function createWorld(size: WorldSize): World {
     },
     addStroke: (stroke) => ground.addStroke(stroke),
     addField: (field) => ground.addField(field),
+    addTag: (tag) => addedTo(tags, tag),
     setFloor: (grid) => ground.setFloor(grid),
     addChassis(type, pose, nowUs) {
       const body = physics.addRobot(type, pose, nowUs);
@@ -141,6 +158,8 @@ export function createWorld(size: WorldSize): World {
     sharesAt: ({ x, y }, radiusMm) => (holds(size, { x, y }) ? ground.sharesAt(x, y, radiusMm) : [0, 0, 0]),
     colorAhead: (from, headingRad, cone, except) => nearestColor(from, headingRad, cone, obstacles(except)),
     depthGrid: (from, headingRad, view, except) => depthGrid(from, headingRad, view, obstacles(except)),
+    camera: (from, headingRad, view, except) =>
+      cameraAt(from, headingRad, view, { obstacles: obstacles(except), tags, floor: point }),
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
     light,
     luxAt: (eye, except) => light.at(eye, () => obstacles(except)),
@@ -162,7 +181,7 @@ function* obstaclesIn({ things, barriers, blocks, robots }: Solids, except: Chas
   for (const { body, parts, heightMm } of robots) {
     if (body === except) continue;
     yield* parts;
-    yield* addedTo(body, heightMm);
+    yield* partsAddedTo(body, heightMm);
   }
 }
 
@@ -171,6 +190,12 @@ const edgesOf = (size: WorldSize): Obstacle[] =>
 /** True if a place is inside the arena. */
 const holds = ({ widthMm, heightMm }: WorldSize, { x, y }: Vec): boolean =>
   x >= 0 && x <= widthMm && y >= 0 && y <= heightMm;
+
+/** Adds something to a set; it can be taken away again. */
+function addedTo<T>(set: Set<T>, one: T): Stop {
+  set.add(one);
+  return () => void set.delete(one);
+}
 
 /** The colour of a solid, if it has one. */
 const sharesOf = ({ shares }: { readonly shares?: Shares }): { readonly shares?: Shares } =>
@@ -185,7 +210,7 @@ function obstaclesOf(form: BodyForm, pose: () => Pose): readonly Obstacle[] {
 }
 
 /** The parts added to a robot's body, for a beam. */
-function addedTo(robot: RobotBody, heightMm: number): Obstacle[] {
+function partsAddedTo(robot: RobotBody, heightMm: number): Obstacle[] {
   return robot.addedOutlinesMm().map((outline) => movingObstacle(outline, () => robot.pose(), heightMm));
 }
 

@@ -2,7 +2,7 @@ import { summaryOf } from '#scene/json-file';
 import { Reader } from '#scene/reader';
 import { defaultScene } from '#scene/scene';
 import type { Carried, Project, SourceFile } from '#project/project';
-import { chosenLevel } from '../task/levels';
+import { chosenLevel } from '../task/chosen-level';
 import { locksOf } from '../task/read-task';
 import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';

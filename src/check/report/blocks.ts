@@ -10,7 +10,7 @@ const blockOf: Readonly<Record<ReasonCode, BlockId | null>> = {
   ...{ time: 'time', forbidden: 'touch', spikes: 'touch', touched: 'touch', robot: 'touch', left: 'way', open: 'way' },
   ...{ helped: 'hand', empty: 'still', unmoved: 'still', waits: 'still' },
   ...{ stop: 'stop', whole: 'stop', heading: 'stop', reach: 'way', stay: 'stop', laps: 'way', checkpoints: 'way' },
-  ...{ belongs: 'way', covered: 'way', touches: 'touch', slow: 'time', early: 'early' },
+  ...{ belongs: 'way', covered: 'way', tiles: 'way', score: 'way', touches: 'touch', slow: 'time', early: 'early' },
   ...{ display: 'shows', light: 'shows', sound: 'shows', console: 'shows', radio: 'shows', log: 'shows' },
   ...{ loop: 'loop', calls: 'calls', lines: 'short', delay: 'delay' },
   ...{ exception: 'error', panic: 'error', stuck: 'loop', long: null, refused: null, broken: null },

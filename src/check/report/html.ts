@@ -5,8 +5,9 @@ import { checkText } from '../task/check-text';
 import { ledDrawing } from '../task/led-drawing';
 import { worldName, type Check, type ClassTask } from '../task/task';
 import { countedPoints, passedOf, type ClassResult, type Counted, type NamedResult } from './class-result';
-import { Drawings, type WaysToDraw, type WayTone } from './drawing';
+import { Drawings } from './drawing';
 import { escaped } from './escaped';
+import { pageOf } from './page';
 import { otherTaskTexts, remarkText } from './say';
 import reportWords from './words';
 import styles from './report.css?raw';
@@ -31,64 +32,12 @@ export function htmlOf(
   const sheets = handIns
     .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one) }))
     .join('\n');
-  return documentOf(title, language, drawings, `${table}\n${sheets}`);
+  const body = `<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
+<main>${table}
+${sheets}
+</main>`;
+  return pageOf(found.task, styles, language, body);
 }
-
-/** A group of hand-ins as a report shows it: without names. */
-export interface ReportGroup {
-  readonly title: string;
-  /** When or why it happened; empty: nothing more is to say. */
-  readonly fact: string;
-  readonly ways: WaysToDraw;
-  /** The hint that would help; left out: none is known. */
-  readonly hint?: string;
-}
-
-/** The report of a class by groups, without names, as one HTML file that needs nothing else. */
-export function groupsHtmlOf(
-  { task: name, handIns }: ClassResult,
-  task: ClassTask,
-  language: Language,
-  groups: readonly ReportGroup[],
-): string {
-  const drawings = new Drawings(task);
-  const title = escaped(name);
-  const { summary } = reportWords.report;
-  const passed = passedOf({ task: name, handIns });
-  const rows = groups.map(
-    ({ title: said, fact, ways, hint = '' }) =>
-      `<li><div class="thumb">${drawings.ways(ways, '')}</div><div><b>${groupMarks[ways.tone]} ${escaped(said)}</b>${[fact, hint].map((text) => (text === '' ? '' : `<p>${escaped(text)}</p>`)).join('')}</div></li>`,
-  );
-  const body = `
-<h1>${title}</h1>
-<p class="summary">${escaped(filledIn(summary[language], { passed, of: handIns.length }))}</p>
-<ul class="groups">
-${rows.join('\n')}
-</ul>`;
-  return documentOf(title, language, drawings, body);
-}
-
-const groupMarks: Readonly<Record<WayTone, string>> = {
-  passed: '<b class="yes" aria-hidden="true">✓</b>',
-  wrong: '<b class="no" aria-hidden="true">✗</b>',
-  missing: '<b class="open" aria-hidden="true">△</b>',
-};
-
-const documentOf = (title: string, language: Language, drawings: Drawings, body: string): string => `<!doctype html>
-<html lang="${language}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${title}</title>
-<style>${styles}</style>
-</head>
-<body>
-<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
-<main>${body}
-</main>
-</body>
-</html>
-`;
 
 /** The table of a class, a row for each hand-in. */
 function tableOf(found: ClassResult, { drawings, language }: Sheet): string {

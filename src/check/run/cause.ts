@@ -33,7 +33,7 @@ export function reasonByEnd(
 
 /** True for a check that a motionless robot cannot pass. */
 const isOfWay = ({ type }: RunCheck): boolean =>
-  ['goals', 'reach', 'stop', 'laps', 'checkpoints', 'belongs', 'covered'].includes(type);
+  ['goals', 'reach', 'stop', 'laps', 'checkpoints', 'belongs', 'covered', 'tiles', 'score'].includes(type);
 
 /** Calls of a program that wait for a person. */
 const AWAITED = ['button_a', 'button_b', 'pin_logo', 'was_gesture', 'is_gesture', 'input'];

@@ -2,6 +2,7 @@ import type { Scene } from '#scene/scene';
 import type { Check, Fact } from '../task/task';
 import { watchEarly, watchGoals, watchTime, watchTouches } from './watch-goals';
 import { watchConsole, watchDisplay, watchLight, watchLog, watchRadio, watchSound } from './watch-shows';
+import { watchScore, watchTiles } from './watch-line';
 import { watchBelongs, watchCovered } from './watch-things';
 import { watchCheckpoints, watchLaps, watchReach, watchStay, watchStop } from './watch-way';
 import type { Watcher } from './watcher';
@@ -28,6 +29,10 @@ export function watcherOf(check: RunCheck, course: Scene): Watcher {
       return watchLaps(course, check.count);
     case 'checkpoints':
       return watchCheckpoints(course);
+    case 'tiles':
+      return watchTiles(check.count);
+    case 'score':
+      return watchScore(check.least);
     case 'touches':
       return watchTouches(check.most);
     case 'faster':

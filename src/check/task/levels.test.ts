@@ -6,7 +6,7 @@ import type { Project } from '#project/project';
 import { handInOf, handInOfFiles } from '../hand-in/read-hand-in';
 import { check } from '../check';
 import { ahead, firmware, projectWith, sceneWith, targetAt } from '../testing/tasks';
-import { chosenLevel } from './levels';
+import { chosenLevel, hintsAllowed } from './chosen-level';
 import { taskOf } from './read-task';
 import type { ClassTask } from './task';
 import { projectForPupils, projectOfTask, withoutSecrets } from './write-task';
@@ -49,9 +49,19 @@ describe('a task with levels', () => {
     [[levels[0], levels[0]], 'task.levels[1].name: another level is called "leer".'],
     [[{ name: '', text: '' }], 'task.levels[0].name: must not be empty.'],
     [[{ name: 'leer' }], 'task.levels[0].text: is missing'],
+    [[{ name: 'leer', text: '', hints: 6 }], 'task.levels[0].hints: 6 is not within 0 … 5.'],
     [[{ name: 'leer', text: '', lines: [0] }], 'task.levels[0].lines[0]: 0 is not within'],
   ])('%# says what is wrong with them', (wrong, problem) => {
     expect(taskOf(withLevels(wrong))).toMatchObject({ problem: expect.stringContaining(problem) as string });
+  });
+
+  it('may allow fewer of the card’s hints, once one is chosen', () => {
+    const few = taskIn(withLevels([levels[0], { ...levels[0], name: 'ohne Tipps', hints: 0 }]));
+    const pupils = projectForPupils(few).task;
+    expect(taskOf(projectOfTask(few))).toEqual({ task: few });
+    expect(hintsAllowed(pupils)).toBe(Infinity);
+    expect(hintsAllowed({ ...pupils!, level: 0 })).toBe(Infinity);
+    expect(hintsAllowed({ ...pupils!, level: 1 })).toBe(0);
   });
 
   it('goes with the choice of the pupil into the hand-in, and into a link to it', () => {

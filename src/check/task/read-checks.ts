@@ -109,6 +109,20 @@ const kinds: Readonly<Record<Type, Kind>> = {
       zone: zoneIn(fields, path, reader),
     }),
   },
+  tiles: {
+    names: ['count'],
+    read: ({ count }, path, reader) => ({
+      type: 'tiles',
+      count: reader.whole(count, `${path}.count`, taskLimits.tiles),
+    }),
+  },
+  score: {
+    names: ['least'],
+    read: ({ least }, path, reader) => ({
+      type: 'score',
+      least: reader.whole(least, `${path}.least`, taskLimits.score),
+    }),
+  },
   touches: {
     names: ['most'],
     read: ({ most }, path, reader) => ({

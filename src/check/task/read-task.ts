@@ -14,7 +14,8 @@ import { readFiles } from '#project/read-files';
 import { lostIn, lostProblem } from './named-objects';
 import { readAbout } from './about';
 import { readExam, type Exam } from './exam';
-import { levelLimits, readLevels, type TaskLevel } from './levels';
+import { levelLimits } from './chosen-level';
+import { readLevels, type TaskLevel } from './levels';
 import { readChecks } from './read-checks';
 import {
   lockNames,

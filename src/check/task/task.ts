@@ -73,6 +73,10 @@ export type CheckKind =
   | { readonly type: 'belongs'; readonly object: string; readonly zone: string }
   /** The robot's body was over so much of the floor of the arena or of a zone on which a robot can be. */
   | { readonly type: 'covered'; readonly percent: number; readonly zone: string | null }
+  /** So many tiles of the line of a league, the start aside; those of a section that was passed over do not count. */
+  | { readonly type: 'tiles'; readonly count: number }
+  /** So many points by the rules of the line's league. */
+  | { readonly type: 'score'; readonly least: number }
   /** At most this many touches of walls, blocks, obstacles and the edge. */
   | { readonly type: 'touches'; readonly most: number }
   /** All that has to be reached is reached within this simulated time. */
@@ -133,6 +137,7 @@ export type Fact =
 /** All types of checks, in the order in which they are offered. */
 export const checkTypes = [
   ...(['goals', 'reach', 'stop', 'stay', 'laps', 'checkpoints', 'belongs', 'covered'] as const),
+  ...(['tiles', 'score'] as const),
   ...(['touches', 'faster', 'later'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
@@ -203,6 +208,9 @@ export const taskLimits = {
   /** Duration of a run. */
   seconds: { min: 1, max: 3600 },
   laps: { min: 1, max: 100 },
+  /** Tiles of a league's line, and its points. */
+  tiles: { min: 1, max: 1000 },
+  score: { min: 1, max: 100_000 },
   touches: { min: 0, max: 10_000 },
   zones: { min: 0, max: 50 },
   /** Angle to either side of a direction. */

@@ -4,7 +4,8 @@ import { withoutFeedback } from '../feedback/feedback';
 import { aboutData } from './about';
 import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
-import { chosenLevel, levelsData } from './levels';
+import { chosenLevel } from './chosen-level';
+import { levelsData } from './levels';
 import { noLocks, plainWorld, type Check, type CheckKind, type ClassTask, type Locks, type WorldVariant } from './task';
 import { visibleTask } from './visible';
 

@@ -1,6 +1,6 @@
 import { Asker, inLanes } from '#check/lane';
 import type { ClassResult, NamedResult } from '#check/report/class-result';
-import type { ReportGroup } from '#check/report/html';
+import type { ReportGroup } from '#check/report/groups-html';
 import { secondsOf, type ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 import type { Language } from '#core/languages';

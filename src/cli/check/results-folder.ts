@@ -1,5 +1,4 @@
-import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Content } from '#intake/contents';
 import { projectOfHandIn, type HandIn } from '#check/hand-in/hand-in';
@@ -11,6 +10,7 @@ import { isRecord } from '#core/record';
 import { documentOfText } from '#intake/text';
 import { projectToText } from '#project/file';
 import { version } from '../../../package.json';
+import { KeptFolder, keyOf } from '../kept-folder';
 import { reasonOf } from '../reason-of';
 import { replaceFile } from '../write-output';
 import type { NamedTask } from './read-task';
@@ -27,24 +27,29 @@ type Problem = { readonly problem: string };
  */
 const [TASK, LIST, RESULTS] = ['task.json', 'hand-ins.json', 'results'];
 
-/** A folder with a file for each result. Several processes may write into it: each file is written whole, or not at all. */
+/** A folder with a file for each result. */
 export class ResultsFolder {
+  private readonly results: KeptFolder;
+
   private constructor(
     private readonly path: string,
     private readonly taskKey: string,
-  ) {}
+  ) {
+    this.results = new KeptFolder(join(path, RESULTS));
+  }
 
   /** Opens a folder for a task and its hand-ins; makes it if it does not exist. */
   static open(path: string, { name, title, task, names }: FolderContents): ResultsFolder | Problem {
     try {
-      mkdirSync(join(path, RESULTS), { recursive: true });
       const text = taskText(task);
+      const folder = new ResultsFolder(path, keyOf(version, text));
+      folder.results.make();
       const here = join(path, TASK);
       if (existsSync(here) && readFileSync(here, 'utf8') !== text)
         return { problem: `${path}: holds the results of another task. Choose another folder.` };
       replaceFile(here, text);
       replaceFile(join(path, LIST), `${JSON.stringify({ task: name, title, names })}\n`);
-      return new ResultsFolder(path, keyOf(version, text));
+      return folder;
     } catch (error) {
       return { problem: `${path}: ${reasonOf(error)}` };
     }
@@ -73,9 +78,7 @@ export class ResultsFolder {
 
   /** All its files. */
   files(): readonly string[] {
-    const results = join(this.path, RESULTS);
-    const kept = existsSync(results) ? readdirSync(results).map((name) => join(results, name)) : [];
-    return [join(this.path, TASK), join(this.path, LIST), ...kept];
+    return [join(this.path, TASK), join(this.path, LIST), ...this.results.files()];
   }
 
   /** The result of a hand-in, if one of this version, for this task and this program, is stored; else `null`. */
@@ -91,7 +94,7 @@ export class ResultsFolder {
   }
 
   keep(name: string, key: string, result: CheckResult): void {
-    replaceFile(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
+    this.results.keep(fileOf(name), { name, key, taskKey: this.taskKey, result } satisfies Kept);
   }
 
   /** Hash of everything that the result of a hand-in depends on; of an unreadable one, of why it cannot be read. */
@@ -101,20 +104,14 @@ export class ResultsFolder {
       : keyOf(this.taskKey, projectToText(projectOfHandIn(content.handIn)), otherOf(content.handIn));
   }
 
-  private fileOf(name: string): string {
-    return join(this.path, RESULTS, `${keyOf(name).slice(0, 32)}.json`);
-  }
-
   /** Reads a stored result; a damaged one counts as missing. */
   private kept(name: string): Kept | null {
-    try {
-      const kept: unknown = JSON.parse(readFileSync(this.fileOf(name), 'utf8'));
-      return isKept(kept) && kept.name === name ? kept : null;
-    } catch {
-      return null;
-    }
+    const kept = this.results.find(fileOf(name));
+    return isKept(kept) && kept.name === name ? kept : null;
   }
 }
+
+const fileOf = (name: string): string => keyOf(name).slice(0, 32);
 
 /** The fields of a hand-in that its project's file lacks. */
 const otherOf = ({ hasCourse, locks, mark, isEdited, coding }: HandIn): string =>
@@ -148,5 +145,3 @@ const isList = (value: unknown): value is List =>
   value['names'].every((name) => typeof name === 'string');
 
 const taskText = (task: ClassTask): string => projectToText(projectOfTask(task));
-
-const keyOf = (...parts: readonly string[]): string => createHash('sha256').update(JSON.stringify(parts)).digest('hex');

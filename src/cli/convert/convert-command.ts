@@ -11,6 +11,7 @@ import { NO_ROBOT } from '#simulation/run-setup';
 import { isSameFile, writeProblem } from '../outputs';
 import { shortened } from '../read-work';
 import { reasonOf } from '../reason-of';
+import { refuse } from '../results-out';
 import type { Terminal } from '../terminal';
 import { writeOutput } from '../write-output';
 import type { ConvertOptions } from './convert-arguments';
@@ -60,11 +61,6 @@ const withRules = (input: Input, rules: ConvertOptions['rules']): Input =>
   rules === null || input.work.scene === null
     ? input
     : { ...input, work: { ...input.work, scene: scoredBy(input.work.scene, rules) } };
-
-function refuse(problem: string, terminal: Terminal): 2 {
-  terminal.message(`parcours: ${problem}`);
-  return 2;
-}
 
 /** @returns why it was not written; `null`: it was */
 function writeOut(out: string, { text, files }: Made, word: string): string | null {

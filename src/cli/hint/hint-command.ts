@@ -6,6 +6,7 @@ import { contentOf } from '#intake/sources';
 import { findHandIns } from '../check/sources';
 import { readTask } from '../check/read-task';
 import { readFirmware } from '../firmware';
+import { refuse } from '../results-out';
 import { printable, type Terminal } from '../terminal';
 import type { HintOptions } from './hint-arguments';
 
@@ -16,19 +17,15 @@ import type { HintOptions } from './hint-arguments';
  */
 export async function giveHint(options: HintOptions, terminal: Terminal): Promise<0 | 2 | 3> {
   const { level, budget, json, lang, program } = options;
-  const refuse = (problem: string): 2 => {
-    terminal.message(`parcours: ${problem}`);
-    return 2;
-  };
   const read = await readTask(options.task);
-  if ('problem' in read) return refuse(read.problem);
+  if ('problem' in read) return refuse(read.problem, terminal);
   const found = await findHandIns([program]);
-  if ('problem' in found) return refuse(found.problem);
+  if ('problem' in found) return refuse(found.problem, terminal);
   const [source, another] = found.sources;
-  if (source === undefined) return refuse(`${program}: there is no program.`);
-  if (another !== undefined) return refuse(`${program}: there are several hand-ins. A hint is for one.`);
+  if (source === undefined) return refuse(`${program}: there is no program.`, terminal);
+  if (another !== undefined) return refuse(`${program}: there are several hand-ins. A hint is for one.`, terminal);
   const content = await contentOf(source);
-  if ('problem' in content) return refuse(`${program}: ${unreadText(content.problem, lang)}`);
+  if ('problem' in content) return refuse(`${program}: ${unreadText(content.problem, lang)}`, terminal);
   const firmware = await WebAssembly.compile(readFirmware());
   const hint = await hintFor(read.task, content.handIn, { firmware, budget });
   if (json) terminal.line(hintJson(hint, level, lang));

@@ -1,13 +1,12 @@
-import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readdirSync, readFileSync, statSync } from 'node:fs';
+import { existsSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { isRecord } from '#core/record';
 import type { RunEnd } from '#lab/run-end';
 import type { Sweep } from '#lab/sweep';
 import type { SweepRun } from '#lab/sweep-texts';
-import type { Value } from '#lab/what';
-import type { RunSetup } from '#simulation/run-setup';
+import type { Base, Value } from '#lab/what';
 import { version } from '../../../package.json';
+import { KeptFolder, keyOf } from '../kept-folder';
 import { reasonOf } from '../reason-of';
 import { replaceFile } from '../write-output';
 
@@ -27,29 +26,35 @@ export interface FolderSweep {
 }
 
 /** Describes a sweep for its folder. */
-export function folderSweep(name: string, { varied, count }: Sweep, setup: RunSetup, end: RunEnd): FolderSweep {
+export function folderSweep(name: string, { varied, count }: Sweep, base: Base, end: RunEnd): FolderSweep {
   const names = varied.map((one) => ({ name: one.name, values: one.values }));
-  const text = JSON.stringify([version, names, varied.map(({ what }) => what), setup, end]);
-  return { name, varied: names, count, key: createHash('sha256').update(text).digest('hex') };
+  const { setup, usedSeed, idealSeed = null } = base;
+  const whats = varied.map(({ what }) => what);
+  return { name, varied: names, count, key: keyOf(version, names, whats, setup, usedSeed, idealSeed, end) };
 }
 
-/** A folder with a file for each run. Several processes may write into it: each file is written whole, or not at all. */
+/** A folder with a file for each run. */
 export class RunsFolder {
+  private readonly runs: KeptFolder;
+
   private constructor(
     private readonly path: string,
     readonly sweep: FolderSweep,
-  ) {}
+  ) {
+    this.runs = new KeptFolder(join(path, RUNS));
+  }
 
   /** Opens a folder for the runs of a sweep; makes it if it does not exist. */
   static open(path: string, sweep: FolderSweep): RunsFolder | Problem {
     try {
-      mkdirSync(join(path, RUNS), { recursive: true });
+      const folder = new RunsFolder(path, sweep);
+      folder.runs.make();
       const here = join(path, SWEEP);
       const kept = existsSync(here) ? readSweepFile(here) : sweep;
       if (kept?.key !== sweep.key)
         return { problem: `${path}: holds the runs of another sweep. Choose another folder.` };
       replaceFile(here, `${JSON.stringify(sweep)}\n`);
-      return new RunsFolder(path, sweep);
+      return folder;
     } catch (error) {
       return { problem: `${path}: ${reasonOf(error)}` };
     }
@@ -71,29 +76,21 @@ export class RunsFolder {
 
   /** All its files. */
   files(): readonly string[] {
-    const runs = join(this.path, RUNS);
-    const kept = existsSync(runs) ? readdirSync(runs).map((name) => join(runs, name)) : [];
-    return [join(this.path, SWEEP), ...kept];
+    return [join(this.path, SWEEP), ...this.runs.files()];
   }
 
   /** The run at a place, if it is stored; a damaged one, or one of another sweep, counts as missing. */
   find(place: number): SweepRun | null {
-    try {
-      const kept: unknown = JSON.parse(readFileSync(this.fileOf(place), 'utf8'));
-      return isKept(kept) && kept.key === this.sweep.key ? kept.run : null;
-    } catch {
-      return null;
-    }
+    const kept = this.runs.find(nameOf(place));
+    return isKept(kept) && kept.key === this.sweep.key ? kept.run : null;
   }
 
   keep(place: number, run: SweepRun): void {
-    replaceFile(this.fileOf(place), `${JSON.stringify({ key: this.sweep.key, run } satisfies Kept)}\n`);
-  }
-
-  private fileOf(place: number): string {
-    return join(this.path, RUNS, `${String(place + 1).padStart(6, '0')}.json`);
+    this.runs.keep(nameOf(place), { key: this.sweep.key, run } satisfies Kept);
   }
 }
+
+const nameOf = (place: number): string => String(place + 1).padStart(6, '0');
 
 /** The file of a run. */
 interface Kept {

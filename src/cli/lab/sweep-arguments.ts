@@ -33,7 +33,8 @@ export interface SweepOptions {
   readonly lang: Language;
 }
 
-const options = {
+/** The options that say which runs are made. */
+const runOptions = {
   vary: {
     value: 'WHAT=VALUES',
     isRepeated: true,
@@ -45,6 +46,12 @@ const options = {
   jobs: { heading: 'How many at a time', ...jobsOption },
   shard: shardOption,
   resume: resumeOption,
+} as const satisfies Options;
+
+const ofRuns = Object.keys(runOptions) as (keyof typeof runOptions)[];
+
+const options = {
+  ...runOptions,
   merge: mergeOption,
   csv: { heading: 'What you get', value: 'R.csv', path: 'writes', help: 'a table for programs' },
   report: { value: 'REPORT.html', path: 'writes', help: 'a page with curve or map and a table' },
@@ -113,6 +120,6 @@ function workOf(
 function nothingToRun([first]: readonly string[], given: SweepGiven): null | Problem {
   if (first !== undefined)
     return { problem: `--merge runs nothing: what is "${first}"? Its folder has what varies, too.` };
-  const other = (['vary', 'jobs', 'shard', 'resume', 'for'] as const).find((name) => given.has(name));
+  const other = ofRuns.find((name) => given.has(name));
   return other === undefined ? null : { problem: `--${other} and --merge: choose one of them.` };
 }

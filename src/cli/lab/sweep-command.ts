@@ -7,7 +7,7 @@ import { sweepCsv, sweepJson, type SweepResult, type SweepRun } from '#lab/sweep
 import { withValues, type Base } from '#lab/what';
 import { hasTask } from '#simulation/task/task-brief';
 import { outputProblem, type Output } from '../outputs';
-import { DEFAULT_LIMIT_US, placed, preparedRun } from '../prepared-run';
+import { chanceOf, DEFAULT_LIMIT_US, placed, preparedRun } from '../prepared-run';
 import { readRunFiles } from '../read-files';
 import { isAddress, shortened } from '../read-work';
 import type { SetupAsked } from '../run-arguments';
@@ -96,7 +96,8 @@ async function prepare(
   const { setup, options } = prepared;
   const base: Base = {
     setup,
-    usedSeed: options.seed ?? read.settings.seed ?? 1,
+    usedSeed: chanceOf({ ...options, reality: 1 }, read.settings).seed,
+    idealSeed: chanceOf({ ...options, reality: 0 }, read.settings).seed,
     ...(!isAddress(run.program) && { mainName: basename(run.program) }),
   };
   const found = readSweep(vary, base);
@@ -136,7 +137,7 @@ async function runAll(
   const unwritable = outputProblem([...outputsOf(options), list], prepared.files, 'sweep');
   if (unwritable !== null) return { problem: unwritable };
   const name = isAddress(work.run.program) ? shortened(work.run.program) : basename(work.run.program);
-  const folder = path === null ? null : RunsFolder.open(path, folderSweep(name, asked, base.setup, end));
+  const folder = path === null ? null : RunsFolder.open(path, folderSweep(name, asked, base, end));
   if (folder !== null && 'problem' in folder) return { problem: `--resume: ${folder.problem}` };
   const places = Array.from({ length: asked.count }, (_, place) => place).filter((at) => isInShard(work.shard, at));
   const runs = new Map<number, SweepRun>();

@@ -60,6 +60,26 @@ describe('parcours sweep', { timeout: 120_000 }, () => {
     );
   });
 
+  it.each([
+    ['--seed', '2'],
+    ['--scene', 'slalom'],
+    ['--senses', 'on'],
+    ['--robot', 'none'],
+    ['--jobs', '2'],
+    ['--for', '1s'],
+  ])('refuses %s beside --merge, which runs nothing', (option, value) => {
+    const { code, err } = parcours('sweep', '--merge', at('runs'), option, value);
+    expect({ code, err }).toEqual({ code: 2, err: `parcours: ${option} and --merge: choose one of them.\n` });
+  });
+
+  it('keeps runs of another seed apart in a folder of used robots', () => {
+    const used = at('used');
+    const words = ['sweep', program, '--vary', 'reality=0.5,1', '--for', '100ms', '--resume', used, '--quiet'];
+    expect(parcours(...words).code).toBe(0);
+    expect(parcours(...words, '--seed', '1').code).toBe(0);
+    expect(parcours(...words, '--seed', '2').err).toContain('the runs of another sweep');
+  });
+
   it('ends with the task in a course that has one, and writes table and page', () => {
     const course = {
       ...{ format: 'parcours-scene', version: 1, size: [1200, 900], robot: { at: [200, 450] } },

@@ -2,6 +2,7 @@ import { defaultScene } from '#scene/scene';
 import type { ProbeOptions } from './probe-arguments';
 import { readLimited } from '../read-files';
 import { supervise } from '../supervise';
+import { refuse } from '../results-out';
 import { createTerminal, type Terminal } from '../terminal';
 import { compareTables, type Comparison, type Difference } from './compare';
 import { keptIn, probes } from './programs';
@@ -32,11 +33,6 @@ export async function compareProbes({ board, other }: ProbeOptions, terminal: Te
   }
   for (const comparison of comparisons) tell(comparison, terminal);
   return comparisons.every(({ differences }) => differences.length === 0) ? 0 : 1;
-}
-
-function refuse(problem: string, terminal: Terminal): 2 {
-  terminal.message(`parcours: ${problem}`);
-  return 2;
 }
 
 type Read = { readonly tables: readonly ProbeTable[] } | { readonly problem: string };

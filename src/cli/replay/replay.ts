@@ -7,6 +7,7 @@ import type { ReplayOptions } from './replay-arguments';
 import { readLimited } from '../read-files';
 import { jsonLine } from '../report';
 import { supervise, type Outcome } from '../supervise';
+import { refuse } from '../results-out';
 import type { Terminal } from '../terminal';
 import { momentLines } from './moment-lines';
 
@@ -18,24 +19,20 @@ const MOST_BYTES = 80_000_000;
  * @returns the exit code: 0 the same run, or the moment was reached; 1 another run, or it was not; 2 no recording
  */
 export async function replay(options: ReplayOptions, terminal: Terminal): Promise<0 | 1 | 2> {
-  const refuse = (problem: string): 2 => {
-    terminal.message(`parcours: ${problem}`);
-    return 2;
-  };
   const file = readLimited(options.tape, MOST_BYTES);
-  if ('problem' in file) return refuse(file.problem);
+  if ('problem' in file) return refuse(file.problem, terminal);
   const read = parseTape(file.text);
-  if ('problem' in read) return refuse(`${options.tape}: ${read.problem}`);
+  if ('problem' in read) return refuse(`${options.tape}: ${read.problem}`, terminal);
   const { tape, changes } = read;
   const device = placeOf(tape, options);
-  if (typeof device === 'string') return refuse(device);
+  if (typeof device === 'string') return refuse(device, terminal);
   const unfit = stopProblem(tape, options, device);
-  if (unfit !== null) return refuse(unfit);
+  if (unfit !== null) return refuse(unfit, terminal);
   for (const change of changes) terminal.message(`parcours: ${change}`);
   const outcome = await supervise(taskOf(tape, options, device), terminal);
   switch (outcome.type) {
     case 'refused':
-      return refuse(`${options.tape}: ${outcome.problem}`);
+      return refuse(`${options.tape}: ${outcome.problem}`, terminal);
     case 'broken':
       terminal.message(`parcours: something broke inside. Please report this.\n${outcome.problem}`);
       return 1;

@@ -12,6 +12,7 @@ import type { EditorKind } from './kind';
 import { barrier } from './barrier';
 import { label } from './label';
 import { lamp } from './lamp';
+import { tag } from './tag';
 import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
@@ -35,6 +36,7 @@ export const editorKinds: Readonly<Record<SceneObject['type'], EditorKind>> = {
   lamp,
   barrier,
   tunnel,
+  tag,
   label,
   start,
 };

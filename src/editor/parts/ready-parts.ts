@@ -6,7 +6,7 @@ export const readyGroups = {
   lines: ['straight', 'long', 'curve', 'lane-change', 'corner', 'zigzag', 'gap', 'crossing', 'junction'],
   walls: ['cell', 'corridor', 'garage', 'gate', 'slalom'],
   fields: ['bay', 'start-box', 'sensor-strip'],
-  things: ['lamp', 'traffic-light', 'barrier', 'ball', 'tunnel'],
+  things: ['lamp', 'traffic-light', 'barrier', 'ball', 'tunnel', 'tag'],
 } as const;
 
 export type ReadyGroup = keyof typeof readyGroups;

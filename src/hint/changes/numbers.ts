@@ -1,4 +1,4 @@
-import { parentsOf, type SyntaxNode } from '#python/tree';
+import { numbersIn, writtenNumber, type NumberAt } from '#python/numbers';
 import type { Change } from './change';
 import { replaced, type Program } from './program';
 
@@ -12,29 +12,20 @@ export interface NumberPlace {
   readonly near: (value: number) => number;
 }
 
-/** The numbers of a program: none in texts, and a minus belongs to a number where an operand begins. */
+/** The numbers of a program. */
 export const numbersOf = (program: Program): readonly NumberPlace[] =>
-  program.nodes('Number').flatMap((node) => {
-    if (isInText(node)) return [];
-    const { parent } = node;
-    const isNegative = parent?.name === 'UnaryExpression' && program.textOf(parent).startsWith('-');
-    const { from, to } = isNegative ? parent : node;
-    const text = program.textOf(node).replaceAll('_', '');
-    const value = Number(text) * (isNegative ? -1 : 1);
-    if (!Number.isFinite(value)) return [];
-    const near = (wanted: number): number => (Number.isInteger(value) ? Math.round(wanted) : rounded(wanted));
-    return [
-      {
-        ...{ value, line: program.lineAt(from), near },
-        to: (wanted: number): Change | null =>
-          wanted === value
-            ? null
-            : replaced(program, 'number', [{ from, to, by: String(wanted) }], wanted > value ? 'more' : 'less'),
-      },
-    ];
-  });
+  numbersIn(program.source.text)
+    .filter(({ value }) => Number.isFinite(value))
+    .map((at) => ({
+      ...{ value: at.value, line: at.line },
+      near: (wanted) => (Number.isInteger(at.value) ? Math.round(wanted) : rounded(wanted)),
+      to: (wanted) => (wanted === at.value ? null : toNumber(program, at, wanted)),
+    }));
 
-const isInText = (node: SyntaxNode): boolean => Array.from(parentsOf(node)).some(({ name }) => name === 'FormatString');
+const toNumber = (program: Program, at: NumberAt, wanted: number): Change | null => {
+  const part = { from: at.from, to: at.to, by: writtenNumber(program.source.text, at, wanted) };
+  return replaced(program, 'number', [part], wanted > at.value ? 'more' : 'less');
+};
 
 /** To three digits. */
 const rounded = (value: number): number => Number(value.toPrecision(3));

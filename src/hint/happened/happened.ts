@@ -62,6 +62,7 @@ export function happenedIn(run: FailedRun): Happened {
     case 'reach':
     case 'checkpoints':
     case 'laps':
+    case 'tiles':
       return unlessWay(run, notReached(reason), true);
     default:
       return unlessWay(run, { fact: 'reason', reason }, code === 'stop' || code === 'stay' || code === 'belongs');

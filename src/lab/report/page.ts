@@ -1,23 +1,11 @@
 import type { Language } from '#core/languages';
 import { escaped } from '#check/report/escaped';
+import { pageOf } from '#check/report/page';
 import styles from './report.css?raw';
 
 /** A report as one HTML file that needs nothing else. */
-export const pageOf = (title: string, language: Language, content: string): string => `<!doctype html>
-<html lang="${language}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${escaped(title)}</title>
-<style>${styles}</style>
-</head>
-<body>
-<main>
-${content}
-</main>
-</body>
-</html>
-`;
+export const reportOf = (title: string, language: Language, content: string): string =>
+  pageOf(title, styles, language, `<main>\n${content}\n</main>`);
 
 /** A cell of a table, as HTML; `isNumber` sets it to the right. */
 export interface Column {

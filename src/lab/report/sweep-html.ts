@@ -1,11 +1,12 @@
 import { escaped } from '#check/report/escaped';
+import { secondsText } from '#check/report/texts';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
-import { reasonText, secondsText, sumText } from '../say';
+import { reasonText, sumText } from '../say';
 import type { SweepResult, SweepRun } from '../sweep-texts';
 import words from '../words';
 import { curveOf, mapOf } from './curve';
-import { pageOf, tableOf } from './page';
+import { reportOf, tableOf } from './page';
 
 /**
  * The report of a sweep as one HTML file: the curve of one thing that varies or the map of two, and a table of all runs.
@@ -23,7 +24,7 @@ export function sweepHtml(result: SweepResult, name: string, language: Language)
     { title: say('way'), isNumber: true },
     { title: say('end'), isNumber: true },
   ];
-  return pageOf(
+  return reportOf(
     title,
     language,
     `<h1>${escaped(title)}</h1>

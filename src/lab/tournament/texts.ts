@@ -2,8 +2,9 @@ import { csvText } from '#core/csv';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import { escaped } from '#check/report/escaped';
-import { pageOf, tableOf } from '../report/page';
-import { reasonText, secondsText } from '../say';
+import { secondsText } from '#check/report/texts';
+import { reportOf, tableOf } from '../report/page';
+import { reasonText } from '../say';
 import words from '../words';
 import type { Tournament } from './play';
 import type { Row } from './table';
@@ -66,7 +67,7 @@ export function tournamentHtml(found: Tournament, course: string, language: Lang
     ...[{ title: 'A' }, { title: 'B' }, { title: say.seed[language], isNumber: true }],
     ...[{ title: say.winner[language] }, { title: words.time[language], isNumber: true }, { title: '' }],
   ];
-  return pageOf(
+  return reportOf(
     title,
     language,
     `<h1>${escaped(title)}</h1>

@@ -5,6 +5,7 @@ import type { PictureKind } from './kind';
 import { barrier } from './barrier';
 import { label } from './label';
 import { lamp } from './lamp';
+import { tag } from './tag';
 import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
@@ -29,6 +30,7 @@ export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = 
   lamp,
   barrier,
   tunnel,
+  tag,
   label,
   start,
 };

@@ -4,6 +4,7 @@
  */
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
@@ -65,6 +66,6 @@ export const bitbotXl: RobotType = {
   // Its left() turns to the right, and it has no delay().
   measuring: 'from mbbitbot import *\nfrom mbbitbot import right as left\n\ndelay = sleep',
   driverNames: ['bitbotxl', 'bitbot'], // GMC's module is BitBotXL
-  options: [echoOption, incidenceOption, ...colourOptions],
+  options: [echoOption, incidenceOption, ...colourOptions, cameraOption],
   mountMm: null,
 };

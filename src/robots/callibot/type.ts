@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
@@ -89,6 +90,7 @@ export const callibot: RobotType = {
     optionOf('echo', words.options.echo, ['far', 'zero'], { isExpert: true }),
     incidenceOption,
     ...colourOptions,
+    cameraOption,
     ...attachmentOptions(SERVO_PORTS),
   ],
   mountMm: { x: 60, y: 0 },

@@ -5,6 +5,7 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
@@ -74,6 +75,6 @@ export const cutebot: RobotType = {
   modules: ['cutebot', 'Cutebot'],
   sameModules: { Cutebot: 'cutebot' }, // the name of Elecfreaks' own file
   measuring,
-  options: [...attachmentOptions(SERVO_PORTS), echoOption, incidenceOption, ...colourOptions],
+  options: [...attachmentOptions(SERVO_PORTS), echoOption, incidenceOption, ...colourOptions, cameraOption],
   mountMm: { x: 58, y: 0 },
 };

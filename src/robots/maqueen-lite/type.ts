@@ -5,6 +5,7 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
@@ -68,6 +69,6 @@ export const maqueenLite: RobotType = {
   body,
   modules: ['mbrobot', 'mbrobotmot', 'mbalarm'],
   driverNames: ['maqueen', 'maqueenlite'],
-  options: [...attachmentOptions(SERVO_PORTS), echoOption, incidenceOption, ...colourOptions],
+  options: [...attachmentOptions(SERVO_PORTS), echoOption, incidenceOption, ...colourOptions, cameraOption],
   mountMm: { x: 58, y: 0 },
 };

@@ -5,6 +5,7 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
@@ -64,6 +65,6 @@ export const maqueenPlusV1: RobotType = {
   body,
   modules: ['mbrobot_plus'],
   driverNames: ['maqueenplusv1', 'maqueenplus', 'Maqueen_Plus'], // the last two: lawther, Koraze
-  options: [...attachmentOptions(SERVO_PORTS), incidenceOption, ...colourOptions],
+  options: [...attachmentOptions(SERVO_PORTS), incidenceOption, ...colourOptions, cameraOption],
   mountMm: { x: 78.5, y: 0 },
 };

@@ -4,6 +4,7 @@
 import { attachmentOptions } from '#attachments/options';
 import { optionOf, type Option } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
@@ -40,6 +41,7 @@ const options: readonly Option[] = [
   echoOption,
   incidenceOption,
   ...colourOptions,
+  cameraOption,
 ];
 
 export const maqueenPlusV2: RobotType = {

@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import { optionOf, type OptionValues, type Option } from '#core/option';
 import { inEvery } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { echoOption } from '../echo';
 import { incidenceOption } from '../incidence';
@@ -66,6 +67,7 @@ const options: readonly Option[] = [
   { ...echoOption, onlyWith: WITH_ULTRASONIC },
   { ...incidenceOption, onlyWith: WITH_ULTRASONIC },
   ...colourOptions,
+  cameraOption,
 ];
 
 export const maqueenPlusV3: RobotType = {

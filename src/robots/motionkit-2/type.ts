@@ -7,6 +7,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { optionOf } from '#core/option';
 import type { ChassisType } from '#world/chassis';
+import { cameraOption } from '../camera-options';
 import { colourOptions } from '../colour-options';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
@@ -74,6 +75,7 @@ export const motionkit2: RobotType = {
     optionOf('echo', words.options.echo, ['minus-one', 'zero'], { isExpert: true }),
     incidenceOption,
     ...colourOptions,
+    cameraOption,
   ],
   mountMm: { x: 58, y: 0 },
 };

@@ -5,6 +5,7 @@ import type { SceneKind } from './kind';
 import { barrier } from './barrier';
 import { label } from './label';
 import { lamp } from './lamp';
+import { tag } from './tag';
 import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
@@ -28,6 +29,7 @@ export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
   lamp,
   barrier,
   tunnel,
+  tag,
   label,
   start,
 };

@@ -73,6 +73,17 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       ...{ ...height(rng), opens: switching(rng) },
     }),
     () => ({ type: 'tunnel', ...body }),
+    () => ({
+      ...{
+        type: 'tag',
+        id,
+        at: point(rng),
+        number: wholeFrom(rng, 1, 99),
+        side: wholeFrom(rng, 10, 300),
+        angle: angle(rng),
+      },
+      ...(inPercent(rng, 50) ? { flat: true } : {}),
+    }),
     () => ({ type: 'spikes', ...body, ...height(rng) }),
     () => ({ type: 'paper', ...body, color: oneOf(rng, paintColors), ...infrared(rng) }),
     () => ({

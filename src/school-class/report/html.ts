@@ -1,4 +1,5 @@
 import { escaped } from '#check/report/escaped';
+import { pageOf } from '#check/report/page';
 import type { Day } from '#core/day';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
@@ -27,22 +28,11 @@ export function classReport(schoolClass: SchoolClass, day: Day, language: Langua
   const count = filledIn(words.count[language], { pupils: pupils.length, tasks: tasks.length });
   const about = [count, ...(scale === null ? [] : [scaleText(scale, language)])];
   const title = escaped(name);
-  return `<!doctype html>
-<html lang="${language}">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${title}</title>
-<style>${styles}</style>
-</head>
-<body>
-<h1>${title}</h1>
+  const body = `<h1>${title}</h1>
 <p>${[filledIn(words.day[language], { day: dayText(day, language) }), ...about].map(escaped).join(' · ')}</p>
 ${rows.length === 0 ? `<p>${escaped(words.nobody[language])}</p>` : tableOf(schoolClass, rows, language)}
-<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(stateText({ state }, language))}</span>`).join(' ')}${rows.some(({ cells }) => cells.some(isByHand)) ? ` <span>${BY_HAND_SIGN} ${escaped(byHandText(language))}</span>` : ''}</p>
-</body>
-</html>
-`;
+<p class="legend">${(Object.keys(SIGNS) as Cell['state'][]).map((state) => `<span>${SIGNS[state]} ${escaped(stateText({ state }, language))}</span>`).join(' ')}${rows.some(({ cells }) => cells.some(isByHand)) ? ` <span>${BY_HAND_SIGN} ${escaped(byHandText(language))}</span>` : ''}</p>`;
+  return pageOf(name, styles, language, body);
 }
 
 function tableOf({ tasks, scale }: SchoolClass, rows: readonly Row[], language: Language): string {

@@ -7,6 +7,7 @@ import { floorRgb, infraredOf, paintRgb } from '#scene/paint/reflectance';
 import type { Painted } from '#scene/paint/paint';
 import { zoneOverlaps } from '#scene/kinds/zone';
 import { stopsOf } from '#scene/kinds/mover-way';
+import { tagRimMm } from '#scene/kinds/tag-thing';
 import type { Outline } from '#scene/outline';
 import type {
   Barrier,
@@ -19,6 +20,7 @@ import type {
   SceneObject,
   Spikes,
   Stroke,
+  Tag,
   Tunnel,
   Wall,
   Zone,
@@ -69,6 +71,7 @@ export const builds: Readonly<Record<SceneObject['type'], Build<never> | null>> 
   lamp: lampBody,
   barrier: barrierBody,
   tunnel: tunnelBody,
+  tag: tagBody,
   mover: moverBody,
   label: null,
   start: null,
@@ -133,6 +136,12 @@ function barrierBody(barrier: Barrier, world: World): Body {
 
 function tunnelBody(tunnel: Tunnel, world: World): Body {
   return { remove: world.light.addTunnel(shapeParts(tunnel)) };
+}
+
+function tagBody(tag: Tag, world: World): Body {
+  const { at, number, side, flat } = tag;
+  const shape = { number, atMm: vec(at), angleRad: rotationRad(tag.angle), sideMm: side, rimMm: tagRimMm(side) };
+  return { remove: world.addTag({ ...shape, isFlat: flat === true }) };
 }
 
 function moverBody(object: Mover, world: World, { zone }: Around): Body {

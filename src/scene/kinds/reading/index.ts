@@ -4,6 +4,7 @@ import type { KindReader } from './kind-reader';
 import { barrier } from './barrier';
 import { label } from './label';
 import { lamp } from './lamp';
+import { tag } from './tag';
 import { tunnel } from './tunnel';
 import { mover } from './mover';
 import { paper } from './paper';
@@ -27,6 +28,7 @@ export const kindReaders: Readonly<Record<SceneObject['type'], KindReader>> = {
   lamp,
   barrier,
   tunnel,
+  tag,
   label,
   start,
 };

@@ -94,6 +94,7 @@ export const samples = {
   lamp: { type: 'lamp', id: 'lamp', at: [700, 800], height: 260, brightness: 40 },
   barrier: { type: 'barrier', id: 'barrier', from: [1000, 300], to: [1000, 450], thickness: 10, opens: 'hand' },
   tunnel: { type: 'tunnel', id: 'tunnel', at: [350, 450], size: [120, 120], angle: 0 },
+  tag: { type: 'tag', id: 'tag', at: [850, 750], number: 7, side: 60, angle: 90 },
   label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, angle: 0 },
   start: {
     type: 'start',

@@ -26,7 +26,7 @@ describe('what can be unfolded below the board', () => {
       ...['Sensoren', 'Funk', 'Datenlog', 'In der Hand'],
     ]);
     expect(unfolded()).toEqual(['false', 'false', 'false', 'false']);
-    named('Sensoren, Funk und Datenlog', '[role="group"]');
+    named('Sensoren, Funk, Datenlog und In der Hand', '[role="group"]');
   });
 
   it('is one thing at a time, and the page remembers which', async () => {

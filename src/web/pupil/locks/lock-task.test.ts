@@ -110,7 +110,7 @@ describe('a task that leaves the pen alone', () => {
   });
 });
 
-it('a task that locks the hand keeps robot, blocks and sensors from it, by whatever way', async () => {
+it('a task that locks the hand keeps robot, blocks, sensors, lamps and barriers from it, by whatever way', async () => {
   const page = createPage();
   page.sensors.set('lightLevel', 3);
   page.hand.pose.value = { xMm: 1, yMm: 2, headingDeg: 0 };
@@ -123,6 +123,7 @@ it('a task that locks the hand keeps robot, blocks and sensors from it, by whate
   page.sensors.set('lightLevel', 7);
   page.sensors.gesture('shake');
   page.run.input({ type: 'place', pose: { xMm: 1, yMm: 2, headingDeg: 0 } });
+  page.run.input({ type: 'switch', id: 'lamp-1', on: true });
   expect(host.input({ type: 'sensor', id: 'lightLevel', value: 9 })).toMatch(/without the hand/);
   page.run.input({ type: 'button', button: 'a', down: true });
   expect(inputsOf(page)).toEqual([{ type: 'button', button: 'a', down: true }]);
@@ -336,6 +337,13 @@ describe('what is told of a hand-in', () => {
     const page = await pupil({});
     page.sensors.set('lightLevel', 3);
     await startRun(page);
+    expect(told(page)).toEqual(['hand']);
+  });
+
+  it('is a lamp or a barrier that was switched', async () => {
+    const page = await pupil({});
+    await startRun(page);
+    page.run.input({ type: 'switch', id: 'lamp-1', on: true });
     expect(told(page)).toEqual(['hand']);
   });
 

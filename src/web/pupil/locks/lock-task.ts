@@ -33,6 +33,9 @@ import { UsedHand } from './used-hand';
 import { watchLargePastes } from './watch-large-pastes';
 import { isMadeWith } from './with-tools';
 
+/** The actions on a run that are the hand's. */
+const BY_HAND: readonly InputAction['type'][] = ['place', 'place-block', 'sensor', 'switch'];
+
 /** The models that locks need. */
 export type LockedPage = Pick<PageParts, 'notices' | 'late'> &
   WorkParts &
@@ -146,8 +149,7 @@ class OpenTaskLocks implements TaskLocks {
   }
 
   refusesInput(action: InputAction): boolean {
-    const { type } = action;
-    if ((type === 'place' || type === 'place-block' || type === 'sensor') && this.refuses('hand')) return true;
+    if (BY_HAND.includes(action.type) && this.refuses('hand')) return true;
     this.hand.does(action);
     return false;
   }

@@ -58,6 +58,8 @@ function nameOf(action: InputAction): string | null {
       return `${action.type} ${action.key}`;
     case 'place-block':
       return `block ${action.id}`;
+    case 'switch':
+      return `switch ${action.id}`;
     case 'place':
     case 'serial':
     case 'stick':

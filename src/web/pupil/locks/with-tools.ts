@@ -18,6 +18,7 @@ const MAKERS: Readonly<Record<SceneObject['type'], readonly ArenaTool[]>> = {
   lamp: ['block'],
   barrier: ['wall'],
   tunnel: ['zone'],
+  tag: ['block'],
   label: ['label'],
   start: ['start'],
 };

@@ -42,7 +42,7 @@ export interface Explorer {
 
 /** The order of the kinds: what is to be done, what leads there, what is in the way. */
 const ORDER: readonly SceneObject['type'][] = [
-  ...(['checkpoint', 'target', 'stroke', 'wall', 'block', 'fixed-block', 'mover', 'spikes', 'forbidden', 'paper', 'lamp', 'barrier', 'tunnel', 'label'] as const),
+  ...(['checkpoint', 'target', 'stroke', 'wall', 'block', 'fixed-block', 'mover', 'spikes', 'forbidden', 'paper', 'lamp', 'barrier', 'tunnel', 'tag', 'label'] as const),
   'start',
 ]; // prettier-ignore
 

@@ -79,6 +79,12 @@ export class EarlierRuns {
     return { ...(last && { last }), ...(best && { best }), ...(opened && { opened }) };
   }
 
+  /** Adds a run that was made beside the page, and lets it drive along. */
+  bring(run: Omit<EarlierRun, 'number' | 'isOpened' | 'verdict'>): void {
+    this.all.value = fewer([...this.all.value, { ...run, number: 0, isOpened: true, verdict: null }]);
+    this.wish.value = 'opened';
+  }
+
   private keep(left: Recording): void {
     const { last } = this;
     this.last = null;

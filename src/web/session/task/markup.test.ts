@@ -56,16 +56,9 @@ describe('the text of a task', () => {
       expect(blocksOf(part.repeat(100_000)).length).toBeLessThan(2);
   });
 
-  it('may have any number of list lines: ten times as many take about ten times as long', () => {
-    const msFor = (count: number): number => {
-      const text = '- a **b** c\n'.repeat(count);
-      const began = performance.now();
-      const [list] = blocksOf(text);
-      const tookMs = performance.now() - began;
-      expect(list?.kind === 'list' && list.lines.length).toBe(count);
-      return tookMs;
-    };
-    msFor(10_000); // the first time is slower
-    expect(msFor(300_000)).toBeLessThan(20 * msFor(30_000) + 200);
+  it('may have any number of list lines', () => {
+    // One step for each pair of them would never end.
+    const [list] = blocksOf('- a **b** c\n'.repeat(200_000));
+    expect(list?.kind === 'list' && list.lines.length).toBe(200_000);
   });
 });

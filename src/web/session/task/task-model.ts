@@ -1,5 +1,6 @@
 import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 
+import { hintsAllowed } from '#check/task/chosen-level';
 import { shownLanguage } from '../../kit/i18n';
 import { useFirstMatch } from '../../kit/use-first-match';
 import type { CardForm } from '../layout/layout-model';
@@ -71,7 +72,7 @@ export function createTask(
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
   });
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
-  const text = computed(() => textOf(work.scene.value, ready.value, hasGoals.value));
+  const text = computed(() => withHints(textOf(work.scene.value, ready.value, hasGoals.value), work));
   const hasText = computed(() => hasWords(text.value) || isForTask(work));
   const isKept = computed(() => {
     const { course, task } = work.work.value.project;
@@ -127,6 +128,12 @@ function textOf(scene: Scene, ready: Course | null, hasGoals: boolean): ShownTex
     return taskText({ ...scene, ...withoutWordsOf(ready.scene, scene) }, null, shownLanguage());
   return taskText(scene, ready, shownLanguage());
 }
+
+/** The text with as many hints as the chosen level allows. */
+const withHints = ({ hints, ...words }: ShownText, { work }: WorkParts['work']): ShownText => ({
+  ...words,
+  hints: hints.slice(0, hintsAllowed(work.value.project.task)),
+});
 
 /**
  * When a drive takes the card's place, and a very low window, which has no room for text and course; `isWanted`: the card

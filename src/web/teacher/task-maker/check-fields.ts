@@ -32,7 +32,7 @@ export type CheckField =
 /** The names of fields, as the checks of a task have them. */
 export type FieldName =
   | ('seconds' | 'count' | 'most' | 'hz' | 'text' | 'rows' | 'column' | 'name')
-  | ('heading' | 'within' | 'each' | 'percent');
+  | ('heading' | 'within' | 'each' | 'percent' | 'least');
 
 const number = (
   name: FieldName,
@@ -65,6 +65,8 @@ export const fieldsOf: Readonly<Record<CheckKind['type'], readonly CheckField[]>
   checkpoints: [number('each', taskLimits.points, { isOptional: true })],
   belongs: [{ kind: 'object', name: 'object' }, zone(null)],
   covered: [number('percent', taskLimits.percent, { unit: '%' }), zone('anyFloor')],
+  tiles: [number('count', taskLimits.tiles)],
+  score: [number('least', taskLimits.score)],
   touches: [number('most', taskLimits.touches)],
   faster: [seconds],
   later: [seconds],
@@ -93,6 +95,8 @@ const fresh: { readonly [T in CheckKind['type']]: Extract<CheckKind, { readonly 
   checkpoints: { type: 'checkpoints', each: null },
   belongs: { type: 'belongs', object: '', zone: '' },
   covered: { type: 'covered', percent: 80, zone: null },
+  tiles: { type: 'tiles', count: 5 },
+  score: { type: 'score', least: 50 },
   touches: { type: 'touches', most: 0 },
   faster: { type: 'faster', seconds: 30 },
   later: { type: 'later', seconds: 10 },
@@ -109,8 +113,10 @@ const fresh: { readonly [T in CheckKind['type']]: Extract<CheckKind, { readonly 
 };
 
 /** True if the course has what a type of check asks about. */
-export const canBeAsked = (type: CheckKind['type'], scene: Scene): boolean =>
-  type !== 'belongs' || (blocksOf(scene).length > 0 && zonesOf(scene).length > 0);
+export function canBeAsked(type: CheckKind['type'], scene: Scene): boolean {
+  if (type === 'tiles' || type === 'score') return scene.league !== undefined;
+  return type !== 'belongs' || (blocksOf(scene).length > 0 && zonesOf(scene).length > 0);
+}
 
 /** A new check, with an id of its own; one that names things begins with the first of the course. */
 export function freshCheck(type: CheckKind['type'], others: readonly Check[], scene: Scene): Check {

@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { defineComponent, h } from 'vue';
 
-import { chosenLevel } from '#check/task/levels';
+import { chosenLevel } from '#check/task/chosen-level';
 import { levelsOf, locksOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { MAIN } from '#project/project';
@@ -32,8 +32,11 @@ const Levels = defineComponent({
   },
 });
 
-async function make(): Promise<TestPage> {
+async function make(hints: readonly string[] = []): Promise<TestPage> {
   const page = createPage();
+  const { scene, ...project } = projectOn(page);
+  const card = { language: '', title: '', hints, translations: [], picture: '', solution: false };
+  if (hints.length > 0) page.work.openProject({ ...project, course: null, scene: { ...scene, task: { ...scene.task, card } } }, null); // prettier-ignore
   page.work.setText(MAIN, '', true);
   mountOn(page, Levels);
   await tap('maker-level-add');
@@ -69,6 +72,40 @@ describe('levels on the page that makes a task', () => {
     await tap('maker-level-remove-1');
     await tap('maker-level-remove-0');
     expect(projectOn(page).task).not.toHaveProperty('levels');
+  });
+});
+
+describe('levels of a task whose card has hints', () => {
+  it('allow all or fewer of them, and may begin with the same program', async () => {
+    const page = await make(['Eins', 'Zwei']);
+    expect(fieldById('maker-level-add').disabled).toBe(true); // all hints, too: nothing would be different
+    await write(byId('maker-level-hints-1').querySelector('input')!, '1');
+    byId('maker-level-hints-1').querySelector('input')!.dispatchEvent(new Event('change'));
+    await flushPromises();
+    expect(levelsOn(page).map(({ hints }) => hints)).toEqual([undefined, 1]);
+    await tap('maker-level-add');
+    expect(levelsOn(page).map(({ text, hints }) => [text, hints])).toEqual([
+      ['', undefined],
+      ['# oben\n\nstop()\n', 1],
+      ['# oben\n\nstop()\n', undefined],
+    ]);
+  });
+
+  it('show as many on the card of a pupil, whose program stays from one to the other', async () => {
+    const project = withoutSecrets(projectOn(await make(['Eins', 'Zwei'])));
+    const levels = levelsOf(project.task);
+    const page = createPage();
+    page.work.openProject({ ...project, task: { ...project.task!, levels: [levels[1], { ...levels[1], name: 'ohne', hints: 0 }] } }, null); // prettier-ignore
+    await vi.waitFor(() => expect(page.work.locks.task.value).not.toBeNull());
+    mountOn(page, defineComponent({ setup: () => () => h(TaskChecks, { project: projectOn(page) }) }));
+    await tap('task-level-0');
+    expect(page.task.text.value.hints).toEqual(['Eins', 'Zwei']);
+    page.work.setText(MAIN, '# oben\nforward()\nstop()\n', true);
+    await flushPromises();
+    await tap('task-level-1');
+    expect(page.task.text.value.hints).toEqual([]);
+    expect(textOn(page)).toBe('# oben\nforward()\nstop()\n');
+    expect(page.work.work.value.previous).toEqual([]);
   });
 });
 

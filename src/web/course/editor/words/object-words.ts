@@ -1,7 +1,7 @@
 import type { Kind } from '#editor/describe-edit';
 import type { AnyObject } from '#scene/kinds/kind';
 import { stopsOf, wayOf } from '#scene/kinds/mover-way';
-import type { Barrier, Label, Lamp, Mover, Point, Scene, SceneObject, Start, Stroke, Wall, Zone } from '#scene/scene';
+import type { Barrier, Label, Lamp, Mover, Point, Scene, SceneObject, Start, Stroke, Tag, Wall, Zone } from '#scene/scene';
 
 import { shownLanguage, t } from '../../../kit/i18n';
 import { numberText } from '../../../kit/i18n/number-text';
@@ -81,6 +81,10 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
   paper: box,
   tunnel: box,
   lamp: { where: ({ at }: Lamp) => t(texts.at, { at: placeText(at) }) },
+  tag: {
+    name: ({ number }: Tag, kind) => `${kind} ${String(number)}`,
+    where: ({ at }: Tag) => t(texts.at, { at: placeText(at) }),
+  },
   barrier: { where: ({ from, to }: Barrier) => fromTo(from, to) },
 };
 

@@ -11,6 +11,7 @@ import type { LightForm } from '../../../session/work/settings/light-wish';
 import type { ArenaOptions, ArenaRobot, RobotLook } from '../model/arena-model';
 import { centreBox, drawCentre } from '../robot/draw-centre';
 import { colourBoxes, drawColours } from '../robot/draw-colour';
+import { drawSight, sightBox } from '../robot/draw-camera';
 import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
 import { attachmentFrontMm } from '../robot/draw-attachments';
 import { floorPx, sightPx } from '../picture/draw-floor';
@@ -94,7 +95,7 @@ export function createOverlays(): Overlays {
       const colours = options.cone && !robot.held ? (robot.now.state.colours ?? []) : [];
       const sight = sightPx(view, parts.arena, canvas);
       const fan = fanPicture(parts, robot, sight);
-      const cone = conePicture(parts, robot);
+      const sights = [fan, conePicture(parts, robot), cameraPicture(parts, robot)].filter((one) => one !== null);
       const hit = fan?.nearest ?? (hitMm ? toPx(view, hitMm) : null);
       const row: LabelRow = { ...lengthOf(robot), sight, hit };
       const labels = spotLabels(view, pose, robot.scale, row, spots);
@@ -106,8 +107,7 @@ export function createOverlays(): Overlays {
       return {
         boxes: [
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
-          ...(fan?.boxes ?? []),
-          ...(cone?.boxes ?? []),
+          ...sights.flatMap(({ boxes }) => boxes),
           ...colourBoxes(colours, view),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
           ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, labels)),
@@ -115,8 +115,7 @@ export function createOverlays(): Overlays {
         ],
         under(context) {
           drawTail(context, tail, palette);
-          fan?.under(context);
-          cone?.under(context);
+          for (const one of sights) one.under(context);
         },
         over(context) {
           for (const { atMm, unitMm, colors, form } of chains) {
@@ -125,8 +124,7 @@ export function createOverlays(): Overlays {
           }
           if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, labels, palette);
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
-          fan?.over(context);
-          cone?.over(context);
+          for (const one of sights) one.over(context);
           drawColours(context, colours, view, canvas, palette);
         },
       };
@@ -177,6 +175,25 @@ function conePicture(
       context.restore();
     },
     over: (context) => drawHit(context, view, cone, canvas, palette),
+  };
+}
+
+/** The part of the floor that the camera sees; `null`: none is shown. */
+function cameraPicture(
+  { options, view, arena, palette }: OverlayParts,
+  { now, held }: ShownRobot,
+): OverlayPicture | null {
+  const { camera } = now.state;
+  if (camera === undefined || !options.cone || held) return null;
+  return {
+    boxes: [sightBox(camera, view)],
+    under(context) {
+      context.save();
+      clipTo(context, floorPx(view, arena));
+      drawSight(context, camera, view, palette);
+      context.restore();
+    },
+    over: () => undefined,
   };
 }
 

@@ -26,8 +26,8 @@ export type AroundRobot = (overlay: OverlayPicture | null) => OverlayPicture | n
 export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
   const overlays = shallowRef<Overlays | null>(null);
   const hasSight = (): boolean => {
-    const { lidar, ultrasonic, colours } = sources.newest()?.robot?.state ?? {};
-    return Boolean(lidar) || Boolean(ultrasonic) || colours !== undefined;
+    const { lidar, ultrasonic, colours, camera } = sources.newest()?.robot?.state ?? {};
+    return Boolean(lidar) || Boolean(ultrasonic) || Boolean(colours ?? camera);
   };
   const isWanted = (): boolean => {
     const { cone, spots, centre, trace, lights } = sources.options();

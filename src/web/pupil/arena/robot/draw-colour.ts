@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { ColourState } from '#robots/robot';
-import { valueText } from '../../../course/editor/words/value-text';
+import { colourText } from '../../../course/editor/words/colour-text';
 import type { Palette } from '../model/palette';
 import { drawPill, type PillLook } from '../picture/draw-pill';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
@@ -11,12 +11,6 @@ const RING_PX = 9;
 const LEADER_PX = 46;
 /** Half of the widest words, in px. */
 const WORDS_PX = 80;
-
-/** The hue says nothing about these. */
-const WITHOUT_HUE: readonly string[] = ['white', 'gray', 'black'];
-
-const textOf = ({ name, hue }: ColourState): string =>
-  WITHOUT_HUE.includes(name) ? valueText(name) : `${valueText(name)} ${String(hue)}°`;
 
 /** The place of the words: above the ring; those of the sensor that looks ahead below it. */
 const wordsAt = (at: Vec, { side }: ColourState): Vec => ({ x: at.x, y: at.y + (side === 'down' ? -LEADER_PX : LEADER_PX) }); // prettier-ignore
@@ -49,7 +43,7 @@ export function drawColours(
     disc(context, at, RING_PX + 1.5, palette.pill);
     disc(context, at, RING_PX, '#ffffff');
     disc(context, at, RING_PX - 3, `rgb(${colour.color.join(' ')})`);
-    drawPill(context, textOf(colour), words, canvas, palette, look);
+    drawPill(context, colourText(colour), words, canvas, palette, look);
   }
 }
 

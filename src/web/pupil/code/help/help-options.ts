@@ -2,6 +2,7 @@ import type { Extension } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
 
 import type { Language } from '../../../kit/i18n';
+import type { NumberTries } from '../../lab/number-frame';
 import type { Written } from '../../../session/work/hardware/written-for';
 
 /** The data that the help needs; the function is called again every time. */
@@ -9,6 +10,8 @@ export interface HelpOptions {
   readonly language: Language;
   /** The file that is shown, and what it is written for. */
   readonly written: () => Written;
+  /** Left out: numbers are not tried out here. */
+  readonly tries?: NumberTries;
 }
 
 /** The help of one language, once it is loaded. */

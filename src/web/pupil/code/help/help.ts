@@ -11,14 +11,22 @@ import { completion, suggestLate } from './completion';
 import { givenBrackets } from './given-brackets';
 import { helpLook } from './help-look';
 import { loadWords } from './words-on';
+import { numberFrame } from '../../lab/number-frame';
 import { contextOf } from '../../../session/work/hardware/written-for';
 
 /** Loads the words of a language and gives what makes the help of an editor. */
 export async function loadHelp(language: Language): Promise<HelpMaker> {
   const words = await loadWords(language, [...robotReferences, freeReference]);
-  const make = ({ written }: HelpOptions): Extension => {
+  const make = ({ written, tries }: HelpOptions): Extension => {
     const full = (): ReferenceContext => contextOf(written());
-    return [completion(full, words), givenBrackets, argumentHint(full), cards(full, words), helpLook];
+    return [
+      completion(full, words),
+      givenBrackets,
+      argumentHint(full),
+      cards(full, words),
+      tries === undefined ? [] : numberFrame(tries),
+      helpLook,
+    ];
   };
   return { make, suggestLate };
 }

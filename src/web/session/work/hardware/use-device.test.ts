@@ -37,6 +37,16 @@ describe('a pupil who changes the robot in the page of a host', () => {
     expect(settings.own.value.robotOptions).toEqual({ callibot: { S1: 'claw' } });
   });
 
+  it('plugs a board into a gamepad in what holds and in the own choice, and out again', () => {
+    const { settings, device } = pageOfHost();
+    device.chooseInHand('gamepad');
+    expect(settings.current.value.robotOptions).toEqual({ [LITE]: { S1: 'claw' }, none: { inHand: 'gamepad' } });
+    expect(settings.own.value.robotOptions).toEqual({ callibot: { S1: 'claw' }, none: { inHand: 'gamepad' } });
+    device.chooseInHand(null);
+    expect(settings.current.value.robotOptions).toEqual({ [LITE]: { S1: 'claw' } });
+    expect(settings.own.value.robotOptions).toEqual({ callibot: { S1: 'claw' } });
+  });
+
   it('opens a program with its robot without storing what the host has chosen', () => {
     const { settings, device } = pageOfHost();
     device.bringRobot(findRobot(LITE)!, { S2: 'claw' });

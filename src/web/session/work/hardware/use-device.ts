@@ -3,6 +3,7 @@ import { computed, type ComputedRef } from 'vue';
 import type { OptionValues } from '#core/option';
 import { furtherDevice } from '#project/devices';
 import type { FurtherDevice, HardwareWish } from '#project/project';
+import { IN_HAND } from '#robots/in-hand';
 import type { RobotType } from '#robots/robot';
 import type { Hardware } from '#simulation/hardware';
 import { NO_ROBOT } from '#simulation/run-setup';
@@ -36,6 +37,8 @@ export interface DeviceModel {
   readonly startOptions: ComputedRef<OptionValues>;
   readonly chooseOption: (option: string, choice: string) => void;
   readonly resetOptions: () => void;
+  /** Plugs a board without a robot into a thing that is held in the hand, by its choice (`#robots/in-hand`); `null`: into none. */
+  readonly chooseInHand: (choice: string | null) => void;
   readonly chooseReality: (reality: number) => void;
   /** Takes the used robot with this number; an invalid number changes nothing. */
   readonly chooseSeed: (seed: number) => void;
@@ -75,6 +78,12 @@ export function useDevice(app: Parts): DeviceModel {
     chooseOption: (option, choice) =>
       changeRobot((before, robot) => withOption(before, robot, work.scene.value, [option, choice])),
     resetOptions: () => changeRobot((before, robot) => withOptions(before, robot, [])),
+    chooseInHand: (choice) => {
+      const inHand = ({ robotOptions: { [NO_ROBOT]: _before, ...others } }: Settings): Partial<Settings> => ({
+        robotOptions: choice === null ? others : { ...others, [NO_ROBOT]: { [IN_HAND]: choice } },
+      });
+      change(inHand(now()), inHand({ ...settings.own.value, ...wishOf(further()) }));
+    },
     chooseReality: (reality) => change({ reality }),
     chooseSeed: (seed) => {
       if (isSeed(seed)) change({ seed });

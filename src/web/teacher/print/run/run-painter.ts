@@ -106,16 +106,17 @@ function createPainter(
   const paintTrail = trailPainter(size.widthPx, size.heightPx);
   const kinds = createSceneKinds(came);
   const movers = scene.objects.filter((object): object is Mover => object.type === 'mover');
-  let still: { readonly look: string; readonly canvas: HTMLCanvasElement } | null = null;
+  let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task. */
-  function stillAt({ verdict }: Snapshot): HTMLCanvasElement {
+  /** The still layer, painted once for each step of the task and each switching of a lamp or a barrier. */
+  function stillAt({ verdict, switched }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
+    const shown = kinds.switched(scene, switched);
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();
-    if (still?.look === look) return still.canvas;
+    if (still?.look === look && still.shown === shown) return still.canvas;
     const painted = emptyCanvas(size.widthPx, size.heightPx);
-    drawScene(contextOf(painted), view, { scene, zones, sheets, kinds, verdict }, size, palette);
-    still = { look, canvas: painted };
+    drawScene(contextOf(painted), view, { scene: shown, zones, sheets, kinds, verdict }, size, palette);
+    still = { look, shown, canvas: painted };
     return painted;
   }
   function drawRobotOf(device: DeviceSnapshot, place: number, blocks: MovingScene['blocks']): void {

@@ -1,6 +1,6 @@
 import { onBeforeUnmount, shallowRef, watch, type Ref } from 'vue';
 
-import type { Size } from './wall-cards';
+import type { Size } from '../overlays/place-menu';
 
 /** The size of an element in px; 0 × 0 until it is there. */
 export function useSize(element: Readonly<Ref<HTMLElement | null>>): Readonly<Ref<Size>> {

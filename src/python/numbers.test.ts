@@ -10,6 +10,8 @@ describe('the numbers of a program', () => {
       ['1', '0x1F', '0b1_0', '0o17', '1e-3', '1_000', '.5', '1E+5'],
     ],
     ['x = 5. + 5.5', ['5.', '5.5']],
+    ['x = -5. + 5.e3 - 1_0.E-3 * 2', ['-5.', '5.e3', '1_0.E-3', '2']],
+    ['x = -5.e+3; y = 5.e; z = 5.e - 3; 6.e-w', ['-5.e+3', '5', '5', '3', '6']],
     ['run2(p1, "3", f"{4:5}", b"6", """7""")  # 8', []],
     ['drive(base-400, base - 3, x2 * -4)', ['400', '3', '-4']],
     ['f(-1, a if b else-2, [1:-3], not -4, - 5)', ['-1', '-2', '1', '-3', '-4', '- 5']],
@@ -19,6 +21,11 @@ describe('the numbers of a program', () => {
     ['x = --4', ['-4']],
     ['x = -4**2', ['4', '2']],
   ])('of %s are %j', (text, numbers) => expect(textsIn(text)).toEqual(numbers));
+
+  it('have their values', () => {
+    const values = numbersIn('x = [-0x1F, 0b1_0, - 5, -5.e-3, 1_000.5, 3j]').map(({ value }) => value);
+    expect(values).toEqual([-31, 2, -5, -0.005, 1000.5, NaN]);
+  });
 
   it('have the line of their digits, also behind a text of several lines', () => {
     const text = 'a = """1\n2"""\r\nb = 3\n\nc = (4 +\n     5)';
@@ -49,6 +56,7 @@ describe('another number in its place', () => {
     ['return-4', 0, -5, 'return-5'],
     ['x = 4**2', 0, -5, 'x = (-5)**2'],
     ['x = 2**4', 1, -5, 'x = 2**-5'],
+    ['x = 5.e3**2', 0, -5, 'x = (-5)**2'],
     ['x = 0x10 if y else 5.', 1, 0.25, 'x = 0x10 if y else 0.25'],
   ])('in %s', (text, place, value, expected) => expect(written(text, place, value)).toBe(expected));
 });

@@ -1,0 +1,91 @@
+/** The AI camera that any robot may carry at its front edge: ahead, or tilted down to the line. */
+import { radOf } from '#core/angle';
+import { exactCos, exactSin, exactTan } from '#core/exact-math';
+import type { Vec } from '#core/geometry';
+import { attachHuskyLens, HUSKYLENS_PICTURE, type HuskyLook } from '#devices/huskylens';
+import type { CameraView } from '#world/probes/camera';
+import { colourBlocks, lineArrow, tagBlocks } from './camera-sight';
+import type { CameraChoice } from './camera-options';
+import { frontOf } from './colour-sensor';
+import type { CameraState, Robot, RobotContext, RobotType } from './robot';
+import { scaled } from './sonar';
+
+/** Its field of view across; upright it follows from the picture, 35°. Not published: docs/hardware/huskylens.md. */
+const ACROSS_DEG = 46;
+/** Its height, which is not scaled with the robot, and its tilts: chosen. */
+const HEIGHT_MM = 90;
+const TILT_DEG: Readonly<Record<Exclude<CameraChoice, 'none'>, number>> = { huskylens: 15, 'huskylens-down': 45 };
+const RANGE_MM = 3000;
+/** A cell of its picture is 5 × 5 px: chosen, a colour is found in a millisecond. */
+const CELL_PX = 5;
+/** For how long the last results are shown: chosen, as those of a lidar. */
+const SHOWN_US = 500_000;
+/** How far its view on the floor is shown where it reaches to the horizon. */
+const SHOWN_MM = 700;
+
+const acrossTan = exactTan(radOf(ACROSS_DEG / 2));
+
+const viewOf = (tiltDeg: number): CameraView => ({
+  ...{ heightMm: HEIGHT_MM, tiltRad: radOf(tiltDeg), rangeMm: RANGE_MM, acrossTan },
+  uprightTan: (acrossTan * HUSKYLENS_PICTURE.height) / HUSKYLENS_PICTURE.width,
+  columns: HUSKYLENS_PICTURE.width / CELL_PX,
+  rows: HUSKYLENS_PICTURE.height / CELL_PX,
+});
+
+/** Every second row: enough to follow a line. */
+const LINE_ROWS = Array.from({ length: HUSKYLENS_PICTURE.height / CELL_PX / 2 }, (_, row) => 2 * row + 1);
+
+/** A robot with the camera that its options say; without one, it is the same robot. */
+export function withCamera(robot: Robot, type: RobotType, context: RobotContext): Robot {
+  const { board, chassis, clock, options, scale } = context;
+  const choice = options['camera'];
+  if (choice !== 'huskylens' && choice !== 'huskylens-down') return robot;
+  const atMm = scaled(frontOf(type), scale);
+  const view = viewOf(TILT_DEG[choice]);
+  const lens = attachHuskyLens(clock, board.i2c, looksOf(context, atMm, view), choice === 'huskylens' ? 'tag' : 'line');
+  const sightMm = sightOf(view).map(({ x, y }) => ({ x: x + atMm.x, y: y + atMm.y }));
+  const camera = (): CameraState => ({
+    fromMm: chassis.toWorld(atMm),
+    sightMm: sightMm.map((place) => chassis.toWorld(place)),
+    algorithm: lens.algorithm(),
+    seen: lens.seenWithin(SHOWN_US),
+  });
+  return {
+    ...robot,
+    state: () => ({ ...robot.state(), camera: camera() }),
+    detach: () => {
+      robot.detach();
+      lens.stop();
+    },
+  };
+}
+
+/** The sight of its algorithms from there. */
+const looksOf =
+  ({ camera, colourNumber }: RobotContext, atMm: Vec, view: CameraView): HuskyLook =>
+  (algorithm) => {
+    if (algorithm === 'tag') return tagBlocks(camera(atMm, view).tags());
+    if (algorithm === 'colour') {
+      return colourBlocks(camera(atMm, view).picture(), ({ shares }) => (shares === null ? 0 : colourNumber(shares)));
+    }
+    const arrow = algorithm === 'line' ? lineArrow(camera(atMm, view).picture(LINE_ROWS)) : null;
+    return arrow === null ? [] : [arrow];
+  };
+
+/** The part of the floor that it sees, from the lens: near right, far right, far left, near left. */
+function sightOf({ heightMm, tiltRad, acrossTan, uprightTan }: CameraView): readonly Vec[] {
+  const [cos, sin] = [exactCos(tiltRad), exactSin(tiltRad)];
+  const edge = (v: number): { readonly x: number; readonly half: number } => {
+    const forward = cos + v * sin;
+    const rise = (v * cos - sin) / forward;
+    const x = Math.min(rise < 0 ? heightMm / -rise : Infinity, SHOWN_MM);
+    return { x, half: (x * acrossTan) / forward };
+  };
+  const [near, far] = [edge(-uprightTan), edge(uprightTan)];
+  return [
+    { x: near.x, y: -near.half },
+    { x: far.x, y: -far.half },
+    { x: far.x, y: far.half },
+    { x: near.x, y: near.half },
+  ];
+}

@@ -1,0 +1,30 @@
+import { mdiFlaskOutline } from '@mdi/js';
+
+import type { Contribution } from '../../kit/features/feature';
+import { t } from '../../kit/i18n';
+import { useLayout } from '../../session/layout/parts';
+import { useVisit } from '../../session/visit/parts';
+import words from './words';
+
+/** The way to the experiments; none where a host chooses what is shown. */
+export const contribution: Contribution = {
+  menu() {
+    const { router } = useLayout();
+    const { host } = useVisit();
+    return [
+      {
+        group: 'files',
+        order: 5,
+        entries: () =>
+          host.parts.value !== null
+            ? []
+            : [
+                {
+                  ...{ id: 'lab', testId: 'menu-lab', icon: mdiFlaskOutline, title: t(words.title) },
+                  act: (menu) => menu.leaveFor(() => router.open('lab')),
+                },
+              ],
+      },
+    ];
+  },
+};
