@@ -65,6 +65,7 @@ export default defineConfig(({ mode }) => {
               worker: here('src/cli/worker.ts'),
               'check-worker': here('src/cli/check/check-worker.ts'),
               'hint-worker': here('src/cli/hint/hint-worker.ts'),
+              'facts-worker': here('src/cli/check/facts-worker.ts'),
               'lab-worker': here('src/cli/lab/lab-worker.ts'),
               'man-page': here('src/cli/commands/man-page.ts'),
             },

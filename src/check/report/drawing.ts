@@ -9,6 +9,22 @@ import { escaped } from './escaped';
 
 const WAY = '#1e66d0';
 
+/** Colours of ways that passed, did something wrong, or missed something: each holds on the light floor. */
+export const wayTones = { passed: '#1b7a3a', wrong: '#c3262b', missing: '#7a5200' } as const;
+export type WayTone = keyof typeof wayTones;
+
+/** Ways over one another, one of them before the others, with a place that is meant. */
+export interface WaysToDraw {
+  /** Id of the world. */
+  readonly world: string;
+  readonly trails: readonly WorldResult['trail'][];
+  readonly tone: WayTone;
+  /** The way of an example; `null`: none is before the others. */
+  readonly example: WorldResult['trail'] | null;
+  /** A place with the words to it; `null`: none. */
+  readonly mark: { readonly at: Point; readonly radius: number; readonly text: string } | null;
+}
+
 /** The courses of the task's worlds, each drawn once. */
 export class Drawings {
   private readonly courses: ReadonlyMap<string, { readonly inside: string; readonly size: readonly [number, number] }>;
@@ -30,12 +46,26 @@ export class Drawings {
 
   /** The trail in a world over its course. */
   way(world: Pick<WorldResult, 'id' | 'trail'>, label: string): string {
-    const course = this.courses.get(world.id);
+    return this.over(world.id, label, ([, height]) => wayDrawing(world, height));
+  }
+
+  /** Ways in a world over one another. */
+  ways({ world, trails, tone, example, mark }: WaysToDraw, label: string): string {
+    return this.over(world, label, (size) => {
+      const [width, height] = size;
+      const all = trails.map((trail) => linesOf(trail, height, { color: wayTones[tone], wide: width / 110, opacity: 0.6 })); // prettier-ignore
+      const own = example === null ? '' : linesOf(example, height, { color: '#fff', wide: width / 75, opacity: 1 }) + linesOf(example, height, { color: WAY, wide: width / 150, opacity: 1 }) + endDot(example, height, width / 75); // prettier-ignore
+      return all.join('') + own + (mark === null ? '' : markDrawing(mark, size));
+    });
+  }
+
+  private over(world: string, label: string, drawn: (size: Scene['size']) => string): string {
+    const course = this.courses.get(world);
     if (course === undefined) return '';
     const [width, height] = course.size;
-    const place = [...this.courses.keys()].indexOf(world.id);
+    const place = [...this.courses.keys()].indexOf(world);
     const name = label === '' ? 'aria-hidden="true"' : `role="img" aria-label="${escaped(label)}"`;
-    return `<svg viewBox="0 0 ${width} ${height}" ${name}><use href="#course-${place}"/>${wayDrawing(world, height)}</svg>`;
+    return `<svg viewBox="0 0 ${width} ${height}" ${name}><use href="#course-${place}"/>${drawn(course.size)}</svg>`;
   }
 }
 
@@ -50,14 +80,45 @@ function courseDrawing({ size: [width, height], objects }: Scene): string {
 }
 
 /** The trail of a robot over the course, with a dot at its end. */
-function wayDrawing({ trail }: Pick<WorldResult, 'trail'>, height: number): string {
-  const lines = trail.map(
-    (piece) =>
-      `<polyline fill="none" stroke="${WAY}" stroke-width="10" stroke-linejoin="round" points="${pointsOf(piece, height)}"/>`,
-  );
+const wayDrawing = ({ trail }: Pick<WorldResult, 'trail'>, height: number): string =>
+  linesOf(trail, height, { color: WAY, wide: 10, opacity: 1 }) + endDot(trail, height, 18);
+
+const linesOf = (
+  trail: WorldResult['trail'],
+  height: number,
+  { color, wide, opacity }: { readonly color: string; readonly wide: number; readonly opacity: number },
+): string =>
+  trail
+    .map(
+      (piece) =>
+        `<polyline fill="none" stroke="${color}" stroke-width="${rounded(wide)}"${opacity === 1 ? '' : ` stroke-opacity="${opacity}"`} stroke-linejoin="round" points="${pointsOf(piece, height)}"/>`,
+    )
+    .join('');
+
+function endDot(trail: WorldResult['trail'], height: number, radius: number): string {
   const [x, y] = trail.at(-1)?.at(-1) ?? [];
-  const end = x === undefined || y === undefined ? '' : `<circle fill="${WAY}" cx="${x}" cy="${height - y}" r="18"/>`;
-  return lines.join('') + end;
+  return x === undefined || y === undefined
+    ? ''
+    : `<circle fill="${WAY}" cx="${x}" cy="${height - y}" r="${rounded(radius)}"/>`;
+}
+
+/** A dashed ring round a place, and the words to it in a field above or below. */
+function markDrawing(
+  { at: [x, y], radius, text }: NonNullable<WaysToDraw['mark']>,
+  [width, height]: Scene['size'],
+): string {
+  // prettier-ignore
+  const unit = width / 40;
+  const ring = Math.max(radius + unit, 2 * unit);
+  const [cx, cy] = [x, height - y];
+  const half = Math.min(width / 2, (text.length * unit * 0.58 + 1.6 * unit) / 2);
+  const middle = Math.min(width - half, Math.max(half, cx));
+  const top = cy - ring - 2.4 * unit > 0 ? cy - ring - 2.3 * unit : Math.min(height - 2 * unit, cy + ring + 0.4 * unit);
+  const field =
+    text === ''
+      ? ''
+      : `<rect x="${rounded(middle - half)}" y="${rounded(top)}" width="${rounded(2 * half)}" height="${rounded(1.9 * unit)}" rx="${rounded(0.95 * unit)}" fill="${wayTones.missing}"/><text x="${rounded(middle)}" y="${rounded(top + 1.35 * unit)}" font-family="Roboto, 'Segoe UI', sans-serif" font-size="${rounded(1.1 * unit)}" font-weight="600" text-anchor="middle" fill="#fff">${escaped(text)}</text>`;
+  return `<circle cx="${cx}" cy="${cy}" r="${rounded(ring)}" fill="none" stroke="${wayTones.missing}" stroke-width="${rounded(unit / 6)}" stroke-dasharray="${rounded(unit / 2)} ${rounded(unit / 3)}"/>${field}`;
 }
 
 const pointsOf = (points: readonly Point[], height: number): string =>

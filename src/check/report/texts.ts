@@ -8,13 +8,29 @@ import { escaped } from './escaped';
 import { reasonText, remarkText } from './say';
 import reportWords from './words';
 
+/** A group of hand-ins for other programs. */
+export interface NamedGroup {
+  readonly key: string;
+  readonly title: string;
+  readonly fact: string;
+  /** Names of its hand-ins. */
+  readonly members: readonly string[];
+}
+
 /**
  * The result of a class as one line of JSON, without wall times: equal work gives equal text.
  * `schemas/check-result.schema.json` describes it.
  *
  * @param language of the sentences in `reason` and `remarks`
+ * @param groups left out: none were asked for
  */
-export function jsonOf(found: ClassResult, asked: ClassTask, language: Language): string {
+export function jsonOf(
+  found: ClassResult,
+  asked: ClassTask,
+  language: Language,
+  groups?: readonly NamedGroup[],
+): string {
+  const groupOf = new Map(groups?.flatMap(({ key, members }) => members.map((name) => [name, key] as const)));
   const { task, handIns } = found;
   const pointsOf = (id: string): number => asked.checks.find((check) => check.id === id)?.points ?? 0;
   return JSON.stringify({
@@ -35,10 +51,14 @@ export function jsonOf(found: ClassResult, asked: ClassTask, language: Language)
           ...{ atMs: world.atMs, touches: world.touches },
         })),
         remarks: remarks.map((remark) => remarkText(remark, language)),
+        ...(groups && { group: groupOf.get(name) ?? null }),
       };
     }),
     passed: passedOf(found),
     of: handIns.length,
+    ...(groups && {
+      groups: groups.map(({ key, title, fact, members }) => ({ key, title, fact, count: members.length })),
+    }),
   });
 }
 

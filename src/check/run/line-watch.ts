@@ -76,7 +76,8 @@ function distanceMm(lines: readonly Stroke[], place: Vec): number {
   return least;
 }
 
-const middleOf = (outline: readonly Vec[]): Vec => ({
+/** The middle of an outline's corners. */
+export const middleOf = (outline: readonly Vec[]): Vec => ({
   x: outline.reduce((sum, { x }) => sum + x, 0) / outline.length,
   y: outline.reduce((sum, { y }) => sum + y, 0) / outline.length,
 });

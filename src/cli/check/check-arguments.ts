@@ -32,6 +32,8 @@ export interface CheckOptions {
   readonly junit: string | null;
   readonly csv: string | null;
   readonly table: string | null;
+  /** True: groups of hand-ins by what their runs did, instead of names. */
+  readonly groups: boolean;
   readonly json: boolean;
   readonly quiet: boolean;
   /** The language of reports and reasons. */
@@ -46,6 +48,7 @@ const options = {
   csv: { value: 'R.csv', path: 'writes', help: 'a table for programs' },
   table: { value: 'FILE.csv', path: 'writes', help: 'a table for a spreadsheet in the language of --lang' },
   junit: { value: 'R.xml', path: 'writes', help: 'test results, for services that show those' },
+  groups: { help: 'shows groups of what the runs did instead of names, in the report, too' },
   json: { help: 'one line at the end for other programs, the same for the same work' },
   quiet: { help: 'neither results nor progress' },
   lang: langOption('the language of results, reports and reasons; default: en'),
@@ -80,6 +83,7 @@ export const checkAbout = command({
   examples: [
     'check closed-line class.zip --report report.html --lang de',
     'check task.json class/ --resume results --shard 2/7',
+    'check closed-line class/ --groups --report groups.html',
     'check --merge results --table results.csv --lang de',
   ],
   read: readCheck,
@@ -100,6 +104,7 @@ function readCheck(words: readonly string[], given: CheckGiven, { variables }: A
     junit: given.last('junit'),
     csv: given.last('csv'),
     table: given.last('table'),
+    groups: given.has('groups'),
     json: given.has('json'),
     quiet: given.has('quiet'),
     ...language,
@@ -122,6 +127,6 @@ function workOf(
 function nothingToRun([first]: readonly string[], given: CheckGiven): null | Problem {
   if (first !== undefined)
     return { problem: `--merge runs nothing: what is "${first}"? Its folder has the task, too.` };
-  const other = (['jobs', 'shard', 'resume', 'take'] as const).find((name) => given.has(name));
+  const other = (['jobs', 'shard', 'resume', 'take', 'groups'] as const).find((name) => given.has(name));
   return other === undefined ? null : { problem: `--${other} and --merge: choose one of them.` };
 }

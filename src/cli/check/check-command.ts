@@ -5,18 +5,22 @@ import { inLanes, Lane, type StartThread } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
+import { groupsHtmlOf } from '#check/report/groups-html';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
 import { tableOf } from '#check/report/table';
 import { equalTexts, otherTaskTexts, remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
+import type { Group } from '#hint/groups/groups';
+import type { RunFacts } from '#hint/groups/run-facts';
 import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
 import { CountProgress, refuse, writeReports } from '../results-out';
 import { printable, type Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
+import { factsOfAll, groupSaid, groupsIn, reportGroups } from './groups';
 import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from '../shard';
@@ -28,6 +32,8 @@ import words from './words';
 /** Results in the order of the hand-ins, with their task. */
 interface Checked extends NamedTask {
   readonly results: readonly NamedResult[];
+  /** The facts of the runs, by name; left out: no groups are wanted. */
+  readonly facts?: ReadonlyMap<string, RunFacts>;
 }
 
 type Problem = { readonly problem: string };
@@ -42,11 +48,14 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
   const found = classResult(checked.name, checked.results, options.lang);
-  const problems = writeAll(found, checked, options);
+  const groups = checked.facts === undefined ? null : groupsIn(found, checked.task, checked.facts);
+  const problems = writeAll(found, checked, groups, options);
   const [passed, of] = [passedOf(found), found.handIns.length];
-  if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
+  if (options.json)
+    terminal.line(jsonOf(found, checked.task, options.lang, groups?.map((group) => jsonGroup(group, checked, options)))); // prettier-ignore
   else if (!options.quiet) {
-    for (const one of found.handIns) terminal.line(lineOf(one, options));
+    for (const group of groups ?? []) terminal.line(printable(groupLine(group, checked, options)));
+    for (const one of groups === null ? found.handIns : []) terminal.line(lineOf(one, options));
     terminal.line(printable(filledIn(words.sum[options.lang], { name: checked.name, passed, of })));
   }
   const how = howToTake(found.handIns, options.lang);
@@ -55,6 +64,15 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   for (const problem of problems) refuse(problem, terminal);
   return problems.length > 0 ? 2 : passed === of ? 0 : 3;
 }
+
+function groupLine(group: Group, { task }: Checked, { lang }: CheckOptions): string {
+  const { title, fact } = groupSaid(group, task, lang);
+  return fact === '' ? title : `${title}: ${fact}`;
+}
+
+const jsonGroup = (group: Group, { task }: Checked, { lang }: CheckOptions) => ({
+  ...{ key: group.key, ...groupSaid(group, task, lang), members: group.members },
+});
 
 /** The output files that the options name. */
 const outputsOf = ({ report, junit, csv, table }: CheckOptions): readonly Output[] => [
@@ -115,11 +133,12 @@ async function runAll(
   const lookForEqual = async (lane: Lane): Promise<void> => {
     equal = await equalIn(task, lane, options.lang);
   };
-  const running = { jobs: work.jobs, folder, keepsWays: report !== null, progress };
+  const running = { jobs: work.jobs, folder, keepsWays: report !== null || options.groups, progress };
   const results = await checkAll(task, mine, start, { ...running, ...(!quiet && { last: lookForEqual }) });
+  const facts = options.groups ? await factsOfAll(task, results, { sources: mine, firmware: await firmware, jobs: work.jobs }) : undefined; // prettier-ignore
   terminal.clearProgress();
   for (const text of equal) terminal.message(`parcours: ${text}`);
-  return { ...read, results };
+  return { ...read, results, ...(facts && { facts }) };
 }
 
 /** Shows the progress of hand-ins, and how many of them have passed. */
@@ -191,11 +210,24 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
 }
 
 /** Writes all that can be written. @returns the problems with the others */
-function writeAll(found: ClassResult, named: NamedTask, options: CheckOptions): readonly string[] {
+function writeAll(
+  found: ClassResult,
+  named: NamedTask,
+  groups: readonly Group[] | null,
+  options: CheckOptions,
+): readonly string[] {
+  // prettier-ignore
   const { task } = named;
   const { report, junit, csv, table, lang } = options;
   return writeReports([
-    ['--report', report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
+    [
+      '--report',
+      report,
+      () => {
+        const titled = { ...found, task: titleOf(named, lang) };
+        return groups === null ? htmlOf(titled, task, lang) : groupsHtmlOf(titled, task, lang, reportGroups(groups, found, task, lang)); // prettier-ignore
+      },
+    ],
     ['--junit', junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     ['--csv', csv, () => `\ufeff${csvOf(found, lang)}`],

@@ -5,6 +5,8 @@
 import type { HandIn } from '#check/hand-in/hand-in';
 import type { Answer, CheckRequest } from '#check/lane';
 import type { CheckResult } from '#check/result';
+import type { GroupHint } from '#hint/groups/group-hint';
+import type { RunFacts } from '#hint/groups/run-facts';
 import type { Hint } from '#hint/hint';
 import type { HintRequest } from '#hint/hint-lane';
 import type { RunAnswer, RunRequest } from '#lab/run-request';
@@ -25,6 +27,18 @@ export interface Services {
     readonly open: { readonly task: Project };
     readonly request: HintRequest;
     readonly result: Hint | null;
+  };
+  /** Says what the run of a checked hand-in did; the result is `null` if there is nothing to say. */
+  readonly facts: {
+    readonly open: { readonly task: Project };
+    readonly request: { readonly handIn: HandIn; readonly result: CheckResult };
+    readonly result: RunFacts | null;
+  };
+  /** Finds the hint to a group of hand-ins, its example first; the result is `null` if that passes. */
+  readonly 'group-hint': {
+    readonly open: { readonly task: Project };
+    readonly request: { readonly handIns: readonly HandIn[]; readonly budget: number };
+    readonly result: GroupHint | null;
   };
 }
 

@@ -38,6 +38,16 @@ const services: { readonly [Name in ServiceName]: Open<Name> } = {
     const task = taskIn(project);
     return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat });
   },
+  async facts({ task: project }, { firmware, beat }) {
+    const { factsOf } = await import('#hint/groups/run-facts');
+    const task = taskIn(project);
+    return ({ handIn, result }) => factsOf(task, handIn, result, { firmware, beat: () => beat(0) });
+  },
+  async 'group-hint'({ task: project }, { firmware, beat }) {
+    const { groupHint } = await import('#hint/groups/group-hint');
+    const task = taskIn(project);
+    return ({ handIns, budget }) => groupHint(task, handIns, { firmware, budget, beat: () => beat(0) });
+  },
 };
 
 /** Opens a service. */

@@ -1,0 +1,88 @@
+import { check } from '#check/check';
+import type { HandIn } from '#check/hand-in/hand-in';
+import { visibleTask } from '#check/task/visible';
+import type { ClassTask } from '#check/task/task';
+import { linesOf, withChange, type Change } from '../changes/change';
+import { hintFor, type Hint, type Hinter } from '../hint';
+import { mainOf, withMain } from '../trials';
+
+/** The hint to a group: that to its example, and how far it holds. */
+export interface GroupHint {
+  readonly hint: Hint;
+  /** Number of the group's hand-ins that pass with the same change, the example among them; proved by running them. */
+  readonly holds: number;
+  readonly of: number;
+}
+
+/** The most places of another program at which the change is tried. Chosen: the same line seldom stands there more often. */
+const MOST_PLACES = 3;
+
+/**
+ * Finds the hint to the example of a group, and tries the same change in the others' programs, each at the places that look alike.
+ *
+ * @param handIns the example first
+ * @returns `null`: the example passes
+ */
+export async function groupHint(
+  task: ClassTask,
+  handIns: readonly HandIn[],
+  hinter: Hinter,
+): Promise<GroupHint | null> {
+  // prettier-ignore
+  const [example, ...others] = handIns;
+  const hint = example === undefined ? null : await hintFor(task, example, hinter);
+  if (example === undefined || hint === null) return null;
+  let holds = hint.change === null ? 0 : 1;
+  for (const other of others)
+    if (hint.change !== null && (await passesWith(hint.change, mainOf(example), task, other, hinter))) holds += 1;
+  return { hint, holds, of: handIns.length };
+}
+
+async function passesWith(
+  change: Change,
+  program: string,
+  task: ClassTask,
+  other: HandIn,
+  { firmware, beat = () => undefined }: Hinter,
+): Promise<boolean> {
+  // prettier-ignore
+  for (const there of likewise(change, program, mainOf(other)).slice(0, MOST_PLACES)) {
+    const changed = withMain(other, withChange(mainOf(other), there));
+    if ((await check(visibleTask(task), changed, { firmware, beat })).passed) return true;
+  }
+  return false;
+}
+
+/**
+ * The same change at the places of another program that look like that of the first: those nearest to the same line come first.
+ * Numbers that are changed may be other ones there.
+ */
+export function likewise(change: Change, program: string, other: string): readonly Change[] {
+  const [own, lines] = [linesOf(program), linesOf(other)];
+  const plain = (line = ''): string => {
+    const code = line.replace(/\s*#.*$/, '').trim();
+    return change.kind === 'number' ? code.replace(/\d+(\.\d+)?/g, '0') : code;
+  };
+  const isInsertion = change.before.length === 0;
+  const wanted = isInsertion ? [own[change.line - 2], own[change.line - 1]] : change.before;
+  const shift = isInsertion ? 1 : 0;
+  const places = lines.flatMap((_, at) =>
+    wanted.every((line, place) => plain(lines[at + place - shift]) === plain(line)) ? [at] : [],
+  );
+  const from = change.line - 1;
+  return places
+    .toSorted((one, another) => Math.abs(one - from) - Math.abs(another - from) || one - another)
+    .map((at) => {
+      const indent = indentOf(lines[at]) - indentOf(own[from]);
+      return {
+        ...change,
+        line: at + 1,
+        before: lines.slice(at, at + change.before.length),
+        after: change.after.map((line) => moved(line, indent)),
+      };
+    });
+}
+
+const indentOf = (line = ''): number => /^ */.exec(line)?.[0].length ?? 0;
+
+const moved = (line: string, by: number): string => (by >= 0 ? ' '.repeat(by) + line : line.slice(Math.min(-by, indentOf(line)))); // prettier-ignore

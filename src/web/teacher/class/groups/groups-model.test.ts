@@ -1,0 +1,81 @@
+import { describe, expect, it, vi } from 'vitest';
+import { shallowRef } from 'vue';
+
+import { handInOfFiles } from '#check/hand-in/read-hand-in';
+import type { Start } from '#check/lane';
+import { unreadable, type CheckResult } from '#check/result';
+import { readyScene, taskWith } from '#check/testing/tasks';
+import type { GroupHint } from '#hint/groups/group-hint';
+import type { RunFacts } from '#hint/groups/run-facts';
+
+import type { Row } from '../model/class-model';
+import { GroupsModel } from './groups-model';
+
+const UNMOVED: RunFacts = {
+  ...{ world: 'visible', happened: { fact: 'unmoved' }, at: [0, 0], next: null },
+  ...{ departure: null, stays: false, bend: null },
+};
+const row = (name: string, passed: boolean): Row => {
+  const result: CheckResult = { ...unreadable([], { code: 'zip', params: {} }), passed, remarks: [] };
+  return { name, shown: name, handIn: handInOfFiles([{ name: 'main.py', text: name }]), result, note: '' };
+};
+
+/** Groups whose workers answer at once, and the names of the programs they were asked about. */
+function groupsWith(rows: readonly Row[]) {
+  const [looked, searched]: [string[], string[][]] = [[], []];
+  const thread =
+    <Request, Result>(answer: (request: Request) => Result): Start<Request, Result> =>
+    (heard) => ({
+      ask: (request) => queueMicrotask(() => heard({ result: answer(request) })),
+      pulse: () => ({ beat: 0, world: 0 }),
+      stop: () => undefined,
+    });
+  const textOf = ({ project }: { readonly project: { readonly files: readonly { readonly text: string }[] } }) =>
+    project.files[0]?.text ?? '';
+  const hint = { hint: {}, holds: 1, of: 2 } as unknown as GroupHint;
+  const model = {
+    task: shallowRef({ name: 'corners', from: 'corners', task: taskWith(readyScene('corners')) }),
+    rows: shallowRef(rows),
+  };
+  const groups = new GroupsModel(model, {
+    looker: () => Promise.resolve(thread(({ handIn }) => (looked.push(textOf(handIn)), UNMOVED))),
+    hinter: () => Promise.resolve(thread(({ handIns }) => (searched.push(handIns.map(textOf)), hint))),
+    ...{ every: () => () => undefined, lanes: 2 },
+  });
+  return { groups, model, looked, searched };
+}
+
+describe('the groups of the class on the page', () => {
+  it('look at the runs of those alone who have not passed, and at each once', async () => {
+    const { groups, model, looked } = groupsWith([row('a', true), row('b', false), row('c', false)]);
+    expect(groups.waiting.value).toBe(2);
+    await groups.look();
+    model.rows.value = [...model.rows.value, row('d', false)];
+    await groups.look();
+    expect(looked.toSorted()).toEqual(['b', 'c', 'd']);
+    expect(groups.waiting.value).toBe(0);
+    expect(groups.groups.value.map(({ members }) => members)).toEqual([['a'], ['b', 'c', 'd']]);
+  });
+
+  it('search the hint to a group once, for its example first', async () => {
+    const { groups, searched } = groupsWith([row('b', false), row('c', false)]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    await groups.search(group!);
+    await groups.search(group!);
+    expect(searched).toEqual([[group!.example, ...group!.members.filter((name) => name !== group!.example)]]);
+    expect(groups.hints.value.get(groups.hintKey(group!))).toMatchObject({ holds: 1, of: 2 });
+  });
+
+  it('end a search with the group that is closed, and begin it anew', async () => {
+    const { groups, searched } = groupsWith([row('b', false)]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    const first = groups.search(group!);
+    groups.stopSearch();
+    await first;
+    expect(groups.hints.value.size).toBe(0);
+    await groups.search(group!);
+    await vi.waitFor(() => expect(searched).toHaveLength(1));
+  });
+});
