@@ -110,6 +110,7 @@ export class Trials {
 /** The program of the first device. */
 export const mainOf = ({ project }: HandIn): string => runFilesOf(project, 0)[MAIN] ?? '';
 
+/** A hand-in with another program of its first device. */
 export const withMain = (handIn: HandIn, text: string): HandIn => {
   const files = { ...runFilesOf(handIn.project, 0), [MAIN]: text };
   const named = Object.entries(files).map(([name, content]) => ({ name, text: content }));
