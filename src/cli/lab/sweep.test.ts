@@ -70,7 +70,7 @@ describe('parcours sweep', { timeout: 120_000 }, () => {
   ])('refuses %s beside --merge, which runs nothing', (option, value) => {
     const { code, err } = parcours('sweep', '--merge', at('runs'), option, value);
     expect(code).toBe(2);
-      expect(err).toContain(`parcours: ${option} and --merge: choose one of them.`);
+    expect(err).toContain(`parcours: ${option} and --merge: choose one of them.`);
   });
 
   it('keeps runs of another seed apart in a folder of used robots', () => {
