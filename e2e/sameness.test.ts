@@ -22,6 +22,7 @@ const PROBE = process.env['PARCOURS_PROBE'] ?? '';
 test.describe.configure({ retries: 0 }); // what differs once is not the same run everywhere
 
 test('every ready course is driven bit for bit as in Node', async ({ app }) => {
+  test.setTimeout(180_000); // nineteen minutes of driving
   await app.goto(PROBE); // one page for all of them: most of the time of a short run is its opening
   const other: string[] = [];
   for (const { folder, forMs, seed, traceHash } of runs) {
