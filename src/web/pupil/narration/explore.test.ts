@@ -61,7 +61,7 @@ describe('a walk through the course in words', () => {
     expect(names.slice(1)).toEqual([
       ...['Kontrollpunkt 1', 'Kontrollpunkt 3', 'Ziel 1', 'Linie 1', 'Wand 1', 'Block 1', 'Fester Block 1'],
       ...['Fahrender Block 1', 'Stacheln 1', 'Verbotenes Feld 1'],
-      ...['Farbfeld 1', 'Lampe 1', 'Schranke 1', 'Tunnel 1', 'Text «Hallo»', 'Start eines Roboters «Ada»'],
+      ...['Farbfeld 1', 'Lampe 1', 'Schranke 1', 'Tunnel 1', 'AprilTag 7', 'Text «Hallo»', 'Start eines Roboters «Ada»'],
     ]);
   });
 
