@@ -57,11 +57,19 @@ describe('a walk through the course in words', () => {
 
   it('goes to checkpoints by their numbers first, then targets, lines, walls, blocks and the rest', () => {
     const all = Object.values(samples).filter(({ type }) => type !== 'checkpoint');
-    const names = walk([...all, at(100, 100, 3), at(200, 100, 1)], 17).map((words) => words.split(/[,:;]/)[0]);
+    const names = walk([...all, at(100, 100, 3), at(200, 100, 1)], 18).map((words) => words.split(/[,:;]/)[0]);
     expect(names.slice(1)).toEqual([
       ...['Kontrollpunkt 1', 'Kontrollpunkt 3', 'Ziel 1', 'Linie 1', 'Wand 1', 'Block 1', 'Fester Block 1'],
       ...['Fahrender Block 1', 'Stacheln 1', 'Verbotenes Feld 1'],
-      ...['Farbfeld 1', 'Lampe 1', 'Schranke 1', 'Tunnel 1', 'Text «Hallo»', 'Start eines Roboters «Ada»'],
+      ...[
+        'Farbfeld 1',
+        'Lampe 1',
+        'Schranke 1',
+        'Tunnel 1',
+        'AprilTag 7',
+        'Text «Hallo»',
+        'Start eines Roboters «Ada»',
+      ],
     ]);
   });
 
