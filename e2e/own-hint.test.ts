@@ -21,7 +21,7 @@ test(
     await openWork(app, task());
     await until(app, by('verdict'));
     await pasteProgram(app, DRIVE);
-    for (const _ of [1, 2]) {
+    for (let runs = 0; runs < 2; runs += 1) {
       await app.click(on('run'));
       await until(app, '[data-testid="next-step"][data-step="notYet"]');
     }
@@ -35,8 +35,6 @@ test(
     await until(app, '.cm-changedLine');
     expect(await app.evaluate(() => document.querySelector('[data-testid="step-own-hint"]') === null)).toBe(true);
     await pasteProgram(app, DRIVE.replace('500', '600'));
-    await expect
-      .poll(() => app.evaluate(() => document.querySelector('[data-testid="own-hint"]') === null))
-      .toBe(true);
+    await expect.poll(() => app.evaluate(() => document.querySelector('[data-testid="own-hint"]') === null)).toBe(true);
   },
 );

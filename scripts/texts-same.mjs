@@ -7,7 +7,7 @@
 export const sameWords = {
   fr: new Set(
     (
-      'apostrophe auto bot buzzer calli code console csv apriltag apriltags cyan date distance firmware lidar magenta max menu message messages min missions module modules obstacle obstacles orange page parcours ' +
+      'apostrophe auto bot buzzer calli code console csv apriltag apriltags cyan date distance firmware lidar magenta max menu message messages min missions module modules moment obstacle obstacles orange page parcours ' +
       'pause pdf place png point points radio rectangle repl robot section servo servos signature simulation slalom suggestions svg tcs tunnel tunnels variable variables visible zone zones'
     ).split(' '),
   ),

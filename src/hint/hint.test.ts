@@ -57,7 +57,7 @@ describe('a hint', () => {
     expect(hint?.tried).toBeLessThan(40);
   });
 
-  it('reads the program but once for each try', async () => {
+  it('begins to try without reading the program for each change', async () => {
     const long = 'forward()\nleft()\nsetLED(0, 1)\ndelay(20)\nstop()\n'.repeat(30);
     const start = process.cpuUsage();
     await hinted(ahead, `from mbrobot import *\nstop()\nwhile button_a.is_pressed():\n    stop()\n${long}`, 1);

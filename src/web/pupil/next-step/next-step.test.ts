@@ -11,7 +11,14 @@ const facts: StepFacts = {
 };
 const mission: StepTask = {
   ...{ kind: 'mission', state: 'open', told: '', wanted: 'Lies die Aufgabe, dann lass ihn fahren.', news: '' },
-  ...{ isEarly: false, missing: 'Noch offen: Ziel.', hints: { open: 0, all: 2 }, next: null, isHandedIn: false },
+  ...{
+    isEarly: false,
+    missing: 'Noch offen: Ziel.',
+    hints: { open: 0, all: 2 },
+    own: { open: 0, all: 0 },
+    next: null,
+    isHandedIn: false,
+  },
 };
 const inTask = (task: Partial<StepTask>, more: Partial<StepFacts> = {}): Partial<StepFacts> => ({
   drive: 'drives',

@@ -66,9 +66,8 @@ export function createTask(
   store: Storage | null,
 ): TaskModel {
   const isAsked = shallowRef(false);
-  const hints = shallowRef(0);
   const own = { fails: shallowRef(0), level: shallowRef(0), most: shallowRef(4) };
-  const isNew = shallowRef(false);
+  const [hints, isNew] = [shallowRef(0), shallowRef(false)];
   const { givesWay, isWanted, isTiny } = useWay(run);
   const isUnfolded = computed(() => settings.current.value.showCard && (!isTiny.value || isWanted.value));
   const ready = computed(() => {

@@ -6,6 +6,7 @@ import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import { visibleTask } from '#check/task/visible';
 import { projectOfTask } from '#check/task/write-task';
+import type { Project } from '#project/project';
 import { linesToSee } from '#hint/changes/change';
 import { hintLevels, USUAL_BUDGET, type Hint } from '#hint/hint';
 import { HintLane, type HintRequest } from '#hint/hint-lane';
@@ -58,93 +59,113 @@ const SHOW_MS = 300;
 /** Number of levels of a hint for which no change was found: the moment, and what was tried. */
 const WITHOUT_CHANGE = 2;
 
+/** Looks for one hint at a time, in a thread. */
+class Finder {
+  readonly tried = shallowRef(0);
+  private lane: HintLane | null = null;
+  private turn = 0;
+  private unwatch = (): void => undefined;
+
+  constructor(private readonly ports: HintPorts) {}
+
+  stop(): void {
+    this.turn += 1;
+    this.unwatch();
+    this.lane?.stop();
+    this.lane = null;
+  }
+
+  /** The hint to the program of a project; `undefined`: it is not wanted any more. Throws where none can be looked for. */
+  async find(project: Project, budget: number): Promise<Hint | null | undefined> {
+    this.stop();
+    const { turn } = this;
+    this.tried.value = 0;
+    const [read, given] = [taskOf(project), handInOf(project)];
+    if ('problem' in read || 'problem' in given) throw new Error('There is no task, or no program.');
+    const task = visibleTask(read.task);
+    const start = await this.ports.starter(task);
+    if (turn !== this.turn) return undefined;
+    this.lane = new HintLane(task, this.withProgress(start, task.worlds.length), this.ports.every);
+    const found = await this.lane.hint(given.handIn, budget);
+    return turn === this.turn ? found : undefined;
+  }
+
+  /** The threads say in which world they are, and after the worlds at which try. */
+  private withProgress(start: Start<HintRequest, Hint | null>, worlds: number): typeof start {
+    return (heard) => {
+      const thread = start(heard);
+      this.unwatch();
+      this.unwatch = this.ports.every(SHOW_MS, () => {
+        this.tried.value = Math.max(this.tried.value, thread.pulse().world - worlds);
+      });
+      return thread;
+    };
+  }
+}
+
 /** Finds the hint as soon as a level of it is asked for: the moment at once, all else by trying. */
 export function createOwnHint({ task: { own }, work }: App, ports = inWorkers): OwnHint {
   const phase = shallowRef<OwnHintPhase>('looks');
   const hint = shallowRef<Hint | null>(null);
-  const tried = shallowRef(0);
-  let [lane, turn, hasTried]: [HintLane | null, number, boolean] = [null, 0, false];
-  let unwatch = (): void => undefined;
+  const hasTried = shallowRef(false);
+  const finder = new Finder(ports);
 
-  function stop(): void {
-    turn += 1;
-    unwatch();
-    lane?.stop();
-    lane = null;
-  }
   function drop(): void {
-    stop();
-    hasTried = false;
+    finder.stop();
+    hasTried.value = false;
     hint.value = null;
     phase.value = 'looks';
     own.level.value = 0;
     own.most.value = hintLevels.length;
   }
   async function find(budget: number): Promise<void> {
-    stop();
-    const now = turn;
     phase.value = budget === 0 ? 'looks' : 'tries';
-    tried.value = 0;
-    const { project } = work.work.value;
-    const [read, given] = [taskOf(project), handInOf(project)];
-    try {
-      if ('problem' in read || 'problem' in given) throw new Error('There is no task, or no program.');
-      const task = visibleTask(read.task);
-      const start = await ports.starter(task);
-      if (now !== turn) return;
-      lane = new HintLane(task, withProgress(start, task.worlds.length), ports.every);
-      const found = await lane.hint(given.handIn, budget);
-      if (now === turn) tell(found, budget);
-    } catch {
-      if (now === turn) end('failed');
+    const found = await finder.find(work.work.value.project, budget).catch(() => 'failed' as const);
+    if (found !== undefined) tell(found, budget > 0);
+  }
+  function tell(found: Hint | null | 'failed', isTried: boolean): void {
+    finder.stop();
+    if (found === 'failed' || found === null) {
+      phase.value = found ?? 'passes';
+      own.most.value = own.level.value;
+      return;
     }
-  }
-  function tell(found: Hint | null, budget: number): void {
-    hasTried = budget > 0;
+    hasTried.value = isTried;
     hint.value = found;
-    if (found === null) own.most.value = own.level.value;
-    else if (hasTried && found.change === null) own.most.value = WITHOUT_CHANGE;
-    end(found === null ? 'passes' : 'told');
+    if (isTried && found.change === null) own.most.value = WITHOUT_CHANGE;
+    phase.value = 'told';
   }
-  function end(how: OwnHintPhase): void {
-    stop();
-    phase.value = how;
-  }
-  /** The threads say in which world they are, and after the worlds at which try. */
-  const withProgress =
-    (start: Start<HintRequest, Hint | null>, worlds: number): Start<HintRequest, Hint | null> =>
-    (heard) => {
-      const thread = start(heard);
-      unwatch();
-      unwatch = ports.every(SHOW_MS, () => (tried.value = Math.max(tried.value, thread.pulse().world - worlds)));
-      return thread;
-    };
 
   watch(
     own.level,
     (level) => {
       if (level === 0) drop();
       else if (level === 1 && hint.value === null) void find(0);
-      else if (level > 1 && !hasTried && phase.value !== 'tries') void find(USUAL_BUDGET);
+      else if (level > 1 && !hasTried.value && phase.value !== 'tries') void find(USUAL_BUDGET);
     },
     { immediate: true },
   );
   watch(() => [work.work.value.project.files, work.work.value.project.devices, work.scene.value], drop);
-  const level = computed(() => hintLevels.findLast((one) => one <= own.level.value && (one === 1 || hasTried)) ?? 1);
   return {
-    ...{ phase, hint, tried },
-    texts: computed(() =>
-      phase.value === 'told' && hint.value !== null ? hintTexts(hint.value, level.value, shownLanguage()) : [],
-    ),
-    lines: computed(() => {
-      const found = hint.value;
-      if (phase.value !== 'told' || found === null || level.value < 2) return [];
-      return found.change === null ? [] : linesToSee(found.change, found.program);
-    }),
+    ...{ phase, hint, tried: finder.tried },
+    ...tellingOf(phase, hint, () => (hasTried.value ? own.level.value : 1)),
     cancel() {
+      finder.stop();
       own.level.value = 1;
-      if (hint.value === null) void find(0);
-      else end('told');
+      if (hint.value !== null) phase.value = 'told';
     },
+  };
+}
+
+/** The sentences and lines of a hint at a level. */
+function tellingOf(phase: ShallowRef<OwnHintPhase>, hint: ShallowRef<Hint | null>, asked: () => number) {
+  const level = computed(() => hintLevels.findLast((one) => one <= asked()) ?? 1);
+  const told = computed(() => (phase.value === 'told' ? hint.value : null));
+  return {
+    texts: computed(() => (told.value === null ? [] : hintTexts(told.value, level.value, shownLanguage()))),
+    lines: computed(() => {
+      const { change = null, program = '' } = told.value ?? {};
+      return change === null || level.value < 2 ? [] : linesToSee(change, program);
+    }),
   };
 }
