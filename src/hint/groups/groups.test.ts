@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { check } from '#check/check';
 import { handInOfFiles } from '#check/hand-in/read-hand-in';
 import { unreadable, type CheckResult, type WorldResult } from '#check/result';
-import { firmware, readyScene, readySolution, taskWith } from '#check/testing/tasks';
+import { ahead, firmware, readyScene, readySolution, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 import { LANGUAGES } from '#core/languages';
 import type { Point } from '#scene/scene';
 import type { Happened } from '../happened/happened';
@@ -90,7 +90,7 @@ describe('groups of a class', () => {
 });
 
 describe('the facts of a run', () => {
-  const task = taskWith(readyScene('corners'), { seconds: 20 });
+  const task = taskWith(readyScene('corners'), { seconds: 30 });
   const solution = readySolution('corners');
   const handIn = (text: string) => handInOfFiles([{ name: 'main.py', text }]);
   const facts = async (text: string): Promise<RunFacts | null> => {
@@ -98,18 +98,19 @@ describe('the facts of a run', () => {
     return factsOf(task, of, await check(task, of, { firmware: firmware() }), { firmware: firmware() });
   };
 
-  it('are the bend at which the line was left, and how', async () => {
+  it('are the bend at which the line was left, and how', { timeout: 60_000 }, async () => {
     const wrong = solution.replace('TO_WHEELS = 370', 'TO_WHEELS = 3700');
     expect(await facts(wrong)).toMatchObject({ departure: { bend: 1, manner: 'straight' } });
     expect(await facts('from mbrobot_plusV2 import *\nstop()\n')).toMatchObject({ happened: { fact: 'unmoved' } });
   });
 
-  it('are none of a run that passes', async () => expect(await facts(solution)).toBeNull());
+  it('are none of a run that passes', { timeout: 60_000 }, async () => expect(await facts(solution)).toBeNull());
 
   it('lead to a hint that is tried out in the programs of the group', { timeout: 60_000 }, async () => {
-    const wrong = [3700, 3000].map((ms) => handIn(solution.replace('TO_WHEELS = 370', `TO_WHEELS = ${String(ms)}`)));
-    const found = await groupHint(task, [...wrong, handIn('x = 1\n')], { firmware: firmware(), budget: 60 });
-    expect(found).toMatchObject({ holds: 2, of: 3, hint: { change: { kind: 'number', direction: 'less' } } });
+    const near = taskWith(sceneWith([targetAt(420, 450)], { task: { ...sceneWith([]).task, seconds: 8 } }));
+    const wrong = [400, 300].map((ms) => handIn(ahead(ms)));
+    const found = await groupHint(near, [...wrong, handIn('x = 1\n')], { firmware: firmware(), budget: 100 });
+    expect(found).toMatchObject({ holds: 2, of: 3, hint: { change: { kind: 'number', direction: 'more' } } });
   });
 });
 
