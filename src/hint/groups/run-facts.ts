@@ -50,7 +50,7 @@ export async function factsOf(
   const isRun = !UNRUN.includes(found?.reason?.code ?? 'open');
   const inWorld = courseOfWorld(task.project.scene, world);
   const course = 'scene' in inWorld ? inWorld.scene : task.project.scene;
-  const onlooker = untilNothingNew(seen, new Stall(course, task.checks.some(({ type }) => type === 'laps'))); // prettier-ignore
+  const onlooker = untilNothingNew(seen, new Stall({ ...task, project: { ...task.project, scene: course } }));
   if (isRun) await runWorld(task, handIn.project, world, { beat: () => undefined, ...means, onlooker });
   const happened = happenedIn({ reason, result: found, seen, course });
   const [next] = seen.next;

@@ -68,7 +68,7 @@ const MOST_TURNS = 8;
 const [BEYOND_MM, BESIDE_MM] = [40, 250];
 
 /** The parts of a run that say whether a place was passed by. */
-type Passing = Pick<Observed, 'moments' | 'next' | 'nextSinceUs'>;
+type Passing = Pick<Observed, 'next' | 'nextSinceUs'> & { readonly moments: readonly Moment[] };
 
 /** Finds between which turns the robot passed by the place that was next at the end of its run; `null`: it did not. */
 export function passedBy({ moments, next, nextSinceUs }: Passing, course: Scene): PassedBy | null {

@@ -1,4 +1,4 @@
-import { lineOf, numbersIn } from '#lab/numbers';
+import { lineOf, numbersIn } from '#python/numbers';
 import type { RunSetup } from '#simulation/run-setup';
 
 /** A number in a program that can vary. */

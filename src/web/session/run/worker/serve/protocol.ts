@@ -2,6 +2,7 @@
  * The messages between the page and a worker that serves it beside the run: the page opens one service, and then asks one
  * thing after the other. One worker has one service.
  */
+import type { HandIn } from '#check/hand-in/hand-in';
 import type { Answer, CheckRequest } from '#check/lane';
 import type { CheckResult } from '#check/result';
 import type { GroupHint } from '#hint/groups/group-hint';
