@@ -1,11 +1,11 @@
 import { projectOfTask } from '#check/task/write-task';
 import { watch } from 'vue';
 
-import { lateModel } from '../../../kit/state/late-models';
-import { every, laneCount, serveThread } from '../../../session/run/serve-thread';
-import { compileFirmware } from '../../../session/run/worker/firmware';
-import { classOf } from '../use-class';
-import { GroupsModel } from './groups-model';
+import { lateModel } from '../../kit/state/late-models';
+import { every, laneCount, serveThread } from '../../session/run/serve-thread';
+import { compileFirmware } from '../../session/run/worker/firmware';
+import { classOf } from './use-class';
+import { GroupsModel } from './groups/groups-model';
 
 /** The groups of the class that is checked on this page. They are found from the first request on, while hand-ins arrive. */
 export const groupsOfClass = lateModel((app) => {
