@@ -208,7 +208,16 @@ describe('the list of objects', () => {
     const { rows, row } = await list(Object.values(samples));
     expect(rows()).toEqual([
       ...['Linie 1', 'Wand 1', 'Block 1', 'Fester Block 1', 'Stacheln 1', 'Fahrender Block 1'],
-      ...['Ziel 1', 'Kontrollpunkt 1', 'Verbotenes Feld 1', 'Farbfeld 1', 'Lampe 1', 'Schranke 1', 'Tunnel 1', 'AprilTag 7'],
+      ...[
+        'Ziel 1',
+        'Kontrollpunkt 1',
+        'Verbotenes Feld 1',
+        'Farbfeld 1',
+        'Lampe 1',
+        'Schranke 1',
+        'Tunnel 1',
+        'AprilTag 7',
+      ],
       ...['Text «Hallo»', 'Start eines Roboters «Ada»'],
     ]);
     expect(row('wall').get('.num').text()).toBe('von 10 | 10 bis 30 | 10 cm · 10 mm dick');

@@ -1,7 +1,20 @@
 import type { Kind } from '#editor/describe-edit';
 import type { AnyObject } from '#scene/kinds/kind';
 import { stopsOf, wayOf } from '#scene/kinds/mover-way';
-import type { Barrier, Label, Lamp, Mover, Point, Scene, SceneObject, Start, Stroke, Tag, Wall, Zone } from '#scene/scene';
+import type {
+  Barrier,
+  Label,
+  Lamp,
+  Mover,
+  Point,
+  Scene,
+  SceneObject,
+  Start,
+  Stroke,
+  Tag,
+  Wall,
+  Zone,
+} from '#scene/scene';
 
 import { shownLanguage, t } from '../../../kit/i18n';
 import { numberText } from '../../../kit/i18n/number-text';
