@@ -163,7 +163,7 @@ describe('the main menu', () => {
       ...['Datei', 'Ansicht', 'Hilfe', null],
     ]);
     expect(items()).toEqual([
-      ...['Meine Arbeiten', 'Öffnen …', 'Speichern', 'Auf den Roboter …'],
+      ...['Meine Arbeiten', 'Öffnen …', 'Speichern', 'Auf den Roboter …', 'Versuchsreihe'],
       ...['Sprache', 'Hell oder dunkel', 'Bereiche'],
       ...['Hilfe', 'Rundgang', 'Tasten', 'Roboter-Galerie', 'Für Lehrpersonen'],
     ]);

@@ -14,7 +14,7 @@ export const contribution: Contribution = {
     return [
       {
         group: 'files',
-        order: 5,
+        order: 50,
         entries: () =>
           host.parts.value !== null
             ? []
