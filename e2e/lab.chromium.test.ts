@@ -1,6 +1,6 @@
 import { expect, test } from './app';
 import { openedCourse } from './opened-course';
-import { on, openWork, pasteProgram, programIn } from './page';
+import { isThere, on, openWork, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 
 /** A target ahead of the robot, which only some times reach. */
@@ -20,8 +20,13 @@ test('a number is tuned by the curve, and taken into the program, where it can b
   await until(app, on('editor'));
   await pasteProgram(app, drive(1000));
   for (const key of ['ArrowUp', 'End', 'ArrowLeft']) await app.press(key);
-  await app.press('Alt', 'Enter');
-  await until(app, by('try-card'));
+  // The help of the editor, of which it is a part, comes with its first use.
+  await expect
+    .poll(async () => {
+      await app.press('Alt', 'Enter');
+      return isThere(app, by('try-card'));
+    })
+    .toBe(true);
   await app.type('500');
   for (const text of ['4500', '1000']) {
     await app.press('Tab');
