@@ -5,8 +5,8 @@ import { basename, join } from 'node:path';
 import { LANGUAGES, type Language } from '../src/core/languages.ts';
 import { isText, piecesOf, translate, wordsFile, wordsFor, type Translation, type Words } from './programs.ts';
 
-/** Strings with a word in them that a program knows and nobody reads: gestures, columns of a table, an order of bytes. */
-const CODE = new Set(['shake', 'light', 'temperature', 'little']);
+/** Strings with a word in them that a program knows and nobody reads: gestures, columns of a table, an order of bytes, a colour. */
+const CODE = new Set(['shake', 'light', 'temperature', 'little', 'red']);
 const WORD = /\p{L}{3}/u;
 
 /**

@@ -28,6 +28,7 @@ beforeEach(async () => {
     'echo.ts',
     'incidence.ts',
     'colour-options.ts',
+    'camera-options.ts',
     'words',
     'testing',
   ])
