@@ -123,7 +123,6 @@ export const corpus: readonly Fault[] = [
   maze!('logic', 'while not at_finish()', 'while at_finish()'),
   maze!('logic', 'irLeft.read_digital() == 0 and', 'irLeft.read_digital() == 0 or not'),
   maze!('missing', '            turn(right)\n            turn(right)', '            turn(right)'),
-  maze!('name', 'turn(left)', 'turn(right)'),
   maze!('extra', '        turn(left)\n', '        turn(left)\n        turn(left)\n'),
   maze!('indent', '            turn(right)\n            turn(right)\n', '            turn(right)\n        turn(right)\n'),
   maze!('missing', '    delay(QUARTER_TURN)\n', ''),

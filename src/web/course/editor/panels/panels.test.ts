@@ -142,6 +142,15 @@ describe('the settings of a course', () => {
     expect([scene().task.seconds, steps()]).toEqual([null, 4]);
   });
 
+  it('set the light of the room where a lamp or a tunnel is', async () => {
+    expect((await settings([])).mounted.find('[data-testid="room-light"]').exists()).toBe(false);
+    const { scene } = await settings([samples.lamp]);
+    await fill('Licht im Raum', '0');
+    expect(scene().ambient).toBe(0);
+    await fill('Licht im Raum', '300');
+    expect(scene()).not.toHaveProperty('ambient');
+  });
+
   it('forbid to touch anything, and leave the time as it is', async () => {
     const { scene, mounted } = await settings([], { task: { seconds: 30, noTouch: false } });
     await mounted.get('[data-testid="no-touch"]').setValue(true);
