@@ -92,7 +92,7 @@ export const wings = {
     visit: ['session/run', 'session/work'],
     mode: ['session/run', 'session/work', 'session/visit'],
     layout: ['session/run', 'session/work', 'session/visit', 'session/mode'],
-    task: ['session/run', 'session/work', 'session/layout'],
+    task: ['session/run', 'session/work', 'session/visit', 'session/layout'],
     models: ['session/run', 'session/work', 'session/visit', 'session/layout', 'session/task', 'session/mode'],
   },
   course: { editor: ['session'] },

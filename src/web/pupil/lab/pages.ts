@@ -1,3 +1,3 @@
 import type { FeaturePage } from '../../kit/features/feature-page';
 
-export const pages: readonly FeaturePage[] = [{ name: 'lab', load: () => import('./LabPage.vue') }];
+export const pages: readonly FeaturePage[] = [{ name: 'lab', hasIds: true, load: () => import('./LabPage.vue') }];

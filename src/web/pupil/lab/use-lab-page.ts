@@ -32,12 +32,14 @@ export function useLabPage() {
   const lab = labOf(app);
   const series = computed(() => lab.series.value);
   const runs = computed(() => lab.inOrder.value);
-  const chosenKind = shallowRef<LabKind>(series.value === null ? 'one' : kindOf(series.value));
-  const isAsking = shallowRef(series.value === null);
-
   const base = computed(() => lab.base().setup);
   const things = computed(() => [...numberThings(base.value), ...otherThings(base.value)]);
+  /** The thing that the address names, such as `#lab/main.py:5`. */
+  const named = computed(() => things.value.find(({ name }) => name === app.router.idOn('lab')) ?? null);
+  const chosenKind = shallowRef<LabKind>(series.value === null || named.value ? 'one' : kindOf(series.value));
+  const isAsking = shallowRef(series.value === null || named.value !== null);
   const first = computed(() => {
+    if (named.value !== null && chosenKind.value === 'one') return [firstRange(named.value)];
     const wish = series.value?.wish;
     const count = chosenKind.value === 'two' ? 2 : 1;
     const asked = wish?.kind === 'ranges' ? wish.ranges.slice(0, count) : [];
