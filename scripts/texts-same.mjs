@@ -12,7 +12,7 @@ export const sameWords = {
     ).split(' '),
   ),
   it: new Set(
-    'apriltag arena auto bot calli console csv display file firmware gamepad garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg tcs timer'.split(
+    'apriltag arena auto bot calli console csv display file firmware gamepad garage lidar link magenta max menu microcomputer min parcours pdf pin png radio repl robot servo slalom svg tcs timer tunnel'.split(
       ' ',
     ),
   ),

@@ -12,7 +12,7 @@ HELD = 100              # the key before is still held
 NOTHING = 101
 
 def receive():
-    """What the remote control sends. It waits for that no longer than 130 milliseconds."""
+    """Reads what the remote control sends; waits 130 milliseconds at most."""
     begin = time_pulse_us(pin16, 0, 130000)
     while 0 < begin < 8000:                             # not the beginning
         begin = time_pulse_us(pin16, 0, 130000)

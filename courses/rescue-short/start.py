@@ -1,6 +1,6 @@
 # Rescue line, short
 # Task: follow the line over all tiles to the red end and stop there for five seconds.
-# The robot follows the line up to the first gap. See in the score sheet what brings points.
+# The robot follows the line up to the first gap. The score sheet shows what earns points.
 from mbrobot_plusV2 import *
 import colour
 

@@ -26,7 +26,7 @@ def grab(angle):
     delay(600)
 
 def put_away(there, back, sensor):
-    """Turns away from the line, puts the block down in the field and comes back onto the line."""
+    """Turns away from the line, puts the block down in the zone and comes back onto the line."""
     there()             # left or right, a quarter turn
     delay(330)
     stop()

@@ -1,5 +1,5 @@
 # Sort by colour
-# Task: carry the red blocks into the red field and the blue blocks into the blue field.
+# Task: carry the red blocks into the red zone and the blue blocks into the blue zone.
 # The colour sensor looks ahead. The claw is on the servo port S1: 30 degrees is open, 90 degrees is closed.
 from mbrobot import *
 import colour

@@ -21,4 +21,4 @@ while getDistance() > 30:
     follow_line()
     print(display.read_light_level())
 stop()
-# You are in the tunnel. Where does it go on?
+# You are in the tunnel. Which way does it go on?

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { projectOfTask } from './task/write-task';
 import { ahead, checked, readyScene, taskWith } from './testing/tasks';
 
 /** A line of nine tiles; there is a gap on the second. */
@@ -12,6 +13,8 @@ describe('a rescue line', () => {
     { id: 'score', type: 'score', least: 15, points: 5, needed: false },
   ];
   const task = taskWith(line, { checks, seconds: 12 });
+
+  it('is in the file of a task of version 2', () => expect(projectOfTask(task).task?.version).toBe(2));
 
   it('gives points for tiles that are reached, and for points on the score sheet', async () => {
     // The start is no tile that is reached; the gap brings 10 points when the tile behind it is reached.

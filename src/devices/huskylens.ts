@@ -16,7 +16,7 @@
  *      36        word id      2E: what is in the middle has this id from now on
  *      37        –            2E: nothing has an id any more
  *      3B        –            3B 00 00: it is no Pro
- *      2F 30 32 33 34 35 39   2E: names, texts, photos and models change nothing here
+ *      2F 30 32 33 34 35 39 3C  2E: names, texts, photos and models change nothing here
  *
  *      29        words: results, ids that are known, number of the picture, 0, 0
  *      2A        words: x and y of the middle, width, height, id
@@ -131,7 +131,7 @@ export function createFrameReader(got: (command: number, data: readonly number[]
       return;
     }
     const [, , , count = 0, command = 0] = frame;
-    if (frame.length < 6 + count || frame.length < 6) return;
+    if (frame.length < 6 + count) return;
     const data = frame.slice(5, 5 + count);
     const isRight = frameOf(command, data)[5 + count] === byte;
     frame = [];

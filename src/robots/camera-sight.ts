@@ -91,8 +91,12 @@ interface Ink {
 }
 const middleOf = ({ from, to }: Ink): number => (from + to) / 2;
 
-/** The line that begins nearest to the middle below, from near to far; `null`: there is none. */
-export function lineArrow(rows: Rows): HuskyArrow | null {
+/**
+ * The line that begins nearest to the middle below, from near to far; `null`: there is none.
+ *
+ * @param heights the middles of the rows in the picture, in px
+ */
+export function lineArrow(rows: Rows, heights: readonly number[]): HuskyArrow | null {
   let last: Ink | null = null;
   let gap = 0;
   const way: { readonly x: number; readonly y: number }[] = [];
@@ -107,7 +111,7 @@ export function lineArrow(rows: Rows): HuskyArrow | null {
     if (next !== null) {
       last = next;
       gap = 0;
-      way.push({ x: Math.round(middleOf(next) * WIDTH), y: Math.round(((row + 0.5) * HEIGHT) / rows.length) });
+      way.push({ x: Math.round(middleOf(next) * WIDTH), y: Math.round(heights[row] ?? 0) });
     } else if (last !== null && touched.length === 0 && ++gap > GAP_ROWS) break;
   }
   const [tail, head] = [way[0], way[way.length - 1]];

@@ -2,7 +2,8 @@
 import { radOf } from '#core/angle';
 import { exactCos, exactSin, exactTan } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { attachHuskyLens, HUSKYLENS_PICTURE, type HuskyLook } from '#devices/huskylens';
+import { attachHuskyLens, HUSKYLENS_ADDRESS, HUSKYLENS_PICTURE, type HuskyLook } from '#devices/huskylens';
+import type { OptionValues } from '#core/option';
 import type { CameraView } from '#world/probes/camera';
 import { colourBlocks, lineArrow, tagBlocks } from './camera-sight';
 import type { CameraChoice } from './camera-options';
@@ -35,11 +36,16 @@ const viewOf = (tiltDeg: number): CameraView => ({
 /** Every second row: enough to follow a line. */
 const LINE_ROWS = Array.from({ length: HUSKYLENS_PICTURE.height / CELL_PX / 2 }, (_, row) => 2 * row + 1);
 
+/** The middles of these rows in the picture, in px. */
+const LINE_HEIGHTS = LINE_ROWS.map((row) => (row + 0.5) * CELL_PX);
+
 /** A robot with the camera that its options say; without one, it is the same robot. */
 export function withCamera(robot: Robot, type: RobotType, context: RobotContext): Robot {
   const { board, chassis, clock, options, scale } = context;
   const choice = options['camera'];
   if (choice !== 'huskylens' && choice !== 'huskylens-down') return robot;
+  // One address is for one device: the lidar was there first, and the camera's plug stays out.
+  if (isTakenByLidar(options)) return robot;
   const atMm = scaled(frontOf(type), scale);
   const view = viewOf(TILT_DEG[choice]);
   const lens = attachHuskyLens(clock, board.i2c, looksOf(context, atMm, view), choice === 'huskylens' ? 'tag' : 'line');
@@ -60,6 +66,10 @@ export function withCamera(robot: Robot, type: RobotType, context: RobotContext)
   };
 }
 
+/** True if a lidar of the robot has the camera's address on the bus. */
+const isTakenByLidar = ({ lidar, lidarAddress }: OptionValues): boolean =>
+  (lidar === '8x8' || lidar === '4x4') && Number(lidarAddress) === HUSKYLENS_ADDRESS;
+
 /** The sight of its algorithms from there. */
 const looksOf =
   ({ camera, colourNumber }: RobotContext, atMm: Vec, view: CameraView): HuskyLook =>
@@ -69,7 +79,7 @@ const looksOf =
       const numberOf = once(colourNumber);
       return colourBlocks(camera(atMm, view).picture(), ({ shares }) => (shares === null ? 0 : numberOf(shares)));
     }
-    const arrow = algorithm === 'line' ? lineArrow(camera(atMm, view).picture(LINE_ROWS)) : null;
+    const arrow = algorithm === 'line' ? lineArrow(camera(atMm, view).picture(LINE_ROWS), LINE_HEIGHTS) : null;
     return arrow === null ? [] : [arrow];
   };
 

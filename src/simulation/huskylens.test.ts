@@ -166,6 +166,14 @@ describe('drivers of strangers', () => {
 });
 
 describe('a camera', () => {
+  it('stays unplugged where a lidar of the robot has its address: that answers as ever', async () => {
+    const options = { camera: 'huskylens', lidar: '8x8', lidarAddress: '0x32' };
+    const program = 'from microbit import *\nsleep(3500)\nprint(i2c.scan())';
+    const { simulation, lines } = await run(program, sceneOf(), { robot: 'maqueen-plus-v3', options, forMs: 4000 });
+    expect(lines.join()).toContain('50');
+    expect(simulation.snapshot().robot?.state).not.toHaveProperty('camera');
+  });
+
   it.each(robotTypes.map((type) => [type.id, type] as const))(
     'is carried by %s at its front edge',
     async (id, type) => {

@@ -97,7 +97,7 @@ function dataOf({
 function isNew(check: Check): boolean {
   if (check.type === 'stop') return check.whole || check.heading !== null;
   if (check.type === 'checkpoints') return check.each !== null;
-  return ['reach', 'stay', 'belongs', 'covered', 'later'].includes(check.type);
+  return ['reach', 'stay', 'belongs', 'covered', 'later', 'tiles', 'score'].includes(check.type);
 }
 
 /** Leaves out fields that are `null`. */

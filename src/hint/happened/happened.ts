@@ -62,10 +62,9 @@ export function happenedIn(run: FailedRun): Happened {
     case 'reach':
     case 'checkpoints':
     case 'laps':
-    case 'tiles':
       return unlessWay(run, notReached(reason), true);
     default:
-      return unlessWay(run, { fact: 'reason', reason }, code === 'stop' || code === 'stay' || code === 'belongs');
+      return unlessWay(run, { fact: 'reason', reason }, ['stop', 'stay', 'belongs', 'tiles'].includes(code));
   }
 }
 

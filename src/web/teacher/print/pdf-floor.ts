@@ -9,6 +9,7 @@ import type { Point, Scene } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
 
 import { MARGIN_MM, type Tile } from './print-plan';
+import { printLyingTags } from './pdf-tags';
 import { polyline, printShapes, type ToSheet } from './shapes/pdf-shapes';
 
 /** The parts of a course that are printed. */
@@ -33,6 +34,7 @@ export function printFloor(pdf: jsPDF, scene: Scene, tile: Tile, options: FloorO
   const near = scene.objects.filter((object) => !('size' in object) || boundsMeet(boundsOf(object), shown));
   printShapes(pdf, paperShapes(near, lightColors), to, shown);
   pdf.setLineDashPattern([], 0);
+  printLyingTags(pdf, near, to);
   if (options.outlines) printOutlines(pdf, scene, to, shown);
   pdf.restoreGraphicsState();
 }

@@ -18,7 +18,7 @@ import { sealSandbox } from './sandbox';
 import { packPictures } from './pictures';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
-import type { ToServer } from './serve/protocol';
+import type { FromServer, ToServer } from './serve/protocol';
 import type { Server } from './serve/server';
 
 sealSandbox(globalThis);
@@ -85,7 +85,15 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
       .catch((error: unknown): HexAnswer => ({ type: 'failed', message: String(error) }))
       .then((answer) => postMessage(answer));
   else if (isForLooker(data)) looker.receive(data);
-  else if (data.type === 'serve-open' || data.type === 'serve') void loadServer().then((it) => it.receive(data));
+  else if (data.type === 'serve-open' || data.type === 'serve')
+    void loadServer().then(
+      (it) => it.receive(data),
+      (error: unknown) => {
+        // Whoever asks hears that its code did not come; a program is not to blame.
+        if (data.type === 'serve')
+          postMessage({ type: 'served', answer: { broken: String(error) } } satisfies FromServer);
+      },
+    );
   else if (data.type === 'read-open' || data.type === 'read')
     void loadReader()
       .then((it) => it.answer(data))
