@@ -102,7 +102,14 @@ describe('the moment of a hint', () => {
 
 describe('the levels of a hint', () => {
   const hint: Hint = {
-    ...{ reason: { code: 'open', params: {} }, world: null, atMs: null, moment: null, tried: 7, program: 'a()\ndelay(650)\n' },
+    ...{
+      reason: { code: 'open', params: {} },
+      world: null,
+      atMs: null,
+      moment: null,
+      tried: 7,
+      program: 'a()\ndelay(650)\n',
+    },
     happened: { fact: 'past', atS: 3.2, side: 'right', turns: 2, checkpoint: null },
     change: { kind: 'number', line: 2, before: ['delay(650)'], after: ['delay(780)'], direction: 'more' },
   };

@@ -104,7 +104,9 @@ describe('a group', () => {
   });
 
   it('is none of hand-ins that miss two checks of the same kind', () => {
-    expect(groupsOf([reason('a', { seconds: 2, found: 1 }), reason('b', { seconds: 9, found: 1 })], SIZE)).toHaveLength(2);
+    expect(groupsOf([reason('a', { seconds: 2, found: 1 }), reason('b', { seconds: 9, found: 1 })], SIZE)).toHaveLength(
+      2,
+    );
     const slow = (name: string, seconds: number): ToGroup => failed(name, { fact: 'slow', seconds });
     expect(groupsOf([slow('a', 5), slow('b', 9)], SIZE)).toHaveLength(2);
   });
