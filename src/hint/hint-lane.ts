@@ -45,6 +45,6 @@ export class HintLane {
 const triedBefore = (task: ClassTask, { world }: Loss): number => world - visibleTask(task).worlds.length - 1;
 
 const lostHint = (handIn: HandIn, { reason }: Loss): Hint => ({
-  ...{ reason, atMs: null, moment: null, change: null, tried: 0, program: mainOf(handIn) },
+  ...{ reason, world: null, atMs: null, moment: null, change: null, tried: 0, program: mainOf(handIn) },
   happened: reason.code === 'stuck' ? { fact: 'stuck' } : { fact: 'reason', reason },
 });

@@ -82,9 +82,34 @@ describe('a hint', () => {
   });
 });
 
+describe('the moment of a hint', () => {
+  it('has the way until then, each point in its place', async () => {
+    const hint = await hinted(ahead, DRIVES.replace('1100', '400'), 0);
+    const { wayMm, pose } = hint!.moment!;
+    expect(wayMm.length).toBeGreaterThan(5);
+    const last = wayMm.at(-1)!;
+    expect([Math.abs(last[0] - pose.xMm) < 1, Math.abs(last[1] - pose.yMm) < 1]).toEqual([true, true]);
+    expect(wayMm.every(([x], place) => place === 0 || x >= wayMm[place - 1]![0])).toBe(true);
+  });
+
+  it('is said with the world, where the course as it is was passed', async () => {
+    const other = { ...ahead.worlds[0], id: 'B', start: { at: [900, 450], heading: 0 } } as const;
+    const hint = await hinted({ ...ahead, worlds: [ahead.worlds[0], other] }, DRIVES, 0);
+    expect(hint).toMatchObject({ world: 'B', moment: null });
+    expect(hintText(hint!, 1, 'en')).toMatch(/^In world B: /);
+  });
+});
+
 describe('the levels of a hint', () => {
   const hint: Hint = {
-    ...{ reason: { code: 'open', params: {} }, atMs: null, moment: null, tried: 7, program: 'a()\ndelay(650)\n' },
+    ...{
+      reason: { code: 'open', params: {} },
+      world: null,
+      atMs: null,
+      moment: null,
+      tried: 7,
+      program: 'a()\ndelay(650)\n',
+    },
     happened: { fact: 'past', atS: 3.2, side: 'right', turns: 2, checkpoint: null },
     change: { kind: 'number', line: 2, before: ['delay(650)'], after: ['delay(780)'], direction: 'more' },
   };

@@ -1,17 +1,20 @@
 import { check } from '#check/check';
 import type { HandIn } from '#check/hand-in/hand-in';
-import type { CheckResult, Reason, WorldResult } from '#check/result';
+import type { Reason } from '#check/result';
 import type { Onlooker } from '#check/run/run-world';
 import { mainReason, visibleTask } from '#check/task/visible';
 import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { linesOf, type Change } from './changes/change';
+import { failedIn } from './happened/failed-in';
 import { happenedIn, type Happened } from './happened/happened';
+import { lengthOf } from '#scene/outline';
+import type { Point } from '#scene/scene';
 import type { Simulation } from '#simulation/simulation';
 import { findChange } from './search';
 import { mainOf } from './trials';
-import { Observed } from './watch/observed';
+import { Observed, type Moment } from './watch/observed';
 import { scoreOf, Stall } from './watch/stall';
 
 /** How much a hint tells: the moment, the lines, the kind of change, the change itself. */
@@ -37,11 +40,15 @@ export interface HintMoment {
   readonly pose: Pose;
   /** The places of the line sensors that this is about, robot frame, in mm. */
   readonly sensorsMm: readonly Vec[];
+  /** The robot's way until then, in mm. */
+  readonly wayMm: readonly Point[];
 }
 
 /** A hint to a program, as plain data. */
 export interface Hint {
   readonly reason: Reason;
+  /** Id of the world in which it happened; `null`: in the course as it is. */
+  readonly world: string | null;
   /** Simulated ms until it was decided; `null`: it was not. */
   readonly atMs: number | null;
   readonly happened: Happened;
@@ -81,8 +88,9 @@ export async function hintFor(given: ClassTask, handIn: HandIn, hinter: Hinter):
     beat: (count) => beat(task.worlds.length + count),
   });
   const atMs = failed.result?.atMs ?? null;
-  const moment = isPlain(failed.world) ? momentOf(happened, atMs, seen) : null;
-  return { reason, atMs, happened, moment, change, tried, program: mainOf(handIn) };
+  const world = isPlain(failed.world) ? null : failed.world.id;
+  const moment = world === null ? momentOf(happened, atMs, seen) : null;
+  return { reason, world, atMs, happened, moment, change, tried, program: mainOf(handIn) };
 }
 
 /** True if a world is the course as it is. */
@@ -97,8 +105,25 @@ function momentOf(happened: Happened, atMs: number | null, { moments, sensorsMm 
   const timeUs = atS !== null ? atS * 1_000_000 : atMs !== null ? atMs * 1000 : Infinity;
   const found = moments.findLast((one) => one.timeUs <= timeUs);
   if (found === undefined) return null;
-  return { timeUs: found.timeUs, pose: found.pose, sensorsMm: happened.fact === 'bright' ? sensorsMm : [] };
+  const wayMm = wayUntil(found, moments);
+  return { timeUs: found.timeUs, pose: found.pose, sensorsMm: happened.fact === 'bright' ? sensorsMm : [], wayMm };
 }
+
+/** Two points of a way are this far apart, in mm. Chosen: a curve looks round. */
+const WAY_STEP_MM = 5;
+
+/** The way until a moment; what lies closer together than a step is one point. */
+function wayUntil(last: Moment, moments: readonly Moment[]): readonly Point[] {
+  const way: Point[] = [];
+  for (const { timeUs, pose } of moments) {
+    if (timeUs > last.timeUs) break;
+    const [x, y] = way.at(-1) ?? [Infinity, Infinity];
+    if (lengthOf(pose.xMm - x, pose.yMm - y) >= WAY_STEP_MM) way.push([tenth(pose.xMm), tenth(pose.yMm)]);
+  }
+  return [...way, [tenth(last.pose.xMm), tenth(last.pose.yMm)]];
+}
+
+const tenth = (mm: number): number => Math.round(mm * 10) / 10;
 
 /** Notes what a run does, and how far it gets. */
 class Watch implements Onlooker {
@@ -114,19 +139,6 @@ class Watch implements Onlooker {
     this.seen.look(run);
     if (!this.stall.hasEnough) this.stall.look(run);
   }
-}
-
-/** A world of a task with its place and what came out there. */
-interface Failed {
-  readonly place: number;
-  readonly world: WorldVariant;
-  readonly result: WorldResult | null;
-}
-
-/** The first world in which the program does not pass; the first of all if only its text is wrong. */
-function failedIn({ worlds }: ClassTask, result: CheckResult): Failed {
-  const place = Math.max(0, result.worlds.findIndex(({ passed }) => !passed)); // prettier-ignore
-  return { place, world: worlds[place] ?? worlds[0], result: result.worlds[place] ?? null };
 }
 
 /** The lines of a program, those first that ran last before it failed, and an error's before all. */

@@ -1,5 +1,6 @@
 import type { Reason } from '#check/result';
 import { reasonText } from '#check/report/say';
+import { worldName } from '#check/task/task';
 import type { Language, Texts } from '#core/languages';
 import { filledIn } from '#core/words';
 import { linesOf, linesToSee, type Change } from './changes/change';
@@ -14,10 +15,14 @@ export const hintText = (hint: Hint, level: HintLevel, language: Language): stri
 /** The sentences of a hint: what happened, and as much of the change as the level allows. */
 export function hintTexts(hint: Hint, level: HintLevel, language: Language): readonly string[] {
   const { change, happened } = hint;
-  const said = [happenedText(happened, level, language)];
+  const said = [whereText(hint, language) + happenedText(happened, level, language)];
   if (level > 1) said.push(...(change === null ? [nothingText(hint, language)] : changeTexts(hint, change, level, language))); // prettier-ignore
   return said;
 }
+
+/** Says in which world it happened, where it is not the course as it is. */
+const whereText = ({ world }: Hint, language: Language): string =>
+  world === null ? '' : `${filledIn(words.inWorld[language], { id: worldName({ id: world }) })} `;
 
 /** The sentence to a program that passes. */
 export const passedText = (language: Language): string => words.passed[language];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { smallerPython } from './smaller';
+import { smallerPython, uncommentedPython } from './smaller';
 
 describe('a program in fewer letters', () => {
   it('has no comments, docstrings, empty lines and needless spaces', () => {
@@ -29,5 +29,13 @@ describe('a program in fewer letters', () => {
 
   it('keeps a text with mistakes as it is', () => {
     expect(smallerPython('def f(:\n  # why\n')).toBe('def f(:\n  # why\n');
+  });
+});
+
+describe('a program without what is said about it', () => {
+  it('has neither comments nor docstrings, and each line in its place', () => {
+    const text = '"""Anna\nand Ben"""\nx = "# no"  # by Anna\ndef f():\n    """Ben"""\n# end\nf()\n';
+    expect(uncommentedPython(text)).toBe('\n\nx = "# no"  \ndef f():\n    pass\n\nf()\n');
+    expect(uncommentedPython('# Anna\nx = (\n')).toBe('\nx = (\n');
   });
 });

@@ -19,6 +19,16 @@ export function smallerPython(text: string): string {
   return bare.hasErrors ? text : withoutSpaces(bare);
 }
 
+/** The same text without comments and docstrings; each line stays in its place. A text with mistakes, too. */
+export function uncommentedPython(text: string): string {
+  const source = readPython(text);
+  const lines = (change: Change): Change => ({
+    ...change,
+    with: change.with + text.slice(change.from, change.to).replace(/[^\r\n]/g, ''),
+  });
+  return applied(text, [...commentsIn(source), ...docstringsIn(source).map(lines)]);
+}
+
 function commentsIn({ tree }: PythonText): readonly Change[] {
   const changes: Change[] = [];
   tree.iterate({

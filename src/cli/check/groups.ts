@@ -1,19 +1,16 @@
-import { Asker, inLanes } from '#check/lane';
+import { Asker, inLanes, longestMs } from '#check/lane';
 import type { ClassResult, NamedResult } from '#check/report/class-result';
 import type { ReportGroup } from '#check/report/groups-html';
-import { secondsOf, type ClassTask } from '#check/task/task';
+import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 import type { Language } from '#core/languages';
 import { groupsOf, type Group } from '#hint/groups/groups';
 import type { RunFacts } from '#hint/groups/run-facts';
-import { groupFact, groupSign, groupTitle } from '#hint/groups/say';
+import { groupFact, groupSign, groupTitle, saidToClass } from '#hint/groups/say';
 import { contentOf, type Source } from '#intake/sources';
 import { every, threads } from '../threads/threads';
 import type { FactsRequest } from './facts-worker';
 import type { CheckerData } from './pool-messages';
-
-/** Longest time for one hand-in, in ms of wall time. */
-const LONG_MS = 120_000;
 
 /** The facts of the runs of checked hand-ins by their names. Those that have not passed are run once more. */
 export async function factsOfAll(
@@ -25,9 +22,8 @@ export async function factsOfAll(
   const start = threads<FactsRequest, RunFacts | null>('facts-worker', (): Omit<CheckerData, 'shared'> => {
     return { task: projectOfTask(task), firmware, starts: [] };
   });
-  const mostMs = Math.max(LONG_MS, 1000 * secondsOf(task));
   const failed = results.filter(({ result }) => !result.passed);
-  const lanes = Array.from({ length: Math.min(jobs, failed.length) }, () => new Asker(start, every, mostMs));
+  const lanes = Array.from({ length: Math.min(jobs, failed.length) }, () => new Asker(start, every, longestMs(task)));
   const byName = new Map(sources.map((source) => [source.name, source]));
   await inLanes(failed, lanes, async ({ name, result }, _, lane) => {
     const source = byName.get(name);
@@ -50,25 +46,26 @@ export const groupsIn = (
     project.scene.size,
   );
 
-/** A group in one line, as a report and other programs have it. */
+/** A group in one line, as the teacher and other programs have it. */
 export const groupSaid = (group: Group, { worlds: [first] }: ClassTask, language: Language) => ({
   title: groupTitle(group, language),
   fact: groupFact(group, first.id, language),
 });
 
-/** The groups as a report shows them. */
+/** The groups as a report shows them, which the class may see. */
 export const reportGroups = (
   groups: readonly Group[],
   { handIns }: ClassResult,
   task: ClassTask,
   language: Language,
 ): readonly ReportGroup[] =>
-  groups.map((group) => {
+  groups.map((one) => {
+    const { group, title, fact } = saidToClass(one, task, language);
     const world = group.world ?? task.worlds[0].id;
     const results = new Map(handIns.map(({ name, result }) => [name, result]));
     const trails = group.members.map((name) => results.get(name)?.worlds.find(({ id }) => id === world)?.trail ?? []);
     return {
-      ...groupSaid(group, task, language),
+      ...{ title, fact },
       ways: { world, trails, tone: groupSign(group), example: null, mark: null },
     };
   });

@@ -1,15 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import { check } from '#check/check';
 import { handInOfFiles } from '#check/hand-in/read-hand-in';
-import { unreadable, type CheckResult, type WorldResult } from '#check/result';
+import { unreadable, type CheckResult, type Reason, type WorldResult } from '#check/result';
 import { ahead, firmware, readyScene, readySolution, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
+import { plainWorld } from '#check/task/task';
 import { LANGUAGES } from '#core/languages';
 import type { Point } from '#scene/scene';
 import type { Happened } from '../happened/happened';
 import { groupHint, likewise } from './group-hint';
 import { groupsOf, type ToGroup } from './groups';
 import { factsOf, type RunFacts } from './run-facts';
-import { groupFact, groupTitle } from './say';
+import { groupFact, groupTitle, saidToClass } from './say';
 
 const world = (more: Partial<WorldResult> = {}): WorldResult => ({
   ...{ id: 'visible', hidden: false, passed: false, reason: null, atMs: null, touches: 0, held: [], missed: {} },
@@ -86,6 +87,49 @@ describe('groups of a class', () => {
     const [group] = groupsOf([left('a', 4.6, 2), left('b', 5.1, 2), left('c', 4.8, 2)], SIZE);
     expect(group?.example).toBe('c');
     for (const language of LANGUAGES) expect(groupTitle(group!, language)).toMatch(/^3 .*2/);
+  });
+});
+
+describe('a group', () => {
+  const reason = (name: string, params: Reason['params']): ToGroup =>
+    failed(name, { fact: 'reason', reason: { code: 'stay', params } });
+
+  it('gives the reason of all, if it is the same of all', () => {
+    expect(said([reason('a', { seconds: 2, found: 1 }), reason('b', { seconds: 2, found: 1 })])).toEqual([
+      expect.stringMatching(/ \| The robot was in the zone for 1 s.* \| a,b$/),
+    ]);
+    expect(said([reason('a', { seconds: 2, found: 1 }), reason('b', { seconds: 2, found: 0.5 })])).toEqual([
+      expect.stringMatching(/ \|  \| a,b$/),
+    ]);
+  });
+
+  it('is none of hand-ins that miss two checks of the same kind', () => {
+    expect(groupsOf([reason('a', { seconds: 2, found: 1 }), reason('b', { seconds: 9, found: 1 })], SIZE)).toHaveLength(
+      2,
+    );
+    const slow = (name: string, seconds: number): ToGroup => failed(name, { fact: 'slow', seconds });
+    expect(groupsOf([slow('a', 5), slow('b', 9)], SIZE)).toHaveLength(2);
+  });
+
+  it('keeps its key while others join it, here or elsewhere on the course', () => {
+    const touches = (name: string, at: Point): ToGroup => failed(name, { fact: 'touched', atS: 2 }, { at });
+    const all = [touches('a', [100, 850]), touches('b', [140, 850]), touches('c', [1100, 100])];
+    const keys = [1, 2, 3].map((count) => groupsOf(all.slice(0, count), SIZE)[0]?.key);
+    expect(new Set(keys).size).toBe(1);
+  });
+
+  it('says to the class nothing of a hidden world, and is drawn in the one that pupils see', () => {
+    const worlds = [plainWorld, { ...plainWorld, id: 'night', hidden: true }] as const;
+    const touches = (name: string, at: Point): ToGroup =>
+      failed(name, { fact: 'touched', atS: 2 }, { at, world: 'night' });
+    const [group] = groupsOf([touches('a', [100, 850]), touches('b', [1100, 100])], SIZE);
+    expect([groupTitle(group!, 'en'), groupFact(group!, 'visible', 'en')].join(' | ')).toBe(
+      '1 touches something, top left | at 2.0 s · world night',
+    );
+    expect(saidToClass(group!, { worlds }, 'en')).toEqual({
+      ...{ title: '1 touches something', fact: '' },
+      group: { ...group, world: null, place: null, region: null },
+    });
   });
 });
 

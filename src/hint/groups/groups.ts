@@ -1,4 +1,5 @@
 import { isUnread } from '#check/report/texts';
+import { isSame } from '#core/same';
 import type { CheckResult, Reason } from '#check/result';
 import type { Point } from '#scene/scene';
 import type { Happened } from '../happened/happened';
@@ -29,12 +30,13 @@ export type GroupKind =
   | { readonly kind: 'unmoved' | 'empty' | 'panic' | 'stuck' }
   | { readonly kind: 'waits'; readonly name: string }
   | { readonly kind: 'error'; readonly type: string }
-  | { readonly kind: 'reason'; readonly reason: Reason }
+  /** `null`: not the same of all. */
+  | { readonly kind: 'reason'; readonly reason: Reason | null }
   | { readonly kind: 'other-task' | 'unread' | 'others' };
 
 /** Hand-ins whose runs did the same. */
 export interface Group {
-  /** Unlike the others of its class; the same for the same hand-ins. */
+  /** Unlike the others of its class; it stays while further hand-ins join. */
   readonly key: string;
   readonly is: GroupKind;
   /** Id of the world in which it happened; `null`: in all, or none was run. */
@@ -84,8 +86,9 @@ export function groupsOf(all: readonly ToGroup[], size: Point): readonly Group[]
 }
 
 const sortedAs = (one: ToGroup, is: GroupKind): Sorted => {
-  const world = one.facts?.world ?? one.result.worlds.find(({ passed }) => !passed)?.id;
-  return { one, is, base: `${baseOf(is)}${world === undefined || is.kind === 'other-task' ? '' : `@${world}`}` };
+  const failed = one.facts?.world ?? one.result.worlds.find(({ passed }) => !passed)?.id ?? null;
+  const world = is.kind === 'other-task' ? null : failed;
+  return { one, is, world, base: `${baseOf(is)}${world === null ? '' : `@${world}`}` };
 };
 
 /** Those that stay near each other do so at the same bend: a place between two bends belongs to either. */
@@ -101,6 +104,7 @@ function atOneBend(sorted: readonly Sorted[]): readonly Sorted[] {
 interface Sorted {
   readonly one: ToGroup;
   readonly is: GroupKind;
+  readonly world: string | null;
   readonly base: string;
 }
 
@@ -192,11 +196,17 @@ function baseOf(is: GroupKind): string {
   if ('next' in is) return `${kind}:${is.next ?? ''}`;
   if (is.kind === 'passed') return `${kind}:${is.side ?? ''}`;
   if (is.kind === 'past') return `${kind}:${is.side}:${is.checkpoint ?? ''}`;
-  if (is.kind === 'reached') return `${kind}:${is.done}`;
+  if (is.kind === 'reached') return `${kind}:${is.done}:${is.of}`;
+  if (is.kind === 'slow' || is.kind === 'early') return `${kind}:${is.seconds}`;
   if (is.kind === 'error') return `${kind}:${is.type}`;
   if (is.kind === 'waits') return `${kind}:${is.name}`;
-  return is.kind === 'reason' ? `${kind}:${is.reason.code}` : kind;
+  if (is.kind !== 'reason' || is.reason === null) return kind;
+  const { code, params } = is.reason;
+  return [kind, code, ...OF_TASK.map((name) => params[name] ?? '')].join(':');
 }
+
+/** The values of a reason that the task sets: hand-ins with other ones miss something else. */
+const OF_TASK = ['object', 'zone', 'seconds', 'heading', 'percent', 'of', 'least', 'most', 'text', 'rows', 'name'] as const; // prettier-ignore
 
 /** True of what may happen at different places of a course. */
 const isByPlace = (is: GroupKind | undefined): boolean =>
@@ -239,13 +249,13 @@ function fewer(parts: readonly (readonly Sorted[])[]): readonly (readonly Sorted
 
 function groupOf(those: readonly Sorted[], size: Point | null): Group {
   const [first] = those;
-  const is = first?.is ?? { kind: 'others' };
+  const is = kindOfAll(those);
   const place = is.kind === 'others' || is.kind === 'passed' ? null : placeOf(those);
   const region = size === null || place === null || !isByPlace(is) ? null : regionOf(place.at, size);
   const timed = those.toSorted((one, other) => (secondsOf(one) ?? Infinity) - (secondsOf(other) ?? Infinity));
   return {
-    ...{ key: keyOf(first, region === null ? null : place), is, place, region },
-    world: is.kind === 'others' ? null : (first?.one.facts?.world ?? null),
+    ...{ key: `${first?.base ?? ''}#${first?.one.name ?? ''}`, is, place, region },
+    world: is.kind === 'others' ? null : (first?.world ?? null),
     seconds: is.kind === 'others' ? null : spanOf(those.map(secondsOf)),
     nearCm: spanOf(those.map(nearOf)),
     members: those.map(({ one }) => one.name),
@@ -253,8 +263,12 @@ function groupOf(those: readonly Sorted[], size: Point | null): Group {
   };
 }
 
-const keyOf = (first: Sorted | undefined, place: Group['place']): string =>
-  `${first?.base ?? ''}${place === null ? '' : `#${place.at.join(',')}`}`;
+/** The kind of hand-ins of one kind; a reason that is not the same of all is not told of all. */
+function kindOfAll([first, ...others]: readonly Sorted[]): GroupKind {
+  const is = first?.is ?? { kind: 'others' };
+  if (is.kind !== 'reason') return is;
+  return others.every((other) => isSame(other.is, is)) ? is : { kind: 'reason', reason: null };
+}
 
 function secondsOf({ is, one: { result, facts } }: Sorted): number | null {
   const { happened } = facts ?? {};

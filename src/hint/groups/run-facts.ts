@@ -1,12 +1,13 @@
 import { runWorld, type Onlooker } from '#check/run/run-world';
 import type { HandIn } from '#check/hand-in/hand-in';
 import { isUnread } from '#check/report/texts';
-import type { CheckResult, Reason, ReasonCode, WorldResult } from '#check/result';
+import type { CheckResult, Reason, ReasonCode } from '#check/result';
 import { mainReason } from '#check/task/visible';
 import { courseOfWorld } from '#check/task/world-course';
-import type { ClassTask, WorldVariant } from '#check/task/task';
+import type { ClassTask } from '#check/task/task';
 import { lengthOf } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
+import { failedIn } from '../happened/failed-in';
 import { happenedIn, type Happened } from '../happened/happened';
 import { Observed, type Moment } from '../watch/observed';
 import { Stall } from '../watch/stall';
@@ -44,7 +45,7 @@ export async function factsOf(
   means: { readonly firmware: WebAssembly.Module; readonly beat?: () => void },
 ): Promise<RunFacts | null> {
   if (!needsRun(result)) return null;
-  const { world, found } = failedIn(task, result);
+  const { world, result: found } = failedIn(task, result);
   const reason: Reason = mainReason(task, result) ?? { code: 'open', params: {} };
   const seen = new Observed();
   const isRun = !UNRUN.includes(found?.reason?.code ?? 'open');
@@ -94,15 +95,6 @@ const untilNothingNew = (seen: Observed, stall: Stall): Onlooker => ({
     return stall.hasEnough;
   },
 });
-
-/** The first world in which a hand-in has not passed; the first of all if only its text is wrong. */
-function failedIn(
-  { worlds }: ClassTask,
-  result: CheckResult,
-): { readonly world: WorldVariant; readonly found: WorldResult | null } {
-  const place = Math.max(0, result.worlds.findIndex(({ passed }) => !passed)); // prettier-ignore
-  return { world: worlds[place] ?? worlds[0], found: result.worlds[place] ?? null };
-}
 
 /** The place of the robot when it happened; where nothing says when, at the end. */
 function placeOf(happened: Happened, moments: readonly Moment[]): Point | null {

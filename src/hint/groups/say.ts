@@ -1,5 +1,5 @@
 import { reasonText } from '#check/report/say';
-import { worldName } from '#check/task/task';
+import { worldName, type ClassTask } from '#check/task/task';
 import type { Language, Texts } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { Group, GroupKind } from './groups';
@@ -23,9 +23,24 @@ export function groupTitle({ is, members, region }: Group, language: Language): 
 /** When, where or why it happened, in a few words; empty: there is nothing more to say. */
 export function groupFact(group: Group, firstWorld: string, language: Language): string {
   const { is, world } = group;
-  const said = is.kind === 'reason' ? reasonText(is.reason, language) : timeText(group, language);
+  const reason = is.kind === 'reason' ? is.reason : null;
+  const said = reason === null ? timeText(group, language) : reasonText(reason, language);
   const where = world === null || world === firstWorld ? '' : filledIn(words.world[language], { id: worldName({ id: world }) }); // prettier-ignore
   return [...(is.kind === 'error' ? [is.type] : []), said, where].filter((text) => text !== '').join(' · ');
+}
+
+/** True of a group that fails in a hidden world alone. */
+export const isHidden = ({ world }: Pick<Group, 'world'>, { worlds }: Pick<ClassTask, 'worlds'>): boolean =>
+  worlds.some(({ id, hidden }) => hidden && id === world);
+
+/**
+ * A group as the whole class may see it, with its texts: of what happened in a hidden world there is neither where, when
+ * nor why. It is drawn in the course as pupils know it.
+ */
+export function saidToClass(group: Group, task: Pick<ClassTask, 'worlds'>, language: Language) {
+  const of = isHidden(group, task) ? { ...group, world: null, place: null, region: null } : group;
+  const fact = of === group ? groupFact(group, task.worlds[0].id, language) : '';
+  return { group: of, title: groupTitle(of, language), fact };
 }
 
 /** A sign for what became of a group, besides its words: passed, something was done wrong, something is still missing. */

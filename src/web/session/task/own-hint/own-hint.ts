@@ -15,8 +15,12 @@ import { hintTexts } from '#hint/say';
 import { shownLanguage } from '../../../kit/i18n';
 import { lateModel, type WithLate } from '../../../kit/state/late-models';
 import { every, serveThread } from '../../run/serve-thread';
+import type { RunParts } from '../../run/parts';
 import { compileFirmware } from '../../run/worker/firmware';
+import { deviceSettings } from '../../work/hardware/hardware';
 import type { WorkParts } from '../../work/model/parts';
+import { isHandedOut } from '../../work/model/task-locks';
+import { presentProject } from '../../work/save-work';
 import type { OwnHintState } from './own-levels';
 
 /** `looks`: the run is made once more; `tries`: changes are tried; `told`: the hint is there. */
@@ -48,7 +52,7 @@ const inWorkers: HintPorts = {
   every,
 };
 
-type App = { readonly task: { readonly own: OwnHintState } } & Pick<WorkParts, 'work'>;
+type App = { readonly task: { readonly own: OwnHintState } } & WorkParts & Pick<RunParts, 'run'>;
 
 /** The hint of this page. */
 export const ownHintOf = lateModel((app: WithLate & App) => createOwnHint(app));
@@ -103,8 +107,15 @@ class Finder {
   }
 }
 
+/** The program with the robot that it is checked with: that of a task that was handed out, else the pupil's own. */
+const toSearch = (app: WorkParts): Project => {
+  const { project } = app.work.work.value;
+  return isHandedOut(project) ? project : presentProject(app);
+};
+
 /** Finds the hint as soon as a level of it is asked for: the moment at once, all else by trying. */
-export function createOwnHint({ task: { own }, work }: App, ports = inWorkers): OwnHint {
+export function createOwnHint(app: App, ports = inWorkers): OwnHint {
+  const { own } = app.task;
   const phase = shallowRef<OwnHintPhase>('looks');
   const hint = shallowRef<Hint | null>(null);
   const hasTried = shallowRef(false);
@@ -120,7 +131,7 @@ export function createOwnHint({ task: { own }, work }: App, ports = inWorkers): 
   }
   async function find(budget: number): Promise<void> {
     phase.value = budget === 0 ? 'looks' : 'tries';
-    const found = await finder.find(work.work.value.project, budget).catch(() => 'failed' as const);
+    const found = await finder.find(toSearch(app), budget).catch(() => 'failed' as const);
     if (found !== undefined) tell(found, budget > 0);
   }
   function tell(found: Hint | null | 'failed', isTried: boolean): void {
@@ -145,17 +156,29 @@ export function createOwnHint({ task: { own }, work }: App, ports = inWorkers): 
     },
     { immediate: true },
   );
-  watch(() => [work.work.value.project.files, work.work.value.project.devices, work.scene.value], drop);
+  function cancel(): void {
+    finder.stop();
+    own.level.value = 1;
+    if (hint.value !== null) phase.value = 'told';
+  }
+  watch(searchedIn(app), drop);
+  // A new run wants the computer for itself.
+  watch(app.run.recording, ({ setup }) => {
+    if (setup !== null && phase.value === 'tries') cancel();
+  });
   return {
-    ...{ phase, hint, tried: finder.tried },
+    ...{ phase, hint, tried: finder.tried, cancel },
     ...tellingOf(phase, hint, () => (hasTried.value ? own.level.value : 1)),
-    cancel() {
-      finder.stop();
-      own.level.value = 1;
-      if (hint.value !== null) phase.value = 'told';
-    },
   };
 }
+
+/** What a hint depends on, each for itself: opening another file or saving changes none of it. */
+const searchedIn = ({ work, settings }: App) => [
+  () => work.work.value.project.files,
+  () => work.work.value.project.devices,
+  work.scene,
+  () => JSON.stringify(deviceSettings(settings.current.value)),
+];
 
 /** The sentences and lines of a hint at a level. */
 function tellingOf(phase: ShallowRef<OwnHintPhase>, hint: ShallowRef<Hint | null>, asked: () => number) {

@@ -1,7 +1,6 @@
 import type { WaysToDraw } from '#check/report/drawing';
-import { groupFact, groupSign } from '#hint/groups/say';
+import { groupSign } from '#hint/groups/say';
 import type { Group } from '#hint/groups/groups';
-import type { Language } from '#core/languages';
 import type { ClassTask } from '#check/task/task';
 
 import type { Row } from '../model/class-model';
@@ -14,11 +13,11 @@ export function waysOf(group: Group, rows: readonly Row[], task: ClassTask): Way
   return { world, trails: group.members.map(trailOf), tone: groupSign(group), example: null, mark: null };
 }
 
-/** The same with its example before the others, and the place marked at which it happened. */
-export function waysWithExample(group: Group, rows: readonly Row[], task: ClassTask, language: Language): WaysToDraw {
+/** The same with its example before the others, and the place marked at which it happened. @param text to the mark */
+export function waysWithExample(group: Group, rows: readonly Row[], task: ClassTask, text: string): WaysToDraw {
   const ways = waysOf(group, rows, task);
   const { place } = group;
   const example = ways.trails[group.members.indexOf(group.example)] ?? null;
-  const mark = place === null ? null : { ...place, text: groupFact(group, task.worlds[0].id, language) };
+  const mark = place === null ? null : { ...place, text };
   return { ...ways, example, mark };
 }

@@ -64,7 +64,7 @@ describe('the groups of the class on the page', () => {
     await groups.search(group!);
     await groups.search(group!);
     expect(searched).toEqual([[group!.example, ...group!.members.filter((name) => name !== group!.example)]]);
-    expect(groups.hints.value.get(groups.hintKey(group!))).toMatchObject({ holds: 1, of: 2 });
+    expect(groups.hintOf(group!)).toMatchObject({ holds: 1, of: 2 });
   });
 
   it('end a search with the group that is closed, and begin it anew', async () => {
@@ -74,8 +74,49 @@ describe('the groups of the class on the page', () => {
     const first = groups.search(group!);
     groups.stopSearch();
     await first;
-    expect(groups.hints.value.size).toBe(0);
+    expect(groups.hintOf(group!)).toBeUndefined();
     await groups.search(group!);
     await vi.waitFor(() => expect(searched).toHaveLength(1));
+  });
+
+  it('end a search with its worker, also one that was stopped and begun again before it had one', async () => {
+    const { groups, searched } = groupsWith([row('b', false)]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    const first = groups.search(group!);
+    groups.stopSearch();
+    await Promise.all([first, groups.search(group!)]);
+    expect(searched).toHaveLength(1);
+    expect(groups.hintOf(group!)).toMatchObject({ holds: 1 });
+  });
+
+  it('forget a hint with the programs and the task that it was to', async () => {
+    const { groups, model, searched } = groupsWith([row('b', false)]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    await groups.search(group!);
+    model.rows.value = [row('b', false)];
+    await groups.look();
+    const [again] = groups.groups.value;
+    expect([again!.key, groups.hintOf(again!)]).toEqual([group!.key, undefined]);
+    await groups.search(again!);
+    expect(searched).toHaveLength(2);
+    model.task.value = { ...model.task.value };
+    expect(groups.hintOf(again!)).toBeUndefined();
+  });
+
+  it('search no hint where only a hidden world was not passed', async () => {
+    const { groups, model, searched } = groupsWith([row('b', false)]);
+    const { task } = model.task.value;
+    const hidden = { ...task.worlds[0], id: 'h', hidden: true };
+    model.task.value = { ...model.task.value, task: { ...task, worlds: [task.worlds[0], hidden] } };
+    await groups.look();
+    await groups.search({ ...groups.groups.value[0]!, world: 'h' });
+    expect(searched).toEqual([]);
+  });
+
+  it('wait for no run where there is no program', () => {
+    const { groups } = groupsWith([{ ...row('b', false), handIn: null }]);
+    expect(groups.waiting.value).toBe(0);
   });
 });

@@ -5,7 +5,8 @@ import { secondsOf, type ClassTask } from '#check/task/task';
 import type { GroupHint } from '#hint/groups/group-hint';
 import { groupsOf, type Group } from '#hint/groups/groups';
 import { needsRun, type RunFacts } from '#hint/groups/run-facts';
-import { computed, shallowRef, type ShallowRef } from 'vue';
+import { isHidden } from '#hint/groups/say';
+import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { Services } from '../../../session/run/worker/serve/protocol';
 import type { ClassModel, Row } from '../model/class-model';
@@ -22,6 +23,12 @@ export interface GroupsPorts {
 /** The search for the hint to a group. `nothing`: it could not be searched. */
 export type Searched = 'searching' | 'nothing' | GroupHint;
 
+/** A search with the results of the hand-ins that it was about: with other ones it is about other programs. */
+interface Kept {
+  readonly results: readonly (CheckResult | null)[];
+  readonly searched: Searched;
+}
+
 /** The most programs that are tried for the hint to a group. Chosen: some ten seconds. */
 const BUDGET = 250;
 /** Longest time in one request, in ms of wall time. Chosen: a search on a slow computer. */
@@ -36,22 +43,34 @@ export class GroupsModel {
   });
   /** Number of hand-ins whose runs are not looked at yet, or that are being checked. */
   readonly waiting = computed(() => this.model.rows.value.length - this.known.value.length);
-  readonly hints: ShallowRef<ReadonlyMap<string, Searched>> = shallowRef(new Map());
+  private readonly hints: ShallowRef<ReadonlyMap<string, Kept>> = shallowRef(new Map());
   private readonly facts: ShallowRef<ReadonlyMap<CheckResult, RunFacts | null>> = shallowRef(new Map());
   private readonly known = computed(() =>
-    this.model.rows.value.flatMap(({ name, result }) => {
+    this.model.rows.value.flatMap(({ name, result, handIn }) => {
       if (result === null) return [];
       const facts = this.facts.value.get(result);
-      return facts === undefined && needsRun(result) ? [] : [{ name, result, facts: facts ?? null }];
+      return facts === undefined && needsRun(result) && handIn !== null ? [] : [{ name, result, facts: facts ?? null }];
     }),
   );
   private isLooking = false;
+  /** Counts the searches: what an earlier one finds is too late. */
+  private turn = 0;
   private searching: Asker<Services['group-hint']['request'], GroupHint | null> | null = null;
 
   constructor(
     private readonly model: Pick<ClassModel, 'task' | 'rows'>,
     private readonly ports: GroupsPorts,
-  ) {}
+  ) {
+    // The hints are to the task before.
+    watch(
+      model.task,
+      () => {
+        this.stopSearch();
+        this.hints.value = new Map();
+      },
+      { flush: 'sync' },
+    );
+  }
 
   /** Looks at the runs of all hand-ins that are checked and were not looked at. */
   async look(): Promise<void> {
@@ -65,35 +84,43 @@ export class GroupsModel {
     this.isLooking = false;
   }
 
-  /** The name under which the hint to a group is found. */
-  readonly hintKey = ({ key, members }: Group): string => [key, ...members].join('\n');
+  /** The hint to the hand-ins of a group as they are; `undefined`: it was not searched. */
+  hintOf(group: Group): Searched | undefined {
+    const kept = this.hints.value.get(keyOf(group));
+    const results = this.resultsOf(group);
+    return kept?.results.every((result, place) => result === results[place]) ? kept.searched : undefined;
+  }
 
-  /** Searches the hint to a group, and ends another search. */
+  /** Searches the hint to a group, and ends another search. A group that fails in a hidden world alone has none. */
   async search(group: Group): Promise<void> {
-    const key = this.hintKey(group);
-    const before = this.hints.value.get(key);
     const task = this.model.task.value?.task;
-    if (before !== undefined || task === undefined) return;
+    if (task === undefined || isHidden(group, task) || this.hintOf(group) !== undefined) return;
     this.stopSearch();
-    this.say(key, 'searching');
+    const { turn } = this;
+    const [results, handIns] = [this.resultsOf(group), this.handInsOf(group)];
+    const say = (searched: Searched): void => {
+      if (turn === this.turn) this.hints.value = new Map([...this.hints.value, [keyOf(group), { results, searched }]]);
+    };
+    say('searching');
     try {
-      const asker = new Asker(await this.ports.hinter(task), this.ports.every, LONG_MS);
-      if (this.hints.value.get(key) !== 'searching') return;
-      this.searching = asker;
-      const handIns = this.handInsOf(group);
+      const start = await this.ports.hinter(task);
+      if (turn !== this.turn) return;
+      const asker = (this.searching = new Asker(start, this.ports.every, LONG_MS));
       const ending = await asker.ask({ handIns, budget: BUDGET });
       asker.stop();
-      this.say(key, ('result' in ending ? ending.result : null) ?? 'nothing');
+      say(('result' in ending ? ending.result : null) ?? 'nothing');
     } catch {
-      this.say(key, 'nothing');
+      say('nothing');
     }
   }
 
   /** Ends a search; it begins anew when its group is opened again. */
   stopSearch(): void {
+    this.turn += 1;
     this.searching?.stop();
     this.searching = null;
-    this.hints.value = new Map([...this.hints.value].filter(([, found]) => found !== 'searching'));
+    const found = [...this.hints.value].filter(([, { searched }]) => searched !== 'searching');
+    if (found.length < this.hints.value.size) this.hints.value = new Map(found);
   }
 
   /** The hand-ins of a group, its example first. */
@@ -121,7 +148,11 @@ export class GroupsModel {
     });
   }
 
-  private say(key: string, found: Searched): void {
-    this.hints.value = new Map([...this.hints.value, [key, found]]);
+  private resultsOf({ members }: Group): readonly (CheckResult | null)[] {
+    const results = new Map(this.model.rows.value.map(({ name, result }) => [name, result]));
+    return members.map((name) => results.get(name) ?? null);
   }
 }
+
+/** The name under which the hint to a group is kept. */
+const keyOf = ({ key, members }: Group): string => [key, ...members].join('\n');
