@@ -61,7 +61,8 @@ export function coursesNow({ work }: WorkParts): {
 }
 
 /**
- * Takes files that were dropped or chosen: the file of a tournament is played again, all others are programs.
+ * Takes files that were dropped or chosen: the file of a tournament is played again, all others are programs of one that has not
+ * begun.
  *
  * @returns `null`, or why the file of a tournament cannot be read
  */
@@ -74,6 +75,7 @@ export async function takeFiles(model: TournamentModel, files: readonly AddedFil
     void model.open(read.tournament);
     return null;
   }
+  if (model.phase.value !== 'enter') return null;
   const { sources } = await handInReader.open(files);
   if (sources.length > 0) void model.add(sources);
   return null;

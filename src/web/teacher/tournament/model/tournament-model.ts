@@ -93,6 +93,8 @@ export class TournamentModel {
   /** True if there is a result that was not saved. */
   readonly isUnsaved = computed(() => this.stages.value.length > 0 && this.stages.value !== this.saved.value);
   private readonly saved: ShallowRef<readonly LiveStage[]> = shallowRef([]);
+  /** What is being played, from its start until it is set up anew; `null`: nothing. */
+  private playing: Entry | null = null;
   private whole: readonly Stage[] = [];
   private sources = new Map<string, Source>();
   private readonly known = new Map<string, MatchResult>();
@@ -153,6 +155,7 @@ export class TournamentModel {
   enter(): void {
     this.stop();
     this.known.clear();
+    this.playing = null;
     [this.told.value, this.stages.value, this.phase.value] = [null, [], 'enter'];
   }
 
@@ -160,7 +163,7 @@ export class TournamentModel {
   async start(): Promise<void> {
     this.stop();
     const { turn } = this;
-    const { value: entry } = this.entry;
+    const entry = (this.playing ??= this.entry.value);
     if (entry === null) return;
     this.phase.value = 'playing';
     this.failure.value = null;
@@ -192,7 +195,7 @@ export class TournamentModel {
 
   /** The file of the tournament, when it is over. */
   file(): string | null {
-    const { value: entry } = this.entry;
+    const { playing: entry } = this;
     return entry === null || this.phase.value !== 'over' ? null : tournamentFile(entry, this.whole);
   }
 
@@ -203,7 +206,7 @@ export class TournamentModel {
 
   /** The run of a match of a stage; `null`: there is none. */
   setupOf(stage: StagePlan, pairing: Pairing): RunSetup | null {
-    const { value: entry } = this.entry;
+    const { playing: entry } = this;
     const setup = entry && setupIn(entry, stage, pairing);
     return setup === null || 'problem' in setup ? null : setup;
   }
