@@ -134,6 +134,20 @@ describe('a tournament on the page', () => {
     });
   });
 
+  it('has something to lose from the first match until it is saved, and is another one after that', async () => {
+    const { model, answer } = tournament();
+    await model.add(['a', 'b'].map((name) => source(name)));
+    void model.start();
+    await answer(0);
+    expect(model.isUnsaved.value).toBe(false);
+    await answer();
+    expect(model.isUnsaved.value).toBe(true);
+    model.noteSaved();
+    expect([model.isUnsaved.value, model.count.value]).toEqual([false, 0]);
+    model.enter();
+    expect([model.phase.value, model.count.value]).toEqual(['enter', 1]);
+  });
+
   it('says why a program cannot play, and plays without it', async () => {
     const { model } = tournament();
     await model.add([source('a'), { name: 'b', read: () => ({ problem: { code: 'no-main', params: {} } }) }]);

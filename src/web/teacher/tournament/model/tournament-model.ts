@@ -74,6 +74,8 @@ export class TournamentModel {
   readonly stages: ShallowRef<readonly LiveStage[]> = shallowRef([]);
   /** The reason why nothing can be played, as a key or in words; `null`: none. */
   readonly failure: ShallowRef<TroubleKey | { readonly problem: string } | null> = shallowRef(null);
+  /** Number of tournaments that there were here: another one has other matches under the same names. */
+  readonly count = shallowRef(0);
   /** The results that its file tells; `null`: it is from no file. */
   readonly told: ShallowRef<readonly unknown[] | null> = shallowRef(null);
   /** Number of matches that have come out otherwise than the file says; `null`: from no file, or not over yet. */
@@ -91,7 +93,9 @@ export class TournamentModel {
   });
   readonly draw = computed((): Draw | null => this.entry.value && drawOf(this.entry.value));
   /** True if there is a result that was not saved. */
-  readonly isUnsaved = computed(() => this.stages.value.length > 0 && this.stages.value !== this.saved.value);
+  readonly isUnsaved = computed(
+    () => this.stages.value.some(({ ended }) => ended.length > 0) && this.stages.value !== this.saved.value,
+  );
   private readonly saved: ShallowRef<readonly LiveStage[]> = shallowRef([]);
   /** What is being played, from its start until it is set up anew; `null`: nothing. */
   private playing: Entry | null = null;
@@ -156,6 +160,7 @@ export class TournamentModel {
     this.stop();
     this.known.clear();
     this.playing = null;
+    this.count.value += 1;
     [this.told.value, this.stages.value, this.phase.value] = [null, [], 'enter'];
   }
 
