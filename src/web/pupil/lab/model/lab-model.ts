@@ -46,7 +46,7 @@ export interface Series {
 /** The services that the lab needs. */
 export interface LabPorts {
   /** The run that would start now. */
-  setup(): { readonly setup: RunSetup; readonly usedSeed: number };
+  setup(): Base;
   /** Gives a function that starts threads. Rejects without the VM. */
   starter(): Promise<Start<RunRequest, RunAnswer>>;
   readonly every: Every;
