@@ -18,14 +18,21 @@ import type { LabModel, Series } from './model/lab-model';
 
 type App = Workplace & WithLate;
 
+/** A run of the series that something is done with. */
+export interface OfRun {
+  readonly lab: LabModel;
+  readonly place: number;
+  /** Gives it up. */
+  readonly signal: AbortSignal;
+}
+
 /** A run of the series, made once more with all its moments. */
-async function remade({ run }: App, lab: LabModel, place: number) {
+async function remade({ run }: App, { lab, place, signal }: OfRun) {
   const setup = lab.setupAt(place);
   const series = lab.series.value;
   const endUs = series?.runs.get(place)?.drive?.endUs;
   if (setup === null || series === null || endUs === undefined) return null;
   const ends = { untilUs: endUs, untilProgramEnds: series.end.untilProgramEnds };
-  const { signal } = new AbortController();
   const wish = { setup, ...ends, momentsSinceUs: -1 };
   const repeated: Repeated = await repeatInWorker(run.engine, wish, () => undefined, signal);
   return { setup, ends, endUs, repeated };
@@ -37,9 +44,9 @@ async function remade({ run }: App, lab: LabModel, place: number) {
  * @param leave called when it is there: leaves the page of experiments
  * @returns its fingerprint; `null`: it cannot be made
  */
-export async function lookBackOn(app: App, lab: LabModel, place: number, leave: () => void): Promise<string | null> {
-  const made = await remade(app, lab, place);
-  if (made === null) return null;
+export async function lookBackOn(app: App, of: OfRun, leave: () => void): Promise<string | null> {
+  const made = await remade(app, of);
+  if (made === null || of.signal.aborted) return null;
   const { setup, ends, endUs, repeated } = made;
   const { first, pieces } = repeated;
   leave();
@@ -49,9 +56,9 @@ export async function lookBackOn(app: App, lab: LabModel, place: number, leave: 
 }
 
 /** Lets a run of the series drive along as a ghost. @returns whether it can be made */
-export async function asGhost(app: App, lab: LabModel, place: number): Promise<boolean> {
-  const made = await remade(app, lab, place);
-  if (made === null) return false;
+export async function asGhost(app: App, of: OfRun): Promise<boolean> {
+  const made = await remade(app, of);
+  if (made === null || of.signal.aborted) return false;
   const { setup, ends, endUs, repeated } = made;
   const { run } = app;
   const earlier = (run.earlier.value ??= new EarlierRuns(run, () => consoleOf(app).console.run.value));
