@@ -49,8 +49,9 @@ export function coursesNow({ work }: WorkParts): {
   readonly alone: readonly Course[];
 } {
   const { scene, course } = work.work.value.project;
-  const open = { name: t(words.open, { name: courseName(scene, course) }), from: OPEN, scene };
-  const ready = courses.map((one) => ({
+  const name = courseName(scene, course);
+  const open: Course = { name, label: t(words.open, { name }), from: OPEN, scene };
+  const ready = courses.map((one): Course => ({
     name: one.texts[shownLanguage()].name,
     from: one.id,
     scene: one.scene,

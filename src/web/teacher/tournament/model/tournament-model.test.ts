@@ -148,6 +148,15 @@ describe('a tournament on the page', () => {
     expect([model.phase.value, model.count.value]).toEqual(['enter', 1]);
   });
 
+  it('has no brackets in a course for one, whatever was chosen for another', async () => {
+    const { model } = tournament();
+    const { robots: _, ...task } = scene.task;
+    model.course.value = { name: 'Race', from: 'race', scene: { ...scene, task } };
+    model.mode.value = 'knockout';
+    await model.add(['a', 'b'].map((name) => source(name)));
+    expect(model.draw.value).toMatchObject({ mode: 'league', isAlone: true });
+  });
+
   it('says why a program cannot play, and plays without it', async () => {
     const { model } = tournament();
     await model.add([source('a'), { name: 'b', read: () => ({ problem: { code: 'no-main', params: {} } }) }]);

@@ -7,7 +7,7 @@ import type { Choice } from '#intake/contents';
 import { contentOf, withOwnNames, type Source } from '#intake/sources';
 import { differences, drawOf, tournamentFile, type Entry, type ToldTournament } from '#lab/tournament/file';
 import { inRounds } from '#lab/tournament/league';
-import { MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
+import { isForOne, MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
 import { resultOfRun, type Match, type MatchResult, type Pairing } from '#lab/tournament/match';
 import { matchCount, type Draw, type Mode } from '#lab/tournament/play';
 import { playedStages, type Stage, type StagePlan } from '#lab/tournament/stages';
@@ -22,6 +22,8 @@ import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmwar
 /** The course of a tournament. */
 export interface Course {
   readonly name: string;
+  /** Its name in a list, if that is another one. */
+  readonly label?: string;
   /** Its source: `OPEN`, `FILE` (`use-tournament.ts`), or the id of a ready course. */
   readonly from: string;
   readonly scene: Scene;
@@ -89,7 +91,9 @@ export class TournamentModel {
     const programs = this.programs.value.flatMap(({ shown, files }) =>
       files === null ? [] : [{ name: shown, files }],
     );
-    return { name: course.name, scene: course.scene, programs, mode: this.mode.value, seeds: this.seeds.value };
+    // In a course for one nobody meets: there are no brackets.
+    const mode = isForOne(course.scene) ? 'league' : this.mode.value;
+    return { name: course.name, scene: course.scene, programs, mode, seeds: this.seeds.value };
   });
   readonly draw = computed((): Draw | null => this.entry.value && drawOf(this.entry.value));
   /** True if there is a result that was not saved. */
