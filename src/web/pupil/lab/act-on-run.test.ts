@@ -77,7 +77,7 @@ describe('a series', () => {
     }
   });
 
-  it('has the chance of the command line for a new robot', async () => {
+  it('has the chance of the command line for a new robot', () => {
     const page = emptyPage();
     page.settings.change({ reality: 0.5, seed: 9 });
     const lab = labOf(page);

@@ -101,7 +101,7 @@ export class TournamentModel {
     () => this.stages.value.some(({ ended }) => ended.length > 0) && this.stages.value !== this.saved.value,
   );
   private readonly saved: ShallowRef<readonly LiveStage[]> = shallowRef([]);
-  /** What is being played, from its start until it is set up anew; `null`: nothing. */
+  /** The entry that is being played, from its start until it is set up anew; `null`: none. */
   private playing: Entry | null = null;
   private whole: readonly Stage[] = [];
   private sources = new Map<string, Source>();
