@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it, vi } from 'vitest';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { givenTask } from '../locks/testing/given';
 import { createPage, type TestPage } from '../../app/testing/page';
@@ -11,6 +11,8 @@ const PROGRAM = 'from mbrobot import *\nforward()\ndelay(650)\nstop()\n';
 const number: Wish = { kind: 'ranges', ranges: [{ name: 'main.py:3', from: 400, to: 900, step: 250 }] };
 const start: Wish = { kind: 'ranges', ranges: [{ name: 'start.x', from: 100, to: 300, step: 100 }] };
 const robots: Wish = { kind: 'robots' };
+
+beforeAll(() => import('../locks/lock-task')); // its first coming takes a while on a busy machine
 
 function emptyPage(): TestPage {
   sessionStorage.clear();
