@@ -129,6 +129,8 @@ function readTournament(value: unknown): ReturnType<typeof parseTournament> {
   if ('problems' in course) return { problem: summaryOf(course.problems) };
   const tournament = { name, scene: course.scene, programs, mode, seeds, told };
   const draw = drawOf(tournament);
+  if (draw.isAlone && mode === 'knockout')
+    return { problem: 'In a course for one nobody meets: "mode" must be league.' };
   return !draw.isAlone && programs.length < 2
     ? { problem: 'One program has nobody to meet.' }
     : leagueCount(draw) > limits.matches

@@ -94,4 +94,10 @@ describe('the file of a tournament', () => {
     const read = parseTournament(text);
     expect('problem' in read && read.problem).toContain(reason);
   });
+
+  it('with brackets in a course for one is refused: there nobody meets', () => {
+    const { robots: _, ...task } = entry.scene.task;
+    const alone: Entry = { ...entry, mode: 'knockout', scene: { ...entry.scene, task } };
+    expect(parseTournament(tournamentFile(alone, []))).toMatchObject({ problem: expect.stringContaining('league') });
+  });
 });

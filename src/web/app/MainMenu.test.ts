@@ -218,6 +218,14 @@ describe('the main menu', () => {
     expect(items()).toContain('Abgeben');
   });
 
+  it('offers no series of runs in an exam', async () => {
+    const { page } = mainList();
+    expect(items()).toContain('Versuchsreihe');
+    page.work.openProject({ ...page.work.work.value.project, task: { ...handedOut, exam: { minutes: 45 } } }, null);
+    await nextTick();
+    expect(items()).not.toContain('Versuchsreihe');
+  });
+
   it('opens a list in its place, and gives the keyboard back to its entry', async () => {
     mainList();
     await tap('menu-list-save');

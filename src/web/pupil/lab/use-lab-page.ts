@@ -36,11 +36,12 @@ export function useLabPage() {
   const things = computed(() => [...numberThings(base.value), ...otherThings(base.value)]);
   /** The thing that the address names, such as `#lab/main.py:5`. */
   const named = computed(() => things.value.find(({ name }) => name === app.router.idOn('lab')) ?? null);
+  if (lab.failure.value === 'unclear') lab.failure.value = null;
   const chosenKind = shallowRef<LabKind>(series.value === null || named.value ? 'one' : kindOf(series.value));
   const isAsking = shallowRef(series.value === null || named.value !== null);
   const first = computed(() => {
     if (named.value !== null && chosenKind.value === 'one') return [firstRange(named.value)];
-    const wish = series.value?.wish;
+    const wish = lab.wishNow();
     const count = chosenKind.value === 'two' ? 2 : 1;
     const asked = wish?.kind === 'ranges' ? wish.ranges.slice(0, count) : [];
     const more = things.value.filter(({ name }) => asked.every((range) => range.name !== name));
@@ -54,8 +55,10 @@ export function useLabPage() {
   const now = computed(() => {
     const { taken } = lab;
     const run = taken.value === null ? null : (series.value?.runs.get(taken.value) ?? null);
-    return (series.value?.sweep.varied ?? []).map(({ name }, place) =>
-      run === null ? (things.value.find((one) => one.name === name)?.now ?? null) : Number(run.values[place]),
+    const wish = run === null ? lab.wishNow() : null;
+    const names = wish?.kind === 'ranges' ? wish.ranges.map(({ name }) => name) : [];
+    return (series.value?.sweep.varied ?? []).map((_, place) =>
+      run === null ? (things.value.find((one) => one.name === names[place])?.now ?? null) : Number(run.values[place]),
     );
   });
   const stale = computed(() => isStale(lab));

@@ -1,6 +1,7 @@
 import { every, laneCount, serveThread } from '../../session/run/serve-thread';
 import { lateModel } from '../../kit/state/late-models';
 import type { RunParts } from '../../session/run/parts';
+import { seedOf } from '../../session/work/hardware/hardware';
 import { runSetup } from '../../session/work/run-setup';
 import type { WorkParts } from '../../session/work/model/parts';
 import { LabModel } from './model/lab-model';
@@ -15,6 +16,7 @@ export const labOf = lateModel(
       setup: () => ({
         setup: runSetup(app, (place) => app.sensors.startInputs(place)),
         usedSeed: app.settings.current.value.seed,
+        idealSeed: seedOf({ ...app.settings.current.value, reality: 0 }),
       }),
       starter: async () => serveThread({ service: 'runs' }, await app.run.engine.firmware()),
       every,

@@ -9,6 +9,7 @@ import { hasTask } from '#simulation/task/task-brief';
 import type { AddedFile } from '../../kit/files/added-files';
 import { shownLanguage, t } from '../../kit/i18n';
 import { askBeforeLeaving } from '../../kit/state/ask-before-leaving';
+import type { PageParts } from '../../kit/parts';
 import { lateModel } from '../../kit/state/late-models';
 import { every, laneCount, serveThread } from '../../session/run/serve-thread';
 import { compileFirmware } from '../../session/run/worker/firmware';
@@ -48,8 +49,9 @@ export function coursesNow({ work }: WorkParts): {
   readonly alone: readonly Course[];
 } {
   const { scene, course } = work.work.value.project;
-  const open = { name: t(words.open, { name: courseName(scene, course) }), from: OPEN, scene };
-  const ready = courses.map((one) => ({
+  const name = courseName(scene, course);
+  const open: Course = { name, label: t(words.open, { name }), from: OPEN, scene };
+  const ready = courses.map((one): Course => ({
     name: one.texts[shownLanguage()].name,
     from: one.id,
     scene: one.scene,
@@ -60,20 +62,42 @@ export function coursesNow({ work }: WorkParts): {
   return { versus, alone: all.filter((one) => isForOne(one.scene)) };
 }
 
+/** Drops what was played, for something else: asks first if it is not saved. */
+export function afterDropping({ dialogs }: Pick<PageParts, 'dialogs'>, model: TournamentModel, act: () => void): void {
+  if (!model.isUnsaved.value) {
+    act();
+    return;
+  }
+  dialogs.ask({
+    kind: 'choose',
+    ...{ title: words.dropTitle, text: words.dropText, values: {} },
+    choices: [
+      { key: 'code.cancel', run: () => undefined },
+      { key: words.dropIt, look: 'stop', run: act },
+    ],
+  });
+}
+
 /**
- * Takes files that were dropped or chosen: the file of a tournament is played again, all others are programs.
+ * Takes files that were dropped or chosen: the file of a tournament is played again, all others are programs of one that has not
+ * begun.
  *
  * @returns `null`, or why the file of a tournament cannot be read
  */
-export async function takeFiles(model: TournamentModel, files: readonly AddedFile[]): Promise<string | null> {
+export async function takeFiles(
+  app: Pick<PageParts, 'dialogs'>,
+  model: TournamentModel,
+  files: readonly AddedFile[],
+): Promise<string | null> {
   for (const { path, file } of files) {
     const text = path.endsWith('.json') && file.size < MOST_BYTES ? await file.text() : '';
     if (!looksLikeTournament(text)) continue;
     const read = parseTournament(text);
     if ('problem' in read) return t(words.badFile, { name: path, reason: read.problem });
-    void model.open(read.tournament);
+    afterDropping(app, model, () => void model.open(read.tournament));
     return null;
   }
+  if (model.phase.value !== 'enter') return null;
   const { sources } = await handInReader.open(files);
   if (sources.length > 0) void model.add(sources);
   return null;

@@ -13,13 +13,15 @@ const outcome: Outcome = {
   ...{ xMm: 1, yMm: 2, headingDeg: 3, pathMm: 4, traceHash: 'x' },
 };
 const program = (ms: number): string => `from mbrobot import *\nforward()\ndelay(${ms})\n`;
-const setup = soloRun({
-  ...{ scene: defaultScene(), files: { 'main.py': program(650) }, robot: 'auto', board: 'auto', seed: 1, reality: 0 },
-});
+const setupOf = (text: string) =>
+  soloRun({
+    ...{ scene: defaultScene(), files: { 'main.py': text }, robot: 'auto', board: 'auto', seed: 1, reality: 0 },
+  });
 
 /** A lab whose threads answer at once, as `answer` says. */
 function lab(lanes: number, answer: (request: RunRequest, place: number) => Answer<RunAnswer> | null) {
   const asked: RunRequest[] = [];
+  let setup = setupOf(program(650));
   const ports = {
     setup: () => ({ setup, usedSeed: 7 }),
     starter: () =>
@@ -33,9 +35,10 @@ function lab(lanes: number, answer: (request: RunRequest, place: number) => Answ
         stop: () => undefined,
       })),
     every: () => () => undefined,
-    ...{ lanes, nowMs: () => 0, later: (act: () => void) => act() },
+    ...{ lanes, nowMs: () => 1000 * asked.length, later: (act: () => void) => act() },
   };
-  return { model: new LabModel(ports), asked };
+  const become = (text: string): void => void (setup = setupOf(text));
+  return { model: new LabModel(ports), asked, become };
 }
 const drive = { way: [], endUs: 4_000_000 };
 const good = (): Answer<RunAnswer> => ({ result: { outcome, verdict: null, drive } });
@@ -71,6 +74,7 @@ describe('a series of runs', () => {
     model.stop();
     expect(model.isRunning.value).toBe(false);
     expect(model.inOrder.value).toHaveLength(5);
+    expect([model.tookMs.value, model.estimateMs(10, 0)]).toEqual([6000, 12_000]);
   });
 
   it('shows the run that is chosen, and its set-up with the number in the program', async () => {
@@ -89,11 +93,25 @@ describe('a series of runs', () => {
     );
   });
 
+  it('asks the same again of the line that has moved, also after a number was taken from it', async () => {
+    const { model, become } = lab(1, good);
+    await model.begin(wish);
+    become(`# mine\n${program(650)}`);
+    expect(model.wishNow()).toMatchObject({ ranges: [{ name: 'main.py:4', from: 400 }] });
+    model.taken.value = 18;
+    become(`# mine\n${program(760)}`);
+    expect(model.wishNow()).toMatchObject({ ranges: [{ name: 'main.py:4', from: 400 }] });
+    become('from mbrobot import *\n');
+    expect(model.wishNow()).toBeNull();
+  });
+
   it('says so when a run is refused, and when there are too many', async () => {
     const { model } = lab(2, () => ({ result: { refused: 'no' } }));
     await model.begin(wish);
     expect(model.failure.value).toBe('refused');
     const ranges = [{ name: 'main.py:3', from: 1, to: 5000, step: 1 }];
-    expect(await lab(1, good).model.begin({ kind: 'ranges', ranges })).toBe(false);
+    const other = lab(1, good).model;
+    expect([await other.begin({ kind: 'ranges', ranges }), other.failure.value]).toEqual([false, 'unclear']);
+    expect(other.isRunning.value).toBe(false);
   });
 });

@@ -11,7 +11,7 @@ import { computed, shallowRef, triggerRef, type ComputedRef, type ShallowRef } f
 
 import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmware-trouble';
 import { runOrder } from './run-order';
-import { rangeText, type Range } from './things';
+import { followed, rangeText, type Range } from './things';
 
 /** The most runs of a sweep in the page. Chosen: a minute on a school tablet; more is for the command line. */
 export const MOST_RUNS_HERE = 1000;
@@ -46,7 +46,7 @@ export interface Series {
 /** The services that the lab needs. */
 export interface LabPorts {
   /** The run that would start now. */
-  setup(): { readonly setup: RunSetup; readonly usedSeed: number };
+  setup(): Base;
   /** Gives a function that starts threads. Rejects without the VM. */
   starter(): Promise<Start<RunRequest, RunAnswer>>;
   readonly every: Every;
@@ -68,8 +68,8 @@ export class LabModel {
   /** `null`: nothing was asked yet. */
   readonly series: ShallowRef<Series | null> = shallowRef(null);
   readonly isRunning = shallowRef(false);
-  /** Why nothing can run; `null`: it can. `refused`: the run itself cannot be. */
-  readonly failure: ShallowRef<TroubleKey | 'refused' | null> = shallowRef(null);
+  /** Why nothing can run; `null`: it can. `refused`: the run itself cannot be. `unclear`: the question makes no series. */
+  readonly failure: ShallowRef<TroubleKey | 'refused' | 'unclear' | null> = shallowRef(null);
   /** Place of the run that is looked at; `null`: none. */
   readonly chosen: ShallowRef<number | null> = shallowRef(null);
   /** Place of the run whose values were taken over; `null`: none was. */
@@ -79,6 +79,7 @@ export class LabModel {
   readonly inOrder: ComputedRef<readonly LabRun[]>;
   /** Wall time of the last series, in ms. */
   readonly tookMs = shallowRef(0);
+  private startMs = 0;
   private msPerRun: number | null = null;
   private turn = 0;
   private lanes: readonly Asker<RunRequest, RunAnswer>[] = [];
@@ -106,34 +107,37 @@ export class LabModel {
   async begin(wish: Wish): Promise<boolean> {
     const { turn } = this.stop();
     const series = seriesOf(wish, this.ports.setup());
+    this.failure.value = series === null ? 'unclear' : null;
     if (series === null) return false;
-    this.failure.value = null;
     this.chosen.value = this.taken.value = null;
     this.series.value = series;
     this.isRunning.value = true;
-    const startMs = this.ports.nowMs();
+    this.startMs = this.ports.nowMs();
     try {
       await this.runAll(series, turn);
     } catch (why) {
       if (turn === this.turn) this.failure.value = troubleKey(why);
     }
     if (turn !== this.turn) return true;
-    this.tookMs.value = this.ports.nowMs() - startMs;
-    this.msPerRun = (this.tookMs.value * this.lanes.length) / Math.max(series.runs.size, 1);
     this.stop();
     triggerRef(this.series);
     return true;
   }
 
-  /** The same once more, with the work as it is now. */
-  async again(): Promise<void> {
-    const wish = this.series.value?.wish;
-    if (wish !== undefined) await this.begin(wish);
+  /** The question of the series for the work as it is now; `null`: a number of it can no longer be found. */
+  wishNow(): Wish | null {
+    const series = this.series.value;
+    if (series === null || series.wish.kind === 'robots') return series?.wish ?? null;
+    const then = (this.taken.value === null ? null : this.setupAt(this.taken.value)) ?? series.base.setup;
+    const { setup } = this.ports.setup();
+    const ranges = series.wish.ranges.flatMap((range) => followed(range, then, setup) ?? []);
+    return ranges.length < series.wish.ranges.length ? null : { kind: 'ranges', ranges };
   }
 
   /** Ends the runs that are under way; what has come stays. */
   stop(): { readonly turn: number } {
     this.turn += 1;
+    if (this.isRunning.value) this.measure();
     for (const lane of this.lanes) lane.stop();
     this.lanes = [];
     this.isRunning.value = false;
@@ -149,6 +153,12 @@ export class LabModel {
   /** All runs so far as the command line gives them. */
   result(): SweepResult {
     return { varied: this.series.value?.sweep.varied.map(({ name }) => name) ?? [], runs: this.inOrder.value };
+  }
+
+  private measure(): void {
+    this.tookMs.value = this.ports.nowMs() - this.startMs;
+    const count = this.series.value?.runs.size ?? 0;
+    if (count > 0 && this.lanes.length > 0) this.msPerRun = (this.tookMs.value * this.lanes.length) / count;
   }
 
   private async runAll(series: Series, turn: number): Promise<void> {

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 import { soloRun } from '#simulation/run-setup';
-import { countOf, firstRange, numberThings, otherThings } from './things';
+import { countOf, firstRange, followed, numberThings, otherThings } from './things';
 
 const run = (text: string) =>
   soloRun({
@@ -31,6 +31,20 @@ describe('what can vary', () => {
   ])('begins around %s', (text, range) => {
     const [thing] = numberThings(run(`x = ${text}`));
     expect(thing && firstRange(thing)).toEqual({ name: 'main.py:1', ...range });
+  });
+
+  it('is the same number after its line has moved or it was written otherwise, and none where that is not sure', () => {
+    const then = run('forward()\ndelay(650)\nmove(1, 2)\n');
+    const range = { name: 'main.py:2', from: 1, to: 2, step: 1 };
+    const nameIn = (text: string, name = range.name) => followed({ ...range, name }, then, run(text))?.name ?? null;
+    expect(nameIn('# a\n\nforward()\ndelay(650)\n')).toBe('main.py:4');
+    expect(nameIn('delay(300)\nforward()\ndelay(5)\ndelay(650)\n')).toBe('main.py:4');
+    expect(nameIn('forward()\nx = 1\nmove(1, 2)\n', 'main.py:3.2')).toBe('main.py:3.2');
+    expect(nameIn('forward()\nmove(1, 2)\n', 'main.py:3.2')).toBe('main.py:2.2');
+    expect(nameIn('forward()\ndelay(700)\n')).toBe('main.py:2');
+    expect(nameIn('forward()\nspeed(700)\ndelay(650)\ndelay(650)\n')).toBeNull();
+    expect(nameIn('forward()\n')).toBeNull();
+    expect(nameIn('', 'start.x')).toBe('start.x');
   });
 
   it('has as many values as steps, and none with a step of 0', () => {

@@ -92,6 +92,31 @@ export function firstRange({ name, now, number }: Thing): Range {
   return now < 0 ? { name, from: -high, to: -low, step: by } : { name, from: low, to: high, step: by };
 }
 
+/**
+ * A range for the program as it is now: its number is known by its line, which may have moved.
+ *
+ * @param then the program with which its number was named
+ * @returns `null`: which number it was can no longer be told
+ */
+export function followed(range: Range, then: Pick<RunSetup, 'devices'>, now: Pick<RunSetup, 'devices'>): Range | null {
+  const [before, after] = [numberThings(then), numberThings(now)];
+  const thing = before.find(({ name }) => name === range.name);
+  if (!thing?.number) return range;
+  const { file, shown } = thing.number;
+  const here = after.find(({ name }) => name === range.name)?.number;
+  if (here?.shown === shown) return range;
+  const place = /\.\d+$/.exec(range.name.slice(file.length))?.[0] ?? '';
+  const equal = (things: readonly Thing[]): readonly Thing[] =>
+    things.filter(({ name, number }) => number?.file === file && number.shown === shown && name === `${file}:${number.line}${place}`); // prettier-ignore
+  const [moved, ...others] = equal(after);
+  if (moved !== undefined && others.length === 0 && equal(before).length === 1) return { ...range, name: moved.name };
+  return here && shapeOf(here.shown) === shapeOf(shown) ? range : null;
+}
+
+/** A line whatever its numbers are. */
+const shapeOf = (line: string): string =>
+  numbersIn(line).reduceRight((text, { from, to }) => `${text.slice(0, from)}#${text.slice(to)}`, line);
+
 /** The same number without the trace of a division. */
 const exact = (value: number): number => Number(value.toPrecision(12));
 

@@ -77,6 +77,10 @@ export class WorkLocks implements Omit<TaskLocks, 'locks'> {
 /** True if the project's task was handed out to a pupil: then the page enforces its locks. */
 export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
 
+/** True if the project's task is an exam that was handed out. */
+export const isExam = (project: Pick<Project, 'task'>): boolean =>
+  isHandedOut(project) && project.task?.['exam'] !== undefined;
+
 /** The project without a task that was handed out, which belongs to its own course and program. */
 export function withoutHandedOut(project: Project): Project {
   const { task: _, ...others } = project;

@@ -114,6 +114,49 @@ describe('a tournament on the page', () => {
     }
   });
 
+  it('is played by the programs with which it has begun, also when the list changes meanwhile', async () => {
+    const { model, answer } = tournament(1);
+    await model.add(['b', 'c'].map((name) => source(name)));
+    void model.start();
+    await answer(1);
+    await model.add([source('a')]);
+    model.remove('b');
+    const [first] = model.stages.value;
+    const files = (): readonly unknown[] =>
+      (first && model.setupOf(first, { a: 0, b: 1, seed: 1 }))?.devices.map((one) => one.files['main.py']) ?? [];
+    expect(files()).toEqual(['# b', '# c']);
+    model.stop();
+    void model.start();
+    await answer();
+    expect(model.stages.value).toMatchObject([{ names: ['b', 'c'], matches: { length: 2 } }]);
+    expect(parseTournament(model.file() ?? '')).toMatchObject({
+      tournament: { programs: [{ name: 'b' }, { name: 'c' }] },
+    });
+  });
+
+  it('has something to lose from the first match until it is saved, and is another one after that', async () => {
+    const { model, answer } = tournament();
+    await model.add(['a', 'b'].map((name) => source(name)));
+    void model.start();
+    await answer(0);
+    expect(model.isUnsaved.value).toBe(false);
+    await answer();
+    expect(model.isUnsaved.value).toBe(true);
+    model.noteSaved();
+    expect([model.isUnsaved.value, model.count.value]).toEqual([false, 0]);
+    model.enter();
+    expect([model.phase.value, model.count.value]).toEqual(['enter', 1]);
+  });
+
+  it('has no brackets in a course for one, whatever was chosen for another', async () => {
+    const { model } = tournament();
+    const { robots: _, ...task } = scene.task;
+    model.course.value = { name: 'Race', from: 'race', scene: { ...scene, task } };
+    model.mode.value = 'knockout';
+    await model.add(['a', 'b'].map((name) => source(name)));
+    expect(model.draw.value).toMatchObject({ mode: 'league', isAlone: true });
+  });
+
   it('says why a program cannot play, and plays without it', async () => {
     const { model } = tournament();
     await model.add([source('a'), { name: 'b', read: () => ({ problem: { code: 'no-main', params: {} } }) }]);

@@ -7,7 +7,7 @@ import type { Choice } from '#intake/contents';
 import { contentOf, withOwnNames, type Source } from '#intake/sources';
 import { differences, drawOf, tournamentFile, type Entry, type ToldTournament } from '#lab/tournament/file';
 import { inRounds } from '#lab/tournament/league';
-import { MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
+import { isForOne, MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
 import { resultOfRun, type Match, type MatchResult, type Pairing } from '#lab/tournament/match';
 import { matchCount, type Draw, type Mode } from '#lab/tournament/play';
 import { playedStages, type Stage, type StagePlan } from '#lab/tournament/stages';
@@ -22,6 +22,8 @@ import { troubleKey, type TroubleKey } from '../../../session/run/worker/firmwar
 /** The course of a tournament. */
 export interface Course {
   readonly name: string;
+  /** Its name in a list, if that is another one. */
+  readonly label?: string;
   /** Its source: `OPEN`, `FILE` (`use-tournament.ts`), or the id of a ready course. */
   readonly from: string;
   readonly scene: Scene;
@@ -74,6 +76,8 @@ export class TournamentModel {
   readonly stages: ShallowRef<readonly LiveStage[]> = shallowRef([]);
   /** The reason why nothing can be played, as a key or in words; `null`: none. */
   readonly failure: ShallowRef<TroubleKey | { readonly problem: string } | null> = shallowRef(null);
+  /** Number of tournaments that there were here: another one has other matches under the same names. */
+  readonly count = shallowRef(0);
   /** The results that its file tells; `null`: it is from no file. */
   readonly told: ShallowRef<readonly unknown[] | null> = shallowRef(null);
   /** Number of matches that have come out otherwise than the file says; `null`: from no file, or not over yet. */
@@ -87,12 +91,18 @@ export class TournamentModel {
     const programs = this.programs.value.flatMap(({ shown, files }) =>
       files === null ? [] : [{ name: shown, files }],
     );
-    return { name: course.name, scene: course.scene, programs, mode: this.mode.value, seeds: this.seeds.value };
+    // In a course for one nobody meets: there are no brackets.
+    const mode = isForOne(course.scene) ? 'league' : this.mode.value;
+    return { name: course.name, scene: course.scene, programs, mode, seeds: this.seeds.value };
   });
   readonly draw = computed((): Draw | null => this.entry.value && drawOf(this.entry.value));
   /** True if there is a result that was not saved. */
-  readonly isUnsaved = computed(() => this.stages.value.length > 0 && this.stages.value !== this.saved.value);
+  readonly isUnsaved = computed(
+    () => this.stages.value.some(({ ended }) => ended.length > 0) && this.stages.value !== this.saved.value,
+  );
   private readonly saved: ShallowRef<readonly LiveStage[]> = shallowRef([]);
+  /** The entry that is being played, from its start until it is set up anew; `null`: none. */
+  private playing: Entry | null = null;
   private whole: readonly Stage[] = [];
   private sources = new Map<string, Source>();
   private readonly known = new Map<string, MatchResult>();
@@ -153,6 +163,8 @@ export class TournamentModel {
   enter(): void {
     this.stop();
     this.known.clear();
+    this.playing = null;
+    this.count.value += 1;
     [this.told.value, this.stages.value, this.phase.value] = [null, [], 'enter'];
   }
 
@@ -160,7 +172,7 @@ export class TournamentModel {
   async start(): Promise<void> {
     this.stop();
     const { turn } = this;
-    const { value: entry } = this.entry;
+    const entry = (this.playing ??= this.entry.value);
     if (entry === null) return;
     this.phase.value = 'playing';
     this.failure.value = null;
@@ -192,7 +204,7 @@ export class TournamentModel {
 
   /** The file of the tournament, when it is over. */
   file(): string | null {
-    const { value: entry } = this.entry;
+    const { playing: entry } = this;
     return entry === null || this.phase.value !== 'over' ? null : tournamentFile(entry, this.whole);
   }
 
@@ -203,7 +215,7 @@ export class TournamentModel {
 
   /** The run of a match of a stage; `null`: there is none. */
   setupOf(stage: StagePlan, pairing: Pairing): RunSetup | null {
-    const { value: entry } = this.entry;
+    const { playing: entry } = this;
     const setup = entry && setupIn(entry, stage, pairing);
     return setup === null || 'problem' in setup ? null : setup;
   }
