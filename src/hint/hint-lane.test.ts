@@ -8,7 +8,15 @@ import { HintLane, type HintRequest } from './hint-lane';
 const task = taskWith(sceneWith([targetAt(700, 450)]));
 const handIn = handInOfFiles([{ name: 'main.py', text: 'x = 1\n' }]);
 const hint: Hint = {
-  ...{ reason: { code: 'open', params: {} }, atMs: null, moment: null, tried: 6, program: 'x = 1\n', change: null },
+  ...{
+    reason: { code: 'open', params: {} },
+    world: null,
+    atMs: null,
+    moment: null,
+    tried: 6,
+    program: 'x = 1\n',
+    change: null,
+  },
   happened: { fact: 'unmoved' },
 };
 

@@ -172,7 +172,7 @@ export function createOwnHint(app: App, ports = inWorkers): OwnHint {
   };
 }
 
-/** What a hint depends on, each for itself: opening another file or saving changes none of it. */
+/** The parts of the work that a hint depends on, each for itself: opening another file or saving changes none of them. */
 const searchedIn = ({ work, settings }: App) => [
   () => work.work.value.project.files,
   () => work.work.value.project.devices,
