@@ -29,6 +29,8 @@ test(
     await until(app, by('own-hint-still'));
     await until(app, by('hint-ring'));
     expect(await app.text(by('own-hint-text'))).toMatch(/program was over|Programm zu Ende/);
+    // A second press within a second does nothing.
+    await new Promise((later) => setTimeout(later, 1200));
     await app.click(by('step-own-hint'));
     await until(app, '[data-testid="own-hint"][data-phase="told"] p + [data-testid="own-hint-text"]');
     expect(await app.text(by('own-hint'))).toMatch(/line 4|Zeile 4/);
