@@ -13,6 +13,13 @@ const HEAP_MB = 512;
  */
 const YOUNG_MB = 8;
 
+/**
+ * Old objects before they are collected for the first time, in MB. A collection throws away the machine code that knew an
+ * object of a run that is over, and the next runs are slow until it is made anew. Measured in a check of 96 hand-ins: 28
+ * collections become 8, and a seventh of the processor's time is saved.
+ */
+const OLD_MB = 256;
+
 /** Index of the shared word that a thread counts up while time passes. */
 export const BEAT = 0;
 
@@ -33,7 +40,9 @@ export interface SharedWords {
 export const threads =
   <Request, Result>(script: string, dataFor: () => object): Start<Request, Result> =>
   (heard) => {
-    setFlagsFromString(`--min-semi-space-size=${YOUNG_MB}`); // there is no option of threads for it
+    // There are no options of threads for these two.
+    setFlagsFromString(`--min-semi-space-size=${YOUNG_MB}`);
+    setFlagsFromString(`--initial-old-space-size=${OLD_MB}`);
     const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
     const worker = new Worker(fileURLToPath(new URL(`./${script}.mjs`, import.meta.url)), {
       workerData: { ...dataFor(), shared },
