@@ -233,8 +233,9 @@ export class Device {
     return text;
   }
 
-  /** Takes the robot off the board. */
+  /** Takes the robot off the board, and gives its MicroPython's memory back. Call nothing else afterwards. */
   dispose(): void {
     this.mounted?.robot.detach();
+    this.vm.dispose();
   }
 }

@@ -306,7 +306,7 @@ export class Simulation {
     return this.devices[device]?.takeConsole() ?? '';
   }
 
-  /** Takes the robots off their boards. The memory is freed with the last reference. Call nothing else afterwards. */
+  /** Takes the robots off their boards, and gives their memory to the next run. Call nothing else afterwards. */
   dispose(): void {
     for (const device of this.devices) device.dispose();
   }

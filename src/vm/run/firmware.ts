@@ -1,4 +1,4 @@
-import type { HostFunctions, Loader } from './loader';
+import { createLoader, type FileLookup, type HostFunctions } from './loader';
 import { formatSingle, parseSingle } from './single-float-text';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
@@ -121,28 +121,25 @@ const ENOSYS = 52; // WASI error numbers, as the C library of the firmware has t
 const EROFS = 69;
 
 /** A running copy of the firmware. */
-interface Instantiated {
+export interface Instantiated {
   readonly firmware: Firmware;
   readonly memory: Memory;
   readonly flow: Flow;
-  readonly serve: (host: FirmwareHost) => void;
+  /** Names the host and the files that can be imported; both are made of the firmware, or for the one who runs it. */
+  readonly serve: (host: FirmwareHost, lookup: FileLookup) => void;
 }
 
 /**
  * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
- * for host objects and its file system are not used, so the host is out of reach and copies share nothing.
- *
- * @returns also `serve`, which names the host: it is made of the firmware, so it comes after it and before anything runs
+ * for host objects and its file system are not used, so the host is out of reach and copies share nothing. Call its
+ * `serve` before anything runs.
  */
-export function instantiateFirmware(
-  module: WebAssembly.Module,
-  loader: (memory: () => Memory) => Loader,
-): Instantiated {
-  const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost } = {};
+export function instantiateFirmware(module: WebAssembly.Module): Instantiated {
+  const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost; lookup?: FileLookup } = {};
   const running = (): Firmware => loaded.firmware ?? notLoaded();
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const host = (): FirmwareHost => loaded.host ?? notLoaded();
-  const files = loader(inMemory);
+  const files = createLoader((path) => loaded.lookup?.(path), inMemory);
   const flow: Flow = { isRewinding: false };
   const imports = {
     host: {
@@ -161,7 +158,11 @@ export function instantiateFirmware(
   Object.assign(loaded, { firmware, memory });
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
-  return { firmware, memory, flow, serve: (given) => void (loaded.host = given) };
+  const serve = (given: FirmwareHost, lookup: FileLookup): void => {
+    files.closeAll();
+    Object.assign(loaded, { host: given, lookup });
+  };
+  return { firmware, memory, flow, serve };
 }
 
 /** Decimal numbers as the board writes and reads them; the build step puts these in place of the published ones. */

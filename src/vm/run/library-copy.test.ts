@@ -1,51 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { Board } from '#board/board';
 import { boardTypes } from '#board/boards/index';
-import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { Clock } from '#core/clock';
-import { stateOf, type VmState } from './library-copy';
-import { ConsolePort } from './console-port';
-import { Files } from './files';
-import { Repl } from './repl';
-import { Report } from './report';
-import { Session } from './session';
-import { firmware } from './testing/run-program';
-
-interface Made {
-  readonly session: Session;
-  readonly board: Board;
-  readonly clock: Clock;
-  readonly printed: () => string;
-  /** The calls of `_hal` while it was made, if somebody listened. */
-  readonly calls: readonly string[];
-}
-
-type Texts = Readonly<Record<string, string>>;
-
-/** @param isObserved whether somebody hears of all calls: then the library is loaded and not copied */
-function made(type: BoardType, ofBoard: FirmwareType, given: Texts, isObserved: boolean, clock = new Clock()): Made {
-  const board = new Board(type, clock, ofBoard);
-  const calls: string[] = [];
-  let printed = '';
-  const write = (text: string): void => void (printed += text);
-  const observer = { before: () => undefined, after: (call: string) => void calls.push(call), print: () => undefined };
-  const setup = { firmware, board, clock, files: given, libraries: {}, seed: 7, write };
-  const files = new Files(given);
-  const report = new Report(write, (name) => new TextDecoder().decode(files.find(name)?.bytes), null);
-  const port = new ConsolePort((bytes) => report.write(bytes));
-  const repl = new Repl(port, ofBoard.banner, false);
-  const ports = { files, port, report, repl, hold: { watch: null, isHeld: false }, startUs: 0 };
-  const session = new Session({ ...setup, ...(isObserved && { observer }) }, ports);
-  return { session, board, clock, printed: () => printed, calls: [...calls] };
-}
-
-const stateIn = ({ session }: Made): VmState => stateOf(session['firmware'], session['memory']);
-
-function expectSame(one: Made, other: Made): void {
-  const [a, b] = [stateIn(one), stateIn(other)];
-  expect(Buffer.compare(a.bytes, b.bytes), 'memory').toBe(0);
-  expect(a.globals).toEqual(b.globals);
-}
+import { expectSame, made, type Made, type Texts } from './testing/made-session';
 
 const PROGRAM = `
 import mine, music, radio, random, log, os

@@ -5,12 +5,13 @@ import { wholeOf } from './arguments';
 import type { ConsolePort } from './console-port';
 import { Engine, VmFault, type Hold } from './engine';
 import { readableBytes, type Files } from './files';
-import { HAL_REFERENCE, instantiateFirmware, type Firmware, type FirmwareHost } from './firmware';
+import { HAL_REFERENCE, type Firmware, type FirmwareHost, type Instantiated } from './firmware';
 import { createHal } from './hal/hal';
 import { createHeapCalls } from './hal/heap';
 import { deviceLibrary } from './library';
-import { findCopy, keepCopy, restoreCopy, stateOf } from './library-copy';
-import { createLoader, type FileLookup } from './loader';
+import { giveBack, lendFirmware } from './lent-firmware';
+import { findCopy, keepCopy } from './library-copy';
+import type { FileLookup } from './loader';
 import { Heap } from './heap';
 import { createReplCalls } from './hal/repl';
 import { observed } from './observed';
@@ -20,6 +21,7 @@ import type { Report } from './report';
 import { showError, showPanic, type Shown } from './show-error';
 import type { SyscallTable, Value, Wait } from './syscall';
 import { VALUE_BYTES, type Memory } from './values';
+import { applyChange, stateOf } from './vm-state';
 import type { VmSetup } from './vm-setup';
 
 /** The state that survives a reset of the board. */
@@ -48,6 +50,7 @@ const PROGRAM = '_run()';
 
 /** MicroPython from power-up to the next reset: its program, then the REPL. */
 export class Session {
+  private readonly lent: Instantiated;
   private readonly firmware: Firmware;
   private readonly memory: Memory;
   private readonly engine: Engine;
@@ -57,21 +60,22 @@ export class Session {
   readonly inspected: Inspected;
   private readonly program: () => void;
   private restartsAs: 'reset' | 'reboot' | null = null;
+  private isGivenBack = false;
 
   constructor(
     private readonly setup: VmSetup,
     private readonly ports: SessionPorts,
   ) {
     const rng = createRng(setup.seed).fork('vm');
-    const loader = createLoader(lookupIn(ports.files, setup.libraries));
-    const { firmware, memory, flow, serve } = instantiateFirmware(setup.firmware, loader);
+    this.lent = lendFirmware(setup.firmware);
+    const { firmware, memory, flow, serve } = this.lent;
     this.firmware = firmware;
     this.memory = memory;
     this.heap = new Heap(firmware, memory);
     this.scopes = new Scopes(memory);
     const running = { firmware, memory, flow, hold: ports.hold };
     this.engine = new Engine(running, setup.clock, ports.startUs, (machine) => this.calls(machine, rng));
-    serve(this.host(rng));
+    serve(this.host(rng), lookupIn(ports.files, setup.libraries));
     ports.port.onInterrupt = () => this.engine.interrupt();
     this.startFirmware();
     this.inspected = this.inspect();
@@ -103,6 +107,7 @@ export class Session {
 
   /** Runs until the clock reaches the limit, the program ends or the board restarts. The report tells how it ended. */
   run(limitUs: number): 'suspended' | 'ended' | 'reset' | 'reboot' {
+    if (this.isGivenBack) return 'ended';
     try {
       if (!this.engine.run(this.program, limitUs)) return 'suspended';
     } catch (fault) {
@@ -122,10 +127,13 @@ export class Session {
     return this.ports.startUs;
   }
 
-  /** Releases everything that would reach into this MicroPython later. */
+  /** Releases everything that would reach into this MicroPython later, and its memory. Nothing of it runs any more. */
   dispose(): void {
+    if (this.isGivenBack) return;
+    this.isGivenBack = true;
     this.engine.dispose();
     this.ports.port.onInterrupt = () => undefined;
+    giveBack(this.setup.firmware, this.lent);
   }
 
   /** Free bytes of the program's part of the heap, counted in the collector's table without running anything. */
@@ -297,7 +305,7 @@ export class Session {
       this.boot();
       return keepCopy(wanted, before, this.firmware, memory, { agreed: engine.agreed, scopes: scopes.all });
     }
-    restoreCopy(copy, firmware, memory);
+    applyChange(copy.change, firmware, memory);
     engine.agreed = copy.agreed;
     scopes.know(copy.scopes);
   }
