@@ -28,7 +28,7 @@ export function lendFirmware(module: WebAssembly.Module): Instantiated {
     return again;
   }
   const made = instantiateFirmware(module);
-  if (!spare) spares.set(module, { asMade: stateAsMade(made), gas: made.firmware.gas.value as number, copies: [] });
+  if (!spare) spares.set(module, { asMade: stateAsMade(made), gas: made.firmware.gas.value, copies: [] });
   return made;
 }
 

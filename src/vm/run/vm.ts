@@ -1,3 +1,4 @@
+import type { Clock } from '#core/clock';
 import type { Inspected } from '../debug/inspected';
 import { ConsolePort } from './console-port';
 import type { Hold } from './engine';
@@ -63,17 +64,14 @@ export function createVm(setup: VmSetup): Vm {
   const start = (startUs: number): Session => new Session(setup, { files, port, report, repl, hold, startUs });
   let [session, isOver] = [start(clock.nowUs), false];
   const restart = (kind: 'reset' | 'reboot'): void => {
-    // Like the device: files stay, everything else starts again. Only a reset also restarts its clock.
+    // Like the device: files stay, everything else starts again.
     if (kind === 'reboot') report.write(REBOOT);
     session.dispose();
     board.reset();
     port.watchForInterrupt();
-    if (kind === 'reset') {
-      port.reset();
-      clock.advanceTo(clock.nowUs + RESET_US);
-    }
+    const startUs = kind === 'reset' ? resetAt(port, clock) : session.startUs;
     report.restart();
-    session = start(kind === 'reset' ? clock.nowUs : session.startUs);
+    session = start(startUs);
   };
   const interrupt = (): void => {
     if (port.interruptByte !== null || report.ended === null) session.interrupt();
@@ -113,6 +111,13 @@ export function createVm(setup: VmSetup): Vm {
     heapFree: () => session.heapFree,
     dispose: () => session.dispose(),
   };
+}
+
+/** Only a reset restarts the device's clock as well. @returns when it begins */
+function resetAt(port: ConsolePort, clock: Clock): number {
+  port.reset();
+  clock.advanceTo(clock.nowUs + RESET_US);
+  return clock.nowUs;
 }
 
 function reportOn(setup: VmSetup, files: Files): Report {
