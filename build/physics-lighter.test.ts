@@ -18,7 +18,9 @@ async function bundle(): Promise<string> {
         name: 'entry',
         resolveId: (id) => (id === ENTRY ? id : null),
         load: (id) =>
-          id === ENTRY ? "export { CircleShape, Joint, PolygonShape, Rot, Settings, Vec2, World } from 'planck';" : null,
+          id === ENTRY
+            ? "export { CircleShape, Joint, PolygonShape, Rot, Settings, Vec2, World } from 'planck';"
+            : null,
       },
     ],
     build: { write: false, minify: false, rolldownOptions: { input: ENTRY, preserveEntrySignatures: 'strict' } },

@@ -21,7 +21,8 @@ export function lightened(engine: string): string {
   let code = engine;
   for (const [pattern, by, wanted] of REPLACED) {
     const found = code.match(pattern)?.length ?? 0;
-    if (found !== wanted) throw new Error(`The physics engine has ${String(found)} of ${pattern.source}, not ${String(wanted)}.`);
+    if (found !== wanted)
+      throw new Error(`The physics engine has ${String(found)} of ${pattern.source}, not ${String(wanted)}.`);
     code = code.replace(pattern, by);
   }
   return code;
