@@ -282,7 +282,7 @@ const FIRST_SOURCES = [
 
 /** The files of other words, by whose they are. */
 const LATE_WORDS: readonly (readonly [RegExp, string])[] = [
-  [/\/src\/web\/course\/editor\//, 'editor'],
+  [/\/src\/web\/(course\/editor\/|kit\/words\/tools$)/, 'editor'],
   [/\/src\/(web\/(teacher|pupil\/(several-devices|real-device|device-log|my-robot))|check)\//, 'teacher'],
   [/\/src\/advice\//, 'errors'],
   [/\/words\/reference$|\/src\/libraries\//, 'reference'],
