@@ -23,6 +23,7 @@ import { librariesApart } from './build/libraries-apart.ts';
 import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
+import { physicsLighter } from './build/physics-lighter.ts';
 import { reachedWords } from './build/word-groups.ts';
 import { words, wordsByLanguage, type WordGroups } from './build/words.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
@@ -187,7 +188,19 @@ function drawingsLighter(): Plugin {
 /** The plugins of both builds, made anew for each. */
 const commonPlugins = (): PluginOption[] => [
   ...[firmwareAwaited(), programs(), scenes(), handbook(), vue(), iconsApart(), drawingsLighter()],
+  physicsLighter(),
   runsInTheOldest(),
+];
+
+/** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
+const treeshake = { propertyReadSideEffects: false } as const;
+
+/** What the page calls a robot's options: to a worker they are values. */
+const UNTOLD_BY_WORKERS = /\/src\/(robots|attachments)\//;
+
+/** The plugins of the worker in both builds, made anew for each. */
+const workerPlugins = (): PluginOption[] => [
+  ...[programs(), words(UNTOLD_BY_WORKERS), physicsLighter(), runsInTheOldest(), collectModules()],
 ];
 
 /** The worker as one classic script. */
@@ -197,12 +210,12 @@ async function workerCode(): Promise<string> {
     root: common.root,
     logLevel: 'warn',
     resolve: common.resolve,
-    plugins: [programs(), words(), runsInTheOldest(), collectModules()],
+    plugins: workerPlugins(),
     build: {
       write: false,
       target: OLDEST,
       lib: { entry: here('src/web/session/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
-      rolldownOptions: { transform: fieldsAssigned, output: { codeSplitting: false } },
+      rolldownOptions: { transform: fieldsAssigned, treeshake, output: { codeSplitting: false } },
     },
   });
   const [first] = Array.isArray(made) ? made : [made];
@@ -269,7 +282,7 @@ const FIRST_SOURCES = [
 
 /** The files of other words, by whose they are. */
 const LATE_WORDS: readonly (readonly [RegExp, string])[] = [
-  [/\/src\/web\/course\/editor\//, 'editor'],
+  [/\/src\/web\/(course\/editor\/|kit\/words\/tools$)/, 'editor'],
   [/\/src\/(web\/(teacher|pupil\/(several-devices|real-device|device-log|my-robot))|check)\//, 'teacher'],
   [/\/src\/advice\//, 'errors'],
   [/\/words\/reference$|\/src\/libraries\//, 'reference'],
@@ -290,16 +303,13 @@ function wordFiles(): WordGroups {
   return groups;
 }
 
-/** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
-const treeshake = { propertyReadSideEffects: false } as const;
-
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
   worker: {
     format: 'es',
-    plugins: () => [firmwareAwaited(), programs(), words(), runsInTheOldest(), collectModules()],
-    rolldownOptions: { transform: fieldsAssigned, output: { codeSplitting: { groups: [belowWorker] } } },
+    plugins: () => [firmwareAwaited(), ...workerPlugins()],
+    rolldownOptions: { transform: fieldsAssigned, treeshake, output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
   build: {

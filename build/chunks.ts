@@ -13,18 +13,20 @@ export const fetchedAhead = (part: string, files: string[]): string[] =>
 
 /**
  * Modules in one file, as they are needed at one time. All that the page needs at once: parted among the many late lists
- * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's actions and palette, the
- * drawings of the kinds of objects (those of zones, which the first course has, apart), the next step's bar with the words that the projector view tells, the editor (without the lines
- * of a program that ran, which are found without an editor, too), and the greeting with the menu entries that it shows.
+ * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. What every first visit fetches right
+ * after it is one file, too, as it compresses better: the next step's bar with the words that the projector view tells, the
+ * drawing of zones (which the first course has), the greeting with the menu entries that it shows, the lines of a program
+ * that ran, and what lies ready for the keyboard. And the editor, the course editor's actions and palette, and the drawings
+ * of the other kinds of objects.
  */
 export const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
-  { name: 'zones', test: /\/arena\/picture\/draw-zones\.ts/ },
+  {
+    name: 'next-step',
+    test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)|\/arena\/picture\/draw-zones\.ts|\/greeting\/WelcomeCard\.vue|\/debug\/(ran-program|file-key)\.ts|\/app\/SkipLinks\.vue|\/tour\/FirstSteps\.vue/,
+  },
   { name: 'picture-kinds', test: /\/arena\/picture\/(scene-kinds|draw-(outline|background|waiting)\.ts)/ },
-  { name: 'next-step', test: /\/next-step\/(NextStepBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
-  { name: 'ran-program', test: /\/debug\/(ran-program|file-key)\.ts/ },
   { name: 'CodeEditor', test: /\/code\/CodeEditor\.vue/ },
-  { name: 'WelcomeCard', test: /\/greeting\/WelcomeCard\.vue/ },
   { name: 'editor-tools', test: /\/course\/editor\/(EditorActions\.vue|palette\/)/ },
 ];
 

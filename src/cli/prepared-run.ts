@@ -1,7 +1,7 @@
 import { basename } from 'node:path';
 import { boardOf } from '#board/boards/board-of-device';
 import { optionProblem, type OptionValues } from '#core/option';
-import { traitsFor } from '#my-robot/my-robot';
+import { traitsFor } from '#my-robot/traits-for';
 import { modulesImportedBy } from '#python/imports';
 import { bareOptions } from '#robots/bare-options';
 import { IN_HAND } from '#robots/in-hand';

@@ -1,15 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import {
-  exactAcos,
-  exactAsin,
-  exactAtan,
-  exactAtan2,
-  exactCos,
-  exactExp,
-  exactLog,
-  exactSin,
-  exactTan,
-} from './exact-math';
+import { exactExp, exactLog } from './exact-exp';
+import { exactAcos, exactAsin, exactAtan, exactAtan2, exactCos, exactSin, exactTan } from './exact-math';
 import { createRng } from './rng';
 
 const bitsOf = (value: number): string => {

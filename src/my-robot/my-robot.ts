@@ -60,11 +60,6 @@ export const myRobotLimits = {
   sensorCharacters: 20,
 } as const;
 
-/** The traits of this robot for a run with a robot of this type, if it is to be used. */
-export function traitsFor(mine: MyRobot | null | undefined, robot: string | undefined): Traits | undefined {
-  return mine?.used === true && mine.robot === robot ? mine.traits : undefined;
-}
-
 /** Reads a robot out of an unchecked value; what is wrong is reported to the reader. */
 export function readMyRobot(value: unknown, path: string, reader: Reader): MyRobot {
   const fields = reader.fields(value, path, ['name', 'robot', 'used', 'measured', 'traits']);

@@ -1,4 +1,5 @@
-import { exactCos, exactLog, exactSin } from '#core/exact-math';
+import { exactLog } from '#core/exact-exp';
+import { exactCos, exactSin } from '#core/exact-math';
 import type { EffectPart } from './effect';
 
 /** Samples a second of what `renderEffect` makes: codal-microbit-v2 MicroBitAudio.cpp, the mixer's rate. */

@@ -1,4 +1,5 @@
-import { exactCos, exactExp } from '#core/exact-math';
+import { exactExp } from '#core/exact-exp';
+import { exactCos } from '#core/exact-math';
 import { createRng } from '#core/rng';
 import { PHONEMES, type Phoneme } from './phoneme-table';
 import { utteranceUs, type SpeechSound, type Utterance } from './utterance';

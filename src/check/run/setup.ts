@@ -1,5 +1,5 @@
 import { boardOf } from '#board/boards/board-of-device';
-import { traitsFor } from '#my-robot/my-robot';
+import { traitsFor } from '#my-robot/traits-for';
 import { deviceNames } from '#project/devices';
 import { defaultProjectSettings, type Project, type ProjectSettings } from '#project/project';
 import { modulesImportedBy } from '#python/imports';

@@ -1,13 +1,13 @@
 /**
  * The probability that the next decision is a yes, learned from earlier decisions. Every decision has several contexts.
  * Each context remembers how such decisions came out, and their predictions are mixed by weights that follow which
- * contexts were right. The code uses only + − × ÷ and `#core/exact-math`, so that every browser computes the same
+ * contexts were right. The code uses only + − × ÷ and `#core/exact-exp`, so that every browser computes the same
  * numbers; otherwise no link would open on another device.
  *
  * All numbers here were chosen by measuring links of the drawings in `testing/drawings.ts`; half or twice of each
  * changed less than 3 %. They are part of version 2 of links: none may ever change.
  */
-import { exactExp, exactLog } from '#core/exact-math';
+import { exactExp, exactLog } from '#core/exact-exp';
 
 import { CERTAIN } from './range-coder';
 

@@ -13,6 +13,7 @@ import { h } from 'vue';
 
 import type { HelpEntry } from '../../kit/features/feature';
 import { t } from '../../kit/i18n';
+import toolWords from '../../kit/words/tools';
 import { allTools, toolLetters, type PaletteTool } from './palette/tool-list';
 import ToolIcon from './parts/ToolIcon.vue';
 import editingWords from './words/editing';
@@ -35,7 +36,7 @@ const tool = (id: PaletteTool): HelpEntry =>
   entry(
     `tool-${id}`,
     () => h(ToolIcon, { tool: id }),
-    () => t(`tool.${id}.name`),
+    () => t(toolWords[id].name),
     id,
   );
 const { panels } = editingWords;

@@ -101,9 +101,9 @@ function useStepTask(app: StepApp, { verdict, checked, isTask, isPhone }: TaskVi
   const next = useNextMission(app, () => isMission.value && state.value === 'passed');
   const reached = useReached(app, verdict);
   const told = computed(() => {
-    const passedIn = t('verdict.passedIn', { seconds: seconds.value });
-    if (state.value === 'passed') return [passedIn, ...help.value].join(' ');
-    if (state.value === 'helped') return `${passedIn} ${t('verdict.doesNotCount')}`;
+    const passedIn = (): string => t('verdict.passedIn', { seconds: seconds.value });
+    if (state.value === 'passed') return [passedIn(), ...help.value].join(' ');
+    if (state.value === 'helped') return `${passedIn()} ${t('verdict.doesNotCount')}`;
     // A phone has two short lines for it.
     const advice = early.value ?? (isPhone.value ? '' : (reason.value?.todo ?? ''));
     return `${reason.value?.what ?? ''} ${advice}`.trim();

@@ -1,4 +1,4 @@
-import { traitsFor } from '#my-robot/my-robot';
+import { traitsFor } from '#my-robot/traits-for';
 import { filesByName } from '#project/project';
 import { feelingInputs } from '#simulation/feeling';
 import { hardwareIds } from '#simulation/hardware';

@@ -5,6 +5,7 @@ import type { Scene } from '#scene/scene';
 
 import type { Happened } from '../state/course-editor-model';
 import { t } from '../../../kit/i18n';
+import toolWords from '../../../kit/words/tools';
 import { cm, countText, namesOf, placeText, whereText } from './object-words';
 import editingWords from './editing';
 import kindNames from './kinds';
@@ -28,7 +29,7 @@ export function wordsFor(happened: Happened): string {
     case 'copied':
       return t(texts.copied);
     case 'tool':
-      return t(`tool.${happened.tool}.about`);
+      return t(toolWords[happened.tool].about);
     default:
       return happened satisfies never;
   }

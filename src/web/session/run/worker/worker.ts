@@ -8,11 +8,11 @@ import '../../../kit/oldest/fill';
 import { Simulation } from '#simulation/simulation';
 
 import type { createFilmMaker, ToFilm } from './film';
-import { answerFit, type FitRequest } from './fit';
+import type { FitAnswer, FitRequest } from './fit';
 import type { HexAnswer, HexRequest } from './hex';
-import { Looker } from './look/looker';
-import { answerRepeat, type RepeatRequest } from './look/repeat';
-import type { ToLooker } from './look/protocol';
+import type { Looker } from './look/looker';
+import type { FromLooker, ToLooker } from './look/protocol';
+import type { RepeatAnswer, RepeatRequest } from './look/repeat';
 import type { Reader, ToReader } from './reader';
 import { sealSandbox } from './sandbox';
 import { packPictures } from './pictures';
@@ -48,13 +48,19 @@ const runner = new Runner({
   create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
 });
 
-const looker = new Looker({
-  post: (message) => postMessage(message),
-  nowMs: () => performance.now(),
-  rest: () => new Promise((resolve) => soon(resolve)),
-});
+/** Loaded on demand: no run needs the code that looks into a past one. */
+let looker: Promise<Looker> | null = null;
+const loadLooker = (): Promise<Looker> =>
+  (looker ??= import('./look/looker').then(
+    (late) =>
+      new late.Looker({
+        post: (message) => postMessage(message),
+        nowMs: () => performance.now(),
+        rest: () => new Promise((resolve) => soon(resolve)),
+      }),
+  ));
 
-/** Loaded on demand: no run needs the code that serves beside it. */
+/** Loaded on demand, too: the code that serves beside a run. */
 let server: Promise<Server> | null = null;
 const loadServer = (): Promise<Server> =>
   (server ??= import('./serve/server').then(
@@ -64,11 +70,11 @@ const loadServer = (): Promise<Server> =>
 const isForLooker = (data: Asked): data is ToLooker =>
   data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
 
-/** Loaded on demand, too. */
+/** Loaded on demand as well. */
 let reader: Promise<Reader> | null = null;
 const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
 
-/** Loaded on demand as well. */
+/** Loaded on demand, as the others. */
 let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
 const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
   (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
@@ -77,14 +83,25 @@ type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToS
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
-    void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
-  else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
+    void import('./look/repeat').then(
+      (late) => late.answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() }),
+      (error: unknown) => postMessage({ type: 'failed', message: String(error) } satisfies RepeatAnswer),
+    );
+  else if (data.type === 'fit')
+    void import('./fit')
+      .then(({ answerFit }) => answerFit(data))
+      .catch((error: unknown): FitAnswer => ({ type: 'failed', message: String(error) }))
+      .then((answer) => postMessage(answer));
   else if (data.type === 'make-hex')
     void import('./hex')
       .then(({ answerHex }) => answerHex(data))
       .catch((error: unknown): HexAnswer => ({ type: 'failed', message: String(error) }))
       .then((answer) => postMessage(answer));
-  else if (isForLooker(data)) looker.receive(data);
+  else if (isForLooker(data))
+    void loadLooker().then(
+      (it) => it.receive(data),
+      (error: unknown) => postMessage({ type: 'look-failed', message: String(error) } satisfies FromLooker),
+    );
   else if (data.type === 'serve-open' || data.type === 'serve')
     void loadServer().then(
       (it) => it.receive(data),

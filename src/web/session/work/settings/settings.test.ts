@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { robotTypes } from '#robots/index';
+import { idealTraits } from '#robots/traits';
 import { deviceSettings, seedOf } from '../hardware/hardware';
 import { defaultSettings, settingsFromText } from './settings';
 
@@ -25,6 +26,28 @@ describe('what the settings keep about robots', () => {
   it('is nothing where the stored value makes no sense', () => {
     for (const robotOptions of [null, 3, 'x', [], { [lite!.id]: null }, { [lite!.id]: 'claw' }])
       expect(read({ robotOptions }).robotOptions, JSON.stringify(robotOptions)).toEqual({});
+  });
+});
+
+describe('the robot that the pupil has measured', () => {
+  const mine = {
+    ...{ name: 'Röbi', robot: lite!.id, used: true },
+    measured: { drives: { slow: null, usual: null, fast: null }, turnDeg: null, echoesMm: [null, null], line: {} },
+    traits: idealTraits,
+  };
+
+  it('is kept as it is', () => {
+    expect(read({ myRobot: mine }).myRobot).toEqual(mine);
+  });
+
+  it('is none where what is stored is no robot, or one that this version does not have', () => {
+    const { motors } = idealTraits;
+    for (const senseless of [
+      ...[null, 3, 'Röbi', {}, { ...mine, robot: 'tank' }, { ...mine, used: 'yes' }, { ...mine, measured: {} }],
+      { ...mine, traits: { ...idealTraits, motors: { ...motors, charge: 'full' } } },
+      { ...mine, traits: { ...idealTraits, ultrasonic: undefined } },
+    ])
+      expect(read({ myRobot: senseless }).myRobot, JSON.stringify(senseless)).toBeNull();
   });
 });
 

@@ -1,10 +1,8 @@
 import type { OptionValues } from '#core/option';
 import { isRecord } from '#core/record';
-import { readMyRobot, type MyRobot } from '#my-robot/my-robot';
+import type { MyRobot } from '#my-robot/my-robot';
 import { newWork } from '#project/project';
 import { robotTypes } from '#robots/index';
-import { Reader } from '#scene/reader';
-
 import { SPEEDS, type Speed } from '#simulation/pace';
 import { LANGUAGES, type Language } from '../../../kit/i18n/texts';
 import { readLightWishes, type LightWishes } from './light-wish';
@@ -230,13 +228,25 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
   };
 }
 
-/** A measured robot that makes sense, or `null`. */
+/**
+ * A measured robot, or `null`. Its shape is looked at and no more: whatever brings one from elsewhere has read it, and the
+ * code for that (`#my-robot/my-robot`) comes only where a robot is measured or brought.
+ */
 function myRobotFrom(value: unknown): MyRobot | null {
-  if (!isRecord(value)) return null;
-  const reader = new Reader();
-  const mine = readMyRobot(value, 'myRobot', reader);
-  return reader.problems.length === 0 && robotTypes.some(({ id }) => id === mine.robot) ? mine : null;
+  if (!isRecord(value) || !isRecord(value['measured']) || !isRecord(value['traits'])) return null;
+  const { name, robot, used, measured, traits } = value;
+  const { motors, ultrasonic, line } = traits;
+  const isWhole =
+    [measured['drives'], measured['line'], line].every(isRecord) &&
+    Array.isArray(measured['echoesMm']) &&
+    areNumbers(motors, ['difference', 'charge', 'sag', 'friction']) &&
+    areNumbers(ultrasonic, ['offsetMm', 'scale']);
+  const isNamed = typeof name === 'string' && typeof used === 'boolean' && robotTypes.some(({ id }) => id === robot);
+  return isWhole && isNamed ? (value as unknown as MyRobot) : null;
 }
+
+const areNumbers = (value: unknown, names: readonly string[]): boolean =>
+  isRecord(value) && names.every((name) => Number.isFinite(value[name]));
 
 /** Reads stored options, as far as this version of the app knows them: robots come and go, and so do their options. */
 function readRobotOptions(value: unknown): RobotOptions {
