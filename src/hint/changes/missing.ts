@@ -62,7 +62,16 @@ function unusedIn(program: Program): readonly string[] {
     .flatMap((node) => node.getChild('VariableName') ?? [])
     .map((node) => program.textOf(node))
     .filter(isOnce);
-  return [...constants.map((name) => `delay(${name})`), ...functions.map((name) => `${name}()`)];
+  const parameters = program
+    .nodes('ParamList')
+    .flatMap((node) => node.getChildren('VariableName'))
+    .map((node) => program.textOf(node))
+    .filter(isOnce);
+  return [
+    ...constants.map((name) => `delay(${name})`),
+    ...[...functions, ...parameters].map((name) => `${name}()`),
+    ...parameters.map((name) => `delay(${name})`),
+  ];
 }
 
 /** Before each line of code, as far in as it, and at the end of each block as far in as the block. */

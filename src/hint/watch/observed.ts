@@ -17,8 +17,11 @@ export interface Moment {
   readonly touches: number;
 }
 
-/** Simulated time between two moments that are kept. Chosen: as often as the trace. */
-const EVERY_US = 20_000;
+/**
+ * Simulated time between two moments that are kept: as often as the trace, and more seldom once nothing new happens. Chosen:
+ * a turn on the spot still shows.
+ */
+const [EVERY_US, SELDOM_US] = [20_000, 200_000];
 /** Chosen: ten minutes; a longer run says nothing new. */
 const MOST_MOMENTS = 30_000;
 
@@ -35,6 +38,7 @@ export class Observed implements Onlooker {
   /** Number of the checkpoint that is next; infinite: none is left. */
   private number: number | null = null;
   private isNew = true;
+  private everyUs = EVERY_US;
   /** Simulated time since which the places that were next at the end were next, in µs. */
   nextSinceUs = 0;
   /** Simulated time at which its program ended; `null`: it did not. */
@@ -50,20 +54,37 @@ export class Observed implements Onlooker {
     return this.line?.leftUs ?? null;
   }
 
+  /**
+   * From now on few moments are kept, and only lines are noted that have not run yet: all others run at full speed.
+   *
+   * @param count number of lines of `main.py`
+   */
+  noteLess(run: Simulation, count: number): void {
+    this.everyUs = SELDOM_US;
+    const only = Array.from({ length: count }, (_, place) => ({ file: MAIN, line: place + 1 })).filter(
+      ({ line }) => !this.lastRanUs.has(line),
+    );
+    run.watch(only.length === 0 ? null : Object.assign(this.note(run), { only }));
+  }
+
+  private note(run: Simulation): (event: { readonly file: string; readonly line: number }) => boolean {
+    return ({ file, line }) => {
+      if (file === MAIN) this.lastRanUs.set(line, run.nowUs);
+      return false;
+    };
+  }
+
   look(run: Simulation): void {
     if (this.isNew) {
       this.isNew = false;
       this.line = new LineWatch(run.scene);
       this.route = new Route(briefOf(run.scene));
-      run.watch(({ file, line }) => {
-        if (file === MAIN) this.lastRanUs.set(line, run.nowUs);
-        return false;
-      });
+      run.watch(this.note(run));
     }
     const { nowUs, pose, ended } = run;
     if (ended !== null) this.endedUs ??= ended.timeUs;
     if (pose !== null) this.pass({ x: pose.xMm, y: pose.yMm }, nowUs);
-    if (pose === null || nowUs % EVERY_US !== 0 || this.moments.length >= MOST_MOMENTS) return;
+    if (pose === null || nowUs % this.everyUs !== 0 || this.moments.length >= MOST_MOMENTS) return;
     this.line?.look(nowUs, { x: pose.xMm, y: pose.yMm });
     const { robot } = run.snapshot();
     if (robot === null) return;
