@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { linesToSee, withChange, type Change } from './change';
 import { extraChanges, indentChanges, isRight, orderChanges } from './lines';
-import { elseChanges, missingChanges } from './missing';
+import { elseChanges, missingChanges, numbersInLine, waitChanges } from './missing';
 import { nameChanges, oppositesOf } from './names';
 import { between, coarseValues, numbersOf } from './numbers';
 import { readProgram, type Program } from './program';
@@ -123,6 +123,28 @@ describe('lines', () => {
     const changes = made(missingChanges, 'forward()\ndelay(500)\nstop()\nleft()\nstop()\n');
     expect(changes[0]).toBe('delay(500)');
     expect(changes).toContain('setSpeed(50)');
+  });
+
+  it('may be the call of a parameter that is never used', () =>
+    expect(made(missingChanges, 'def turn(way):\n    delay(500)\n    stop()\nturn(left)\n')).toContain('    way()'));
+
+  it('may be the opposite of the line before it, before others', () => {
+    const changes = made(missingChanges, 'for i in range(2):\n    half(rightArc)\nfillRGB(0, 80, 0)\n');
+    expect(changes.indexOf('    half(leftArc)')).toBeLessThan(changes.indexOf('    fillRGB(0, 80, 0)'));
+  });
+
+  it('are waits above all where the robot is told to drive and at once to stop', () => {
+    const text = 'TURN = 370\nforward()\nstop()\ndelay(20)\nleft()\ndelay(50)\nstop()\n';
+    expect(made(waitChanges, text).slice(0, 3)).toEqual(['delay(TURN)', 'delay(20)', 'delay(50)']);
+    expect(new Set(waitChanges(readProgram(text)).map(({ line }) => line))).toEqual(new Set([3]));
+  });
+
+  it('may have other numbers than elsewhere', () => {
+    const line = { kind: 'missing', line: 3, before: [], after: ['    drive(1500, 2)'], direction: null } as const;
+    const [first, second] = numbersInLine(line);
+    expect(first?.to(3000)).toEqual({ ...line, after: ['    drive(3000, 2)'] });
+    expect(second?.to(1)).toEqual({ ...line, after: ['    drive(1500, 1)'] });
+    expect(first?.to(1500)).toBeNull();
   });
 
   it('may be an else with one statement', () => {
