@@ -6,6 +6,7 @@ import type { Zone } from '#scene/scene';
 import type { Simulation } from '#simulation/simulation';
 import { Route } from '#simulation/task/route';
 import { briefOf } from '#simulation/task/task-brief';
+import { isStill } from './still';
 
 /** The first robot at one moment. */
 export interface Moment {
@@ -17,11 +18,8 @@ export interface Moment {
   readonly touches: number;
 }
 
-/**
- * Simulated time between two moments that are kept: as often as the trace, and more seldom once nothing new happens. Chosen:
- * a turn on the spot still shows.
- */
-const [EVERY_US, SELDOM_US] = [20_000, 200_000];
+/** Simulated time between two moments that are kept. Chosen: as often as the trace. */
+const EVERY_US = 20_000;
 /** Chosen: ten minutes; a longer run says nothing new. */
 const MOST_MOMENTS = 30_000;
 
@@ -38,7 +36,8 @@ export class Observed implements Onlooker {
   /** Number of the checkpoint that is next; infinite: none is left. */
   private number: number | null = null;
   private isNew = true;
-  private everyUs = EVERY_US;
+  /** True once nothing new happens: a robot that stands is not looked at any closer. */
+  private looksLess = false;
   /** Simulated time since which the places that were next at the end were next, in µs. */
   nextSinceUs = 0;
   /** Simulated time at which its program ended; `null`: it did not. */
@@ -55,12 +54,13 @@ export class Observed implements Onlooker {
   }
 
   /**
-   * From now on few moments are kept, and only lines are noted that have not run yet: all others run at full speed.
+   * From now on a robot that stands is not looked at any closer, and only lines are noted that have not run yet: all others run
+   * at full speed.
    *
    * @param count number of lines of `main.py`
    */
   noteLess(run: Simulation, count: number): void {
-    this.everyUs = SELDOM_US;
+    this.looksLess = true;
     const only = Array.from({ length: count }, (_, place) => ({ file: MAIN, line: place + 1 })).filter(
       ({ line }) => !this.lastRanUs.has(line),
     );
@@ -84,8 +84,13 @@ export class Observed implements Onlooker {
     const { nowUs, pose, ended } = run;
     if (ended !== null) this.endedUs ??= ended.timeUs;
     if (pose !== null) this.pass({ x: pose.xMm, y: pose.yMm }, nowUs);
-    if (pose === null || nowUs % this.everyUs !== 0 || this.moments.length >= MOST_MOMENTS) return;
+    if (pose === null || nowUs % EVERY_US !== 0 || this.moments.length >= MOST_MOMENTS) return;
     this.line?.look(nowUs, { x: pose.xMm, y: pose.yMm });
+    const last = this.moments.at(-1);
+    if (this.looksLess && last !== undefined && isStill(pose, last.pose)) {
+      this.moments.push({ ...last, timeUs: nowUs, pose, touches: run.touches });
+      return;
+    }
     const { robot } = run.snapshot();
     if (robot === null) return;
     const { duty, lineSensors } = robot.state;

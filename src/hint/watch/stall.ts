@@ -5,6 +5,7 @@ import type { Pose } from '#core/geometry';
 import { solidParts } from '#scene/kinds/index';
 import type { Onlooker } from '#check/run/run-world';
 import type { Simulation } from '#simulation/simulation';
+import { isStill } from './still';
 
 /** Simulated time between two looks. Chosen: a robot at full speed drives some centimetres. */
 const LOOK_US = 100_000;
@@ -91,16 +92,6 @@ export class Stall implements Onlooker {
     return this.waits ? WAIT_US : STALL_US;
   }
 }
-
-/** True if a robot is where it was; without a robot, too. */
-function isStill(now: Pose | null, before: Pose | null): boolean {
-  if (now === null || before === null) return now === before;
-  const [x, y, turned] = [now.xMm - before.xMm, now.yMm - before.yMm, now.headingRad - before.headingRad];
-  return Math.abs(x) < STILL_MM && Math.abs(y) < STILL_MM && Math.abs(turned) < STILL_RAD;
-}
-
-/** Less than any robot drives or turns between two looks. */
-const [STILL_MM, STILL_RAD] = [0.1, 0.001];
 
 /** True while the motors of the first robot are off. */
 function isOff(run: Simulation): boolean {
