@@ -1,10 +1,10 @@
 import type { Change } from './changes/change';
 import { extraChanges, indentChanges, orderChanges } from './changes/lines';
-import { elseChanges, missingChanges, numbersInLine, waitChanges } from './changes/missing';
+import { elseChanges, missingChanges, numbersInLine, unusedChanges, waitChanges } from './changes/missing';
 import { nameChanges, relatedNameChanges } from './changes/names';
 import { between, coarseValues, FIRST_STEPS, numbersOf, type NumberPlace, type Tried } from './changes/numbers';
 import { readProgram, type Program } from './changes/program';
-import { branchChanges, comparisonChanges, logicChanges, polarityChanges } from './changes/signs';
+import { branchChanges, comparisonChanges, digitsIn, logicChanges, polarityChanges } from './changes/signs';
 import { mainOf, Trials, type Search } from './trials';
 
 /** The end of a search. */
@@ -32,7 +32,7 @@ async function searchIn(program: Program, trials: Trials, { suspects, score }: S
   const missing = (): readonly Change[] => (found ??= missingChanges(program, suspects));
   const steps: readonly (() => Promise<Change | null>)[] = [
     () => firstOf(inOrder(polarityChanges, nameChanges, comparisonChanges, logicChanges), trials),
-    () => more.firstOf(inOrder(waitChanges)),
+    () => more.firstOf([...unusedChanges(program, suspects), ...inOrder(waitChanges)]),
     () => more.finer(),
     () => numbers.coarse(0, FIRST_STEPS),
     () => firstOf(inOrder(branchChanges), trials),
@@ -82,7 +82,11 @@ const bySuspicion = <T extends { readonly line: number }>(
 const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech)/;
 
 const numbersInOrder = (program: Program, suspects: readonly number[]): readonly NumberPlace[] =>
-  bySuspicion(numbersOf(program), program, suspects);
+  bySuspicion(
+    numbersOf(program).filter(({ from }) => !digitsIn(program).has(from)),
+    program,
+    suspects,
+  );
 
 /** Tries other values of the numbers of a program: coarse steps first, then halving between them. */
 class NumberSearch {

@@ -22,7 +22,7 @@ export function missingChanges(program: Program, suspects: readonly number[] = [
   const latest = new Set(suspects.slice(0, LATEST));
   const opposites = new Map(simple(program).map(({ code }) => [code, oppositeCodes(code)]));
   const found = placesIn(program).flatMap((place) =>
-    statements.map((statement) => {
+    statements.filter(hasMeaningAt(place)).map((statement) => {
       const isOpposite = [place.after, place.before].some((code) => opposites.get(code)?.includes(statement.code));
       return {
         place,
@@ -39,6 +39,24 @@ export function missingChanges(program: Program, suspects: readonly number[] = [
     }));
 }
 
+/** True of a statement that has a meaning at a place. */
+const hasMeaningAt =
+  ({ line, indent }: Place) =>
+  ({ within }: Statement): boolean =>
+    within === undefined || (line > within[0] && line <= within[1] + 1 && indent !== '');
+
+/** The most uses of what is never used that are tried before other kinds. Chosen: the places in a function. */
+const MOST_UNUSED = 12;
+
+/** The uses of what is defined and never used: something is missing for sure, or too much. */
+export function unusedChanges(program: Program, suspects: readonly number[]): readonly Change[] {
+  const codes = new Set(unusedIn(program).map(({ code }) => code));
+  if (codes.size === 0) return [];
+  return missingChanges(program, suspects)
+    .filter(({ after: [line = ''] }) => codes.has(line.trim()))
+    .slice(0, MOST_UNUSED);
+}
+
 /** Number of the likeliest lines before which a line more is likelier. Chosen: what lacks lies shortly before the end of a run. */
 const LATEST = 3;
 
@@ -46,7 +64,7 @@ const LATEST = 3;
 export function waitChanges(program: Program): readonly Change[] {
   const roleOf = rolesIn(program);
   const waits = statementsOf(program).filter(({ code }) => roleOf(code) === 'wait');
-  const unused = waits.filter(({ rank }) => rank === 1);
+  const unused = waits.filter(({ rank }) => rank === UNUSED);
   return placesIn(program)
     .filter(({ after, before }) => roleOf(after) === 'drive' && ['drive', 'stop'].includes(roleOf(before)))
     .flatMap(({ line, indent }) =>
@@ -84,34 +102,44 @@ interface Place {
 interface Statement {
   readonly code: string;
   readonly rank: number;
+  /** The lines of the only function in which it has a meaning; left out: it has one everywhere. */
+  readonly within?: readonly [from: number, to: number];
 }
 
 function statementsOf(program: Program): readonly Statement[] {
   const own = simple(program).map(({ code }) => code);
   const opposite = own.flatMap(oppositeCodes);
   const unused = unusedIn(program);
-  const ranked = [own, unused, opposite, USUAL].flatMap((codes, rank) => codes.map((code) => ({ code, rank })));
+  const ranked = [own, [], opposite, USUAL].flatMap((codes, rank): readonly Statement[] =>
+    rank === UNUSED ? unused : codes.map((code) => ({ code, rank })),
+  );
   const first = new Map<string, Statement>();
   for (const one of ranked) if (!first.has(one.code)) first.set(one.code, one);
   return [...first.values()].filter(({ code }) => !/^(return|global|pass)\b/.test(code));
 }
 
+/** Rank of what is defined and never used. */
+const UNUSED = 1;
+
 /** Uses of what is defined and never used. */
-function unusedIn(program: Program): readonly string[] {
+function unusedIn(program: Program): readonly Statement[] {
   const names = program.nodes('VariableName', 'PropertyName').map((node) => program.textOf(node));
   const isOnce = (name: string): boolean => names.filter((one) => one === name).length === 1;
   const constants = [...new Set(names)].filter((name) => /^[A-Z][A-Z\d_]+$/.test(name) && isOnce(name));
-  const functions = program
-    .nodes('FunctionDefinition')
-    .flatMap((node) => node.getChild('VariableName') ?? [])
-    .map((node) => program.textOf(node))
-    .filter(isOnce);
-  const parameters = [...parametersOf(program)].filter(isOnce);
-  return [
-    ...constants.map((name) => `delay(${name})`),
-    ...[...functions, ...parameters].map((name) => `${name}()`),
-    ...parameters.map((name) => `delay(${name})`),
-  ];
+  const functions = program.nodes('FunctionDefinition').map((node) => ({
+    name: node.getChild('VariableName'),
+    parameters: node.getChild('ParamList')?.getChildren('VariableName') ?? [],
+    within: [program.lineAt(node.from), program.lineAt(node.to - 1)] as const,
+  }));
+  const called = functions.flatMap(({ name }) => (name === null ? [] : [program.textOf(name)])).filter(isOnce);
+  const inFunctions = functions.flatMap(({ parameters, within }) =>
+    parameters
+      .map((node) => program.textOf(node))
+      .filter(isOnce)
+      .flatMap((name) => [`${name}()`, `delay(${name})`].map((code) => ({ code, rank: UNUSED, within }))),
+  );
+  const everywhere = [...constants.map((name) => `delay(${name})`), ...called.map((name) => `${name}()`)];
+  return [...everywhere.map((code) => ({ code, rank: UNUSED })), ...inFunctions];
 }
 
 /** Before each line of code, as far in as it, and at the end of each block as far in as the block. */
@@ -183,7 +211,7 @@ function likelihoodIn(program: Program): (place: Place, statement: Statement) =>
     const isDrive = role === 'drive' && one !== 'drive' && other === 'wait';
     const lacks = isWait || isDrive ? 5 : 0;
     const isDoubled = code === after || code === before;
-    return exact + alike + lacks + (isDoubled ? 1 : 0) + (rank === 1 ? 4 : 0) - rank;
+    return exact + alike + lacks + (isDoubled ? 1 : 0) + (rank === UNUSED ? 4 : 0) - rank;
   };
 }
 
