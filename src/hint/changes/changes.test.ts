@@ -151,6 +151,9 @@ describe('lines', () => {
     expect(new Set(waitChanges(readProgram(text)).map(({ line }) => line))).toEqual(new Set([3]));
   });
 
+  it('are no constants once more, which have their values already', () =>
+    expect(made(missingChanges, 'NEAR = 3\nfar = 4\nforward()\n')).not.toContain('NEAR = 3'));
+
   it('may have other numbers than elsewhere', () => {
     const line = { kind: 'missing', line: 3, before: [], after: ['    drive(1500, 2)'], direction: null } as const;
     const [first, second] = numbersInLine(line);

@@ -107,7 +107,8 @@ interface Statement {
 }
 
 function statementsOf(program: Program): readonly Statement[] {
-  const own = simple(program).map(({ code }) => code);
+  // A constant has its value already.
+  const own = simple(program).flatMap(({ code }) => (/^[A-Z][A-Z\d_]+ *=[^=]/.test(code) ? [] : [code]));
   const opposite = own.flatMap(oppositeCodes);
   const unused = unusedIn(program);
   const ranked = [own, [], opposite, USUAL].flatMap((codes, rank): readonly Statement[] =>
