@@ -6,7 +6,7 @@ import { replaced, type Program } from './program';
 export interface NumberPlace {
   readonly value: number;
   readonly line: number;
-  /** Where it begins in the text. */
+  /** Its beginning in the text. */
   readonly from: number;
   /** The program's change to another value; `null`: it would be the same. */
   readonly to: (value: number) => Change | null;

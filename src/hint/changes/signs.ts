@@ -23,7 +23,7 @@ export const comparisonChanges = (program: Program): readonly Change[] =>
 
 const ZERO_OR_ONE = /^[01]$/;
 
-/** Where each 0 and 1 begins with which a digital reading is compared: no other number makes sense there. */
+/** Beginnings of each 0 and 1 with which a digital reading is compared: no other number makes sense there. */
 export const digitsIn = (program: Program): ReadonlySet<number> =>
   new Set(
     digitNodes(program)
