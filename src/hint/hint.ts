@@ -15,7 +15,7 @@ import type { Simulation } from '#simulation/simulation';
 import { findChange } from './search';
 import { mainOf } from './trials';
 import { Observed, type Moment } from './watch/observed';
-import { scoreOf, Stall } from './watch/stall';
+import { PATIENCE, scoreOf, Stall } from './watch/stall';
 
 /** How much a hint tells: the moment, the lines, the kind of change, the change itself. */
 export const hintLevels = [1, 2, 3, 4] as const;
@@ -71,8 +71,9 @@ export interface Hint {
 export async function hintFor(given: ClassTask, handIn: HandIn, hinter: Hinter): Promise<Hint | null> {
   const { firmware, budget, beat = () => undefined } = hinter;
   const task = visibleTask(given);
-  const watches = task.worlds.map(() => new Watch(task));
-  const onlooker = (world: number): Watch => watches[world] ?? new Watch(task);
+  const lines = linesOf(mainOf(handIn)).length;
+  const watches = task.worlds.map(() => new Watch(task, lines));
+  const onlooker = (world: number): Watch => watches[world] ?? new Watch(task, lines);
   const result = await check(task, handIn, { firmware, beat, onlooker });
   if (result.passed) return null;
   const failed = failedIn(task, result);
@@ -125,19 +126,24 @@ function wayUntil(last: Moment, moments: readonly Moment[]): readonly Point[] {
 
 const tenth = (mm: number): number => Math.round(mm * 10) / 10;
 
-/** Notes what a run does, and how far it gets. */
+/** Notes what a run does, and how far it gets; once nothing new happens in it, only which other lines run. */
 class Watch implements Onlooker {
   readonly hasEnough = false;
   readonly seen = new Observed();
   readonly stall: Stall;
 
-  constructor(task: ClassTask) {
-    this.stall = new Stall(task);
+  constructor(
+    task: ClassTask,
+    private readonly lines: number,
+  ) {
+    this.stall = new Stall(task, PATIENCE);
   }
 
   look(run: Simulation): void {
     this.seen.look(run);
-    if (!this.stall.hasEnough) this.stall.look(run);
+    if (this.stall.hasEnough) return;
+    this.stall.look(run);
+    if (this.stall.hasEnough) this.seen.noteLess(run, this.lines);
   }
 }
 

@@ -1,10 +1,10 @@
 import type { Change } from './changes/change';
 import { extraChanges, indentChanges, orderChanges } from './changes/lines';
-import { elseChanges, missingChanges } from './changes/missing';
+import { elseChanges, missingChanges, numbersInLine, unusedChanges, waitChanges } from './changes/missing';
 import { nameChanges, relatedNameChanges } from './changes/names';
 import { between, coarseValues, FIRST_STEPS, numbersOf, type NumberPlace, type Tried } from './changes/numbers';
 import { readProgram, type Program } from './changes/program';
-import { branchChanges, comparisonChanges, logicChanges, polarityChanges } from './changes/signs';
+import { branchChanges, comparisonChanges, digitsIn, logicChanges, polarityChanges } from './changes/signs';
 import { mainOf, Trials, type Search } from './trials';
 
 /** The end of a search. */
@@ -27,22 +27,25 @@ async function searchIn(program: Program, trials: Trials, { suspects, score }: S
   const inOrder = (...makers: readonly ((of: Program) => readonly Change[])[]): readonly Change[] =>
     makers.flatMap((make) => bySuspicion(make(program), program, suspects));
   const numbers = new NumberSearch(numbersInOrder(program, suspects), trials, score);
+  const more = new LinesMore(trials, score);
   let found: readonly Change[] | null = null;
-  const missing = (): readonly Change[] => (found ??= missingChanges(program));
+  const missing = (): readonly Change[] => (found ??= missingChanges(program, suspects));
   const steps: readonly (() => Promise<Change | null>)[] = [
     () => firstOf(inOrder(polarityChanges, nameChanges, comparisonChanges, logicChanges), trials),
+    () => more.firstOf([...unusedChanges(program, suspects), ...inOrder(waitChanges)]),
+    () => more.finer(),
     () => numbers.coarse(0, FIRST_STEPS),
+    () => firstOf(inOrder(branchChanges), trials),
     () => numbers.finer(FIRST_FINER),
-    () => firstOf(inOrder(branchChanges, extraChanges, orderChanges, indentChanges), trials),
-    () => firstOf(missing().slice(0, LIKELY), trials),
+    () => firstOf(inOrder(extraChanges, orderChanges, indentChanges), trials),
+    () => more.firstOf(missing().slice(0, LIKELY)),
+    () => more.finer(),
     () => numbers.coarse(FIRST_STEPS, Infinity),
     () => numbers.finer(FINER),
     () => firstOf(inOrder(relatedNameChanges), trials),
     () =>
-      firstOf(
-        [...missing().slice(LIKELY, 3 * LIKELY), ...elseChanges(program), ...missing().slice(3 * LIKELY)],
-        trials,
-      ),
+      more.firstOf([...missing().slice(LIKELY, 3 * LIKELY), ...elseChanges(program), ...missing().slice(3 * LIKELY)]),
+    () => more.finer(),
     () => numbers.finer(Infinity),
   ];
   for (const step of steps) {
@@ -79,7 +82,11 @@ const bySuspicion = <T extends { readonly line: number }>(
 const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech)/;
 
 const numbersInOrder = (program: Program, suspects: readonly number[]): readonly NumberPlace[] =>
-  bySuspicion(numbersOf(program), program, suspects);
+  bySuspicion(
+    numbersOf(program).filter(({ from }) => !digitsIn(program).has(from)),
+    program,
+    suspects,
+  );
 
 /** Tries other values of the numbers of a program: coarse steps first, then halving between them. */
 class NumberSearch {
@@ -132,5 +139,40 @@ class NumberSearch {
     const score = await this.trials.score(change);
     tried.push({ value, score });
     return score === Infinity ? change : null;
+  }
+}
+
+/** Number of the lines more whose numbers are varied, and of coarse steps. Chosen: those that get farthest. */
+const [FARTHEST_LINES, LINE_STEPS] = [4, 4];
+
+/** Tries lines more. Where one gets the robot farther, but not far enough, its numbers may be other ones. */
+class LinesMore {
+  private farther: { readonly change: Change; readonly score: number }[] = [];
+
+  constructor(
+    private readonly trials: Trials,
+    private readonly score: number,
+  ) {}
+
+  async firstOf(changes: readonly Change[]): Promise<Change | null> {
+    for (const change of changes) {
+      if (this.trials.isOver) return null;
+      const score = await this.trials.score(change);
+      if (score === Infinity) return change;
+      if (score > this.score && change.after.length === 1) this.farther.push({ change, score });
+    }
+    return null;
+  }
+
+  /** Varies the numbers of those lines that got farthest since the last time. */
+  async finer(): Promise<Change | null> {
+    const farthest = this.farther.sort((one, other) => other.score - one.score).slice(0, FARTHEST_LINES);
+    this.farther = [];
+    for (const { change, score } of farthest) {
+      const numbers = new NumberSearch(numbersInLine(change), this.trials, score);
+      const found = (await numbers.coarse(0, LINE_STEPS)) ?? (await numbers.finer(2 * LINE_STEPS));
+      if (found !== null) return found;
+    }
+    return null;
   }
 }

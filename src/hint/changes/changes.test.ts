@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { linesToSee, withChange, type Change } from './change';
 import { extraChanges, indentChanges, isRight, orderChanges } from './lines';
-import { elseChanges, missingChanges } from './missing';
+import { elseChanges, missingChanges, numbersInLine, unusedChanges, waitChanges } from './missing';
 import { nameChanges, oppositesOf } from './names';
 import { between, coarseValues, numbersOf } from './numbers';
 import { readProgram, type Program } from './program';
 import { mattersTo } from './reach';
-import { comparisonChanges, logicChanges, polarityChanges } from './signs';
+import { comparisonChanges, digitsIn, logicChanges, polarityChanges } from './signs';
 
 /** The changed lines, each change as one text. */
 const made = (make: (program: Program) => readonly Change[], text: string): readonly string[] =>
@@ -89,6 +89,12 @@ describe('signs', () => {
     ]);
   });
 
+  it('0 and 1 that a digital reading is compared with are no numbers to be made greater', () => {
+    const program = readProgram('if irLeft.read_digital() == 0 and rounds == 1:\n    delay(1)\n');
+    const isDigit = numbersOf(program).map(({ from }) => digitsIn(program).has(from));
+    expect(isDigit).toEqual([true, false, false]);
+  });
+
   it('and, or, not and True are exchanged', () => {
     const changes = made(logicChanges, 'while not a:\n    if b and c:\n        d = True\n');
     for (const one of ['while a:', '    if b or c:', '    if not b and c:', '        d = False'])
@@ -123,6 +129,37 @@ describe('lines', () => {
     const changes = made(missingChanges, 'forward()\ndelay(500)\nstop()\nleft()\nstop()\n');
     expect(changes[0]).toBe('delay(500)');
     expect(changes).toContain('setSpeed(50)');
+  });
+
+  it('are likeliest where something is defined and never used, a parameter in its function alone', () => {
+    const text = 'TURN = 370\ndef turn(way):\n    delay(500)\n    stop()\nturn(left)\n';
+    const changes = unusedChanges(readProgram(text), []);
+    const codes = changes.map(({ after: [code = ''] }) => code.trim());
+    expect(new Set(codes)).toEqual(new Set(['delay(TURN)', 'way()', 'delay(way)']));
+    const ways = changes.filter((_, place) => codes[place] === 'way()');
+    expect(ways.map(({ line }) => line).sort()).toEqual([3, 4, 5]);
+  });
+
+  it('may be the opposite of the line before it, before others', () => {
+    const changes = made(missingChanges, 'for i in range(2):\n    half(rightArc)\nfillRGB(0, 80, 0)\n');
+    expect(changes.indexOf('    half(leftArc)')).toBeLessThan(changes.indexOf('    fillRGB(0, 80, 0)'));
+  });
+
+  it('are waits above all where the robot is told to drive and at once to stop', () => {
+    const text = 'TURN = 370\nforward()\nstop()\ndelay(20)\nleft()\ndelay(50)\nstop()\n';
+    expect(made(waitChanges, text).slice(0, 3)).toEqual(['delay(TURN)', 'delay(20)', 'delay(50)']);
+    expect(new Set(waitChanges(readProgram(text)).map(({ line }) => line))).toEqual(new Set([3]));
+  });
+
+  it('are no constants once more, which have their values already', () =>
+    expect(made(missingChanges, 'NEAR = 3\nfar = 4\nforward()\n')).not.toContain('NEAR = 3'));
+
+  it('may have other numbers than elsewhere', () => {
+    const line = { kind: 'missing', line: 3, before: [], after: ['    drive(1500, 2)'], direction: null } as const;
+    const [first, second] = numbersInLine(line);
+    expect(first?.to(3000)).toEqual({ ...line, after: ['    drive(3000, 2)'] });
+    expect(second?.to(1)).toEqual({ ...line, after: ['    drive(1500, 1)'] });
+    expect(first?.to(1500)).toBeNull();
   });
 
   it('may be an else with one statement', () => {

@@ -6,6 +6,8 @@ import { replaced, type Program } from './program';
 export interface NumberPlace {
   readonly value: number;
   readonly line: number;
+  /** Its beginning in the text. */
+  readonly from: number;
   /** The program's change to another value; `null`: it would be the same. */
   readonly to: (value: number) => Change | null;
   /** A value as it can be written in its place: of a whole number a whole one. */
@@ -17,7 +19,7 @@ export const numbersOf = (program: Program): readonly NumberPlace[] =>
   numbersIn(program.source.text)
     .filter(({ value }) => Number.isFinite(value))
     .map((at) => ({
-      ...{ value: at.value, line: at.line },
+      ...{ value: at.value, line: at.line, from: at.from },
       near: (wanted) => (Number.isInteger(at.value) ? Math.round(wanted) : rounded(wanted)),
       to: (wanted) => (wanted === at.value ? null : toNumber(program, at, wanted)),
     }));

@@ -23,14 +23,25 @@ export const comparisonChanges = (program: Program): readonly Change[] =>
 
 const ZERO_OR_ONE = /^[01]$/;
 
-/** 0 for 1 and 1 for 0 where something is compared with it: one after the other, then all of a line. */
-export function polarityChanges(program: Program): readonly Change[] {
-  const digits = program.nodes('BinaryExpression').flatMap((node) => {
+/** Beginnings of each 0 and 1 with which a digital reading is compared: no other number makes sense there. */
+export const digitsIn = (program: Program): ReadonlySet<number> =>
+  new Set(
+    digitNodes(program)
+      .filter(({ parent }) => parent !== null && program.textOf(parent).includes('read_digital('))
+      .map(({ from }) => from),
+  );
+
+const digitNodes = (program: Program): readonly SyntaxNode[] =>
+  program.nodes('BinaryExpression').flatMap((node) => {
     const sign = signOf(program, node);
     const number = node.getChild('Number');
     const isDigit = sign !== null && number !== null && ZERO_OR_ONE.test(program.textOf(number));
     return isDigit && ['==', '!='].includes(program.textOf(sign)) ? [number] : [];
   });
+
+/** 0 for 1 and 1 for 0 where something is compared with it: one after the other, then all of a line. */
+export function polarityChanges(program: Program): readonly Change[] {
+  const digits = digitNodes(program);
   const flip = (node: SyntaxNode) => ({
     ...{ from: node.from, to: node.to, by: program.textOf(node) === '0' ? '1' : '0' },
   });

@@ -9,7 +9,12 @@ import { mainOf, withMain } from '../trials';
 /** The hint to a group: that to its example, and how far it holds. */
 export interface GroupHint {
   readonly hint: Hint;
-  /** Number of the group's hand-ins that pass with the same change, the example among them; proved by running them. */
+  /**
+   * For each hand-in the change with which its program passes, proved by running it, the example's first; `null`: it does
+   * not with the same.
+   */
+  readonly changes: readonly (Change | null)[];
+  /** Number of the group's hand-ins that pass with the same change. */
   readonly holds: number;
   readonly of: number;
 }
@@ -32,25 +37,26 @@ export async function groupHint(
   const [example, ...others] = handIns;
   const hint = example === undefined ? null : await hintFor(task, example, hinter);
   if (example === undefined || hint === null) return null;
-  let holds = hint.change === null ? 0 : 1;
+  const changes = [hint.change];
   for (const other of others)
-    if (hint.change !== null && (await passesWith(hint.change, mainOf(example), task, other, hinter))) holds += 1;
-  return { hint, holds, of: handIns.length };
+    changes.push(hint.change && (await changeOf(hint.change, mainOf(example), task, other, hinter)));
+  return { hint, changes, holds: changes.filter((change) => change !== null).length, of: handIns.length };
 }
 
-async function passesWith(
+/** The same change in another program, if that passes with it. */
+async function changeOf(
   change: Change,
   program: string,
   task: ClassTask,
   other: HandIn,
   { firmware, beat = () => undefined }: Hinter,
-): Promise<boolean> {
+): Promise<Change | null> {
   // prettier-ignore
   for (const there of likewise(change, program, mainOf(other)).slice(0, MOST_PLACES)) {
     const changed = withMain(other, withChange(mainOf(other), there));
-    if ((await check(visibleTask(task), changed, { firmware, beat })).passed) return true;
+    if ((await check(visibleTask(task), changed, { firmware, beat })).passed) return there;
   }
-  return false;
+  return null;
 }
 
 /**

@@ -155,6 +155,7 @@ describe('the facts of a run', () => {
     const wrong = [400, 300].map((ms) => handIn(ahead(ms)));
     const found = await groupHint(near, [...wrong, handIn('x = 1\n')], { firmware: firmware(), budget: 100 });
     expect(found).toMatchObject({ holds: 2, of: 3, hint: { change: { kind: 'number', direction: 'more' } } });
+    expect(found?.changes).toMatchObject([{ before: ['delay(400)'] }, { before: ['delay(300)'] }, null]);
   });
 });
 

@@ -10,7 +10,7 @@ import type { Point, Scene } from '#scene/scene';
 import { failedIn } from '../happened/failed-in';
 import { happenedIn, type Happened } from '../happened/happened';
 import { Observed, type Moment } from '../watch/observed';
-import { Stall } from '../watch/stall';
+import { PATIENCE, Stall } from '../watch/stall';
 import { Track, type Departure } from './bends';
 
 /** The facts of a run that has not passed, as plain data. */
@@ -51,7 +51,7 @@ export async function factsOf(
   const isRun = !UNRUN.includes(found?.reason?.code ?? 'open');
   const inWorld = courseOfWorld(task.project.scene, world);
   const course = 'scene' in inWorld ? inWorld.scene : task.project.scene;
-  const onlooker = untilNothingNew(seen, new Stall({ ...task, project: { ...task.project, scene: course } }));
+  const onlooker = untilNothingNew(seen, new Stall({ ...task, project: { ...task.project, scene: course } }, PATIENCE));
   if (isRun) await runWorld(task, handIn.project, world, { beat: () => undefined, ...means, onlooker });
   const happened = happenedIn({ reason, result: found, seen, course });
   const [next] = seen.next;

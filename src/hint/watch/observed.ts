@@ -6,6 +6,7 @@ import type { Zone } from '#scene/scene';
 import type { Simulation } from '#simulation/simulation';
 import { Route } from '#simulation/task/route';
 import { briefOf } from '#simulation/task/task-brief';
+import { isStill } from './still';
 
 /** The first robot at one moment. */
 export interface Moment {
@@ -35,6 +36,8 @@ export class Observed implements Onlooker {
   /** Number of the checkpoint that is next; infinite: none is left. */
   private number: number | null = null;
   private isNew = true;
+  /** True once nothing new happens: a robot that stands is not looked at any closer. */
+  private looksLess = false;
   /** Simulated time since which the places that were next at the end were next, in µs. */
   nextSinceUs = 0;
   /** Simulated time at which its program ended; `null`: it did not. */
@@ -50,21 +53,44 @@ export class Observed implements Onlooker {
     return this.line?.leftUs ?? null;
   }
 
+  /**
+   * From now on a robot that stands is not looked at any closer, and only lines are noted that have not run yet: all others run
+   * at full speed.
+   *
+   * @param count number of lines of `main.py`
+   */
+  noteLess(run: Simulation, count: number): void {
+    this.looksLess = true;
+    const only = Array.from({ length: count }, (_, place) => ({ file: MAIN, line: place + 1 })).filter(
+      ({ line }) => !this.lastRanUs.has(line),
+    );
+    run.watch(only.length === 0 ? null : Object.assign(this.note(run), { only }));
+  }
+
+  private note(run: Simulation): (event: { readonly file: string; readonly line: number }) => boolean {
+    return ({ file, line }) => {
+      if (file === MAIN) this.lastRanUs.set(line, run.nowUs);
+      return false;
+    };
+  }
+
   look(run: Simulation): void {
     if (this.isNew) {
       this.isNew = false;
       this.line = new LineWatch(run.scene);
       this.route = new Route(briefOf(run.scene));
-      run.watch(({ file, line }) => {
-        if (file === MAIN) this.lastRanUs.set(line, run.nowUs);
-        return false;
-      });
+      run.watch(this.note(run));
     }
     const { nowUs, pose, ended } = run;
     if (ended !== null) this.endedUs ??= ended.timeUs;
     if (pose !== null) this.pass({ x: pose.xMm, y: pose.yMm }, nowUs);
     if (pose === null || nowUs % EVERY_US !== 0 || this.moments.length >= MOST_MOMENTS) return;
     this.line?.look(nowUs, { x: pose.xMm, y: pose.yMm });
+    const last = this.moments.at(-1);
+    if (this.looksLess && last !== undefined && isStill(pose, last.pose)) {
+      this.moments.push({ ...last, timeUs: nowUs, pose, touches: run.touches });
+      return;
+    }
     const { robot } = run.snapshot();
     if (robot === null) return;
     const { duty, lineSensors } = robot.state;

@@ -32,7 +32,11 @@ function groupsWith(rows: readonly Row[]) {
     });
   const textOf = ({ project }: { readonly project: { readonly files: readonly { readonly text: string }[] } }) =>
     project.files[0]?.text ?? '';
-  const hint = { hint: {}, holds: 1, of: 2 } as unknown as GroupHint;
+  const change = { kind: 'number', line: 1, before: ['b'], after: ['d'], direction: 'more' } as const;
+  const hint = {
+    ...{ hint: { world: null, happened: { fact: 'unmoved' } }, holds: 1, of: 2 },
+    changes: [change, null],
+  } as unknown as GroupHint;
   const model = {
     task: shallowRef({ name: 'corners', from: 'corners', task: taskWith(readyScene('corners')) }),
     rows: shallowRef(rows),
@@ -65,6 +69,16 @@ describe('the groups of the class on the page', () => {
     await groups.search(group!);
     expect(searched).toEqual([[group!.example, ...group!.members.filter((name) => name !== group!.example)]]);
     expect(groups.hintOf(group!)).toMatchObject({ holds: 1, of: 2 });
+  });
+
+  it('have the hint in words for those alone in whose programs it was tried and holds, without the change', async () => {
+    const { groups } = groupsWith([row('b', false), row('c', false)]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    expect(groups.hintsInWords(group!, 'en').size).toBe(0);
+    await groups.search(group!);
+    const told = [...groups.hintsInWords(group!, 'en')];
+    expect(told).toEqual([[group!.example, expect.stringMatching(/^The robot never moved\. .*line 1 is too small/)]]);
   });
 
   it('end a search with the group that is closed, and begin it anew', async () => {

@@ -1,3 +1,4 @@
+import type { Language } from '#core/languages';
 import type { HandIn } from '#check/hand-in/hand-in';
 import { Asker, inLanes, type Every, type Start } from '#check/lane';
 import type { CheckResult } from '#check/result';
@@ -6,6 +7,8 @@ import type { GroupHint } from '#hint/groups/group-hint';
 import { groupsOf, type Group } from '#hint/groups/groups';
 import { needsRun, type RunFacts } from '#hint/groups/run-facts';
 import { isHidden } from '#hint/groups/say';
+import { hintText } from '#hint/say';
+import { mainOf } from '#hint/trials';
 import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { Services } from '../../../session/run/worker/serve/protocol';
@@ -124,9 +127,33 @@ export class GroupsModel {
   }
 
   /** The hand-ins of a group, its example first. */
-  handInsOf({ members, example }: Group): readonly HandIn[] {
+  handInsOf(group: Group): readonly HandIn[] {
+    return this.rowsOf(group).flatMap(({ handIn }) => handIn ?? []);
+  }
+
+  /** The rows of a group with a program, its example first. */
+  private rowsOf({ members, example }: Group): readonly Row[] {
     const rows = new Map(this.model.rows.value.map((row) => [row.name, row]));
-    return [example, ...members.filter((name) => name !== example)].flatMap((name) => rows.get(name)?.handIn ?? []);
+    return [example, ...members.filter((name) => name !== example)].flatMap((name) => {
+      const row = rows.get(name);
+      return row === undefined || row.handIn === null ? [] : [row];
+    });
+  }
+
+  /**
+   * The hint in words to each hand-in of a group whose program passes with it, with its own lines, by their names. It tells
+   * no change itself.
+   */
+  hintsInWords(group: Group, language: Language): ReadonlyMap<string, string> {
+    const found = this.hintOf(group);
+    if (typeof found !== 'object') return new Map();
+    const told = this.rowsOf(group).flatMap(({ name, handIn, result }, place): readonly [string, string][] => {
+      const change = found.changes[place] ?? null;
+      if (handIn === null || change === null) return [];
+      const happened = (place > 0 && result && this.facts.value.get(result)?.happened) || found.hint.happened;
+      return [[name, hintText({ ...found.hint, happened, change, program: mainOf(handIn) }, 3, language)]];
+    });
+    return new Map(told);
   }
 
   private unseen(): readonly Row[] {
