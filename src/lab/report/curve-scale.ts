@@ -1,4 +1,4 @@
-/** Maps numbers evenly onto a stretch. */
+/** Maps numbers evenly onto a stretch; all alike stand in its middle. */
 export function curveScale(values: readonly number[], from: number, to: number): (value: number) => number {
   const low = values.reduce((one, other) => Math.min(one, other), Infinity);
   const high = values.reduce((one, other) => Math.max(one, other), -Infinity);
