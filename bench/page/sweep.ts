@@ -33,7 +33,7 @@ export const sweepSubject: Subject<Stage> = {
         ['to', RUNS],
         ['step', 1],
       ] as const) {
-        const input = page.locator(`[data-testid=lab-${field}]`).first();
+        const input = page.locator(`[data-testid=lab-${field}] input`).first();
         await input.fill(String(value));
         await input.press('Tab');
       }

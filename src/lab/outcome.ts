@@ -80,7 +80,7 @@ export async function ranTo(
   const outcome = outcomeOf(simulation, verdict);
   const drive = trail && {
     ...{ way: trail.way().trail, endUs: simulation.nowUs },
-    lineMm: (simulation.snapshot().robot?.lineSensors ?? []).map(({ atMm }) => atMm),
+    lineMm: (simulation.snapshot().robot?.state.lineSensors ?? []).map(({ atMm }) => atMm),
   };
   simulation.dispose();
   return { outcome, verdict, ...(drive && { drive }) };

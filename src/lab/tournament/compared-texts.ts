@@ -30,7 +30,10 @@ export function comparedText({ now, told, isSame }: Compared, language: Language
         : here === there
           ? say.otherWay
           : say.unlike;
-  return `${pairOf(now ?? told)}  ${now === undefined ? there : here}  ${filledIn(why[language], { told: there })}`;
+  // After another result other pairs may meet.
+  const isOther = now !== undefined && told !== undefined && pairOf(now) !== pairOf(told);
+  const saidThere = isOther ? `${pairOf(told)} ${there}` : there;
+  return `${pairOf(now ?? told)}  ${now === undefined ? there : here}  ${filledIn(why[language], { told: saidThere })}`;
 }
 
 /** The comparison in a sentence. */

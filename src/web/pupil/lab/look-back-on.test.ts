@@ -4,6 +4,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, type EffectScope } from 'vue';
 
 import type { Answer } from '#check/lane';
+import { targetAt } from '#check/testing/tasks';
 import { answerRun, type RunAnswer, type RunRequest } from '#lab/run-request';
 
 import { createParts, type AllParts } from '../../app/testing/page';
@@ -58,11 +59,7 @@ describe('Rückblick on a point of a series', { timeout: 60_000 }, () => {
     ['of a new and a used robot', true, condition],
   ])('opens the run of the series, with its fingerprint: one %s', async (_, hasGoal, wish) => {
     page.work.setText('main.py', DRIVE);
-    if (hasGoal)
-      page.work.edit({
-        type: 'add',
-        objects: [{ type: 'target', id: 't', at: [900, 450], size: [200, 200], angle: 0 }],
-      });
+    if (hasGoal) page.work.edit({ type: 'add', objects: [targetAt(900, 450)] });
     const lab = labHere();
     await lab.begin(wish);
     const runs = lab.series.value?.runs;
@@ -73,7 +70,8 @@ describe('Rückblick on a point of a series', { timeout: 60_000 }, () => {
       expect(hash).toBe(runs?.get(place)?.traceHash);
       expect(hash).toMatch(/^[0-9a-f]{16,}$/);
       expect(left).toHaveBeenCalledOnce();
-      await vi.waitFor(() => expect(page.run.present.value?.timeUs).toBe(runs?.get(place)?.drive?.endUs));
+      const endUs = runs?.get(place)?.drive?.endUs;
+      await vi.waitFor(() => expect(page.run.present.value?.timeUs).toBe(endUs), { timeout: 20_000, interval: 20 });
     }
   });
 });
