@@ -2,7 +2,7 @@ import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import { shownNames } from '#check/report/names';
 import type { Unread } from '#check/hand-in/unread';
-import { Asker, inLanes, type Every, type Start } from '#check/lane';
+import { Asker, inLanes, START_MS, type Every, type Start } from '#check/lane';
 import type { Choice } from '#intake/contents';
 import { contentOf, withOwnNames, type Source } from '#intake/sources';
 import { comparison, differences, drawOf, tournamentFile, type Entry, type ToldTournament } from '#lab/tournament/file';
@@ -236,7 +236,7 @@ export class TournamentModel {
     const waiting = pairings.flatMap((pairing, at) => (results[at] === undefined ? [{ ...pairing, at }] : []));
     const ordered = plan.mode === 'league' ? inRounds(waiting, plan.names.length) : waiting;
     const count = Math.min(this.ports.lanes, ordered.length);
-    this.lanes = Array.from({ length: count }, () => new Asker(now.start, this.ports.every, Infinity));
+    this.lanes = Array.from({ length: count }, () => new Asker(now.start, this.ports.every, Infinity, START_MS));
     await inLanes(ordered, this.lanes, async ({ at, ...pairing }, _, lane) => {
       if (now.turn !== this.turn) return;
       const setup = stageSetup(entry, plan, pairing);
