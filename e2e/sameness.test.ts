@@ -119,7 +119,7 @@ for (const [count, engines] of [
 
 test('a sweep of a number and used robots has the same table as in Node', async ({ app }) => {
   const setup = { ...courseRun('gate', 1), reality: 1 };
-  const vary = ['main.py:3=40,55', 'seed=1..3/1'];
+  const vary = ['main.py:6=40,55', 'seed=1..3/1'];
   const inNode = await sweepInNode({ setup, vary });
   expect((JSON.parse(inNode) as { readonly runs: readonly object[] }).runs).toHaveLength(6);
   await app.goto(PROBE);

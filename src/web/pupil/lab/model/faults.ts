@@ -15,6 +15,8 @@ export type Fault =
 const HARD = 0.045;
 /** From this reflectance on a sensor that sees otherwise is worth a word. Chosen: half of the largest. */
 const WORTH = 0.04;
+/** From this on a weak battery is worth a word, in per cent. */
+const WEAK = 2;
 /** A sensor less far from the middle than this is in the middle, in mm. */
 const MIDDLE_MM = 2;
 
@@ -32,7 +34,7 @@ export function faultsIn({ setup, drive }: { readonly setup: RunSetup } & Pick<L
   return [
     // The stronger motor drives its side ahead: the robot turns to the other one.
     { kind: 'pulls', to: difference > 0 ? 'right' : 'left', isHard: Math.abs(difference) > reality * HARD },
-    ...(percent < 1 ? [] : [{ kind: 'slower', percent } as const]),
+    ...(percent < WEAK ? [] : [{ kind: 'slower', percent } as const]),
     ...(worst === undefined || Math.abs(worst.by) < reality * WORTH
       ? []
       : [{ kind: 'sees', side: sideOf(worst.y), isLighter: worst.by > 0 } as const]),
