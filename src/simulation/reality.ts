@@ -103,7 +103,7 @@ function drawn(amount: number, seed: number): { readonly motors: MotorTraits; re
 export interface Faults {
   readonly motors: MotorTraits;
   /** How much lighter than it is the line sensor at a spot sees the floor, in reflectance; below 0: darker. */
-  lighter(spot: Vec): number;
+  readonly lighter: (spot: Vec) => number;
 }
 
 /** The faults that the robot of a seed has for good. @param amount 0 … 1 */

@@ -7,7 +7,7 @@ import { jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-o
 /** The request to `parcours tournament`: a new one, or one of a file that is played again. */
 export type TournamentOptions = PlayOptions | VerifyOptions;
 
-/** What both say of how they are carried out. */
+/** The part of both that says how they are carried out. */
 interface Common {
   readonly jobs: number;
   readonly json: boolean;
@@ -90,7 +90,7 @@ function readTournament(words: readonly string[], given: Given<typeof options>):
   return 'problem' in work ? work : { ...work, ...common };
 }
 
-/** Of a file that is played again all is known: nothing else says what is played. */
+/** A file that is played again holds everything: nothing else says what is played. */
 function verifyOf(
   verify: string,
   [first]: readonly string[],

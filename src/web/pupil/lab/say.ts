@@ -33,7 +33,7 @@ export function outcomeText({ passed, atMs, reason, pathMm }: LabRun): string {
   return pathMm === null ? t(words.ended) : t(words.drove, { way: Math.round(pathMm / 10) });
 }
 
-/** What is different about the used robot of a run, in a few words. */
+/** The differences of the used robot of a run, in a few words. */
 export const faultsText = (faults: readonly Fault[]): string => faults.map(faultText).join(', ');
 
 function faultText(fault: Fault): string {

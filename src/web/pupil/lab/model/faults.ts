@@ -2,7 +2,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import { faultsOf } from '#simulation/reality';
 import type { LabRun } from './lab-model';
 
-/** What is different about a used robot, for its words. */
+/** A lasting difference of a used robot, for its words. */
 export type Fault =
   | { readonly kind: 'pulls'; readonly to: 'left' | 'right'; readonly isHard: boolean }
   | { readonly kind: 'slower'; readonly percent: number }
