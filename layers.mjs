@@ -33,6 +33,7 @@ export const layers = {
     'python',
     'advice',
     'check',
+    'lab',
     'school-class',
     'hex',
     'rescue-line',

@@ -12,6 +12,7 @@ import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
 import { startSubject } from './page/start';
 import { stopSubject } from './page/stop';
+import { sweepSubject } from './page/sweep';
 import { goOnSubject, scrubSubject } from './page/time';
 import { measured, named, skipped, type Row } from './subject';
 
@@ -34,6 +35,7 @@ const pageSubjects = [
   whySubject,
   classSubject,
   openClassSubject,
+  sweepSubject,
 ];
 
 export { apiCalls } from './api-calls';

@@ -3,15 +3,21 @@ import { fileURLToPath } from 'node:url';
 import { runnerImport, type InlineConfig } from 'vite';
 import { words } from '../build/words';
 import type * as ClassKinds from './class-kinds';
-import type { ProbeResult, ProbeTask } from './probe/messages';
-import type { runBare } from './probe/run-bare';
+import type { ProbeResult, ProbeTask, SweepTask } from './probe/messages';
+import type { runBare, sweepBare } from './probe/run-bare';
+
+const firmware = (): WebAssembly.Module =>
+  new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
+const bare = (): Promise<{ readonly runBare: typeof runBare; readonly sweepBare: typeof sweepBare }> =>
+  loaded('./probe/run-bare.ts');
 
 /** The run of a probe in Node, to compare with what it gives in the worker of an engine. */
-export async function runInNode(task: Omit<ProbeTask, 'firmware'>): Promise<ProbeResult> {
-  const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
-  const bare = await loaded<{ readonly runBare: typeof runBare }>('./probe/run-bare.ts');
-  return bare.runBare({ ...task, firmware });
-}
+export const runInNode = async (task: Omit<ProbeTask, 'firmware'>): Promise<ProbeResult> =>
+  (await bare()).runBare({ ...task, firmware: firmware() });
+
+/** The table of a sweep in Node, likewise. */
+export const sweepInNode = async (task: Omit<SweepTask, 'firmware'>): Promise<string> =>
+  (await bare()).sweepBare({ ...task, firmware: firmware() });
 
 /** The class with a hand-in of every kind. */
 export const kindsInNode = (): Promise<typeof ClassKinds> => loaded('./class-kinds.ts');

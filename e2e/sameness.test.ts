@@ -5,7 +5,7 @@ import { expect, test } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { convoyOf } from '../src/simulation/testing/convoy';
 import { courseRun } from '../src/simulation/testing/course-run';
-import { runInNode } from './in-node';
+import { runInNode, sweepInNode } from './in-node';
 
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
 interface GoldenRun {
@@ -116,3 +116,12 @@ for (const [count, engines] of [
       expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
     },
   );
+
+test('a sweep of a number and used robots has the same table as in Node', async ({ app }) => {
+  const setup = { ...courseRun('gate', 1), reality: 1 };
+  const vary = ['main.py:6=40,55', 'seed=1..3/1'];
+  const inNode = await sweepInNode({ setup, vary });
+  expect((JSON.parse(inNode) as { readonly runs: readonly object[] }).runs).toHaveLength(6);
+  await app.goto(PROBE);
+  expect(await app.evaluate((task) => window.sweep(task.setup, task.vary), { setup, vary })).toBe(inNode);
+});

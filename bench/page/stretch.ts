@@ -4,7 +4,7 @@ import type { Opened } from './stage';
 
 const ROUNDS = 3;
 /** Half a frame a second is measuring error. */
-const FRAMES_PER_SECOND = 59.5;
+export const FRAMES_PER_SECOND = 59.5;
 /** Most of a frame that may be the page's own work, in ms. */
 export const FRAME_MS = 10;
 
@@ -38,7 +38,8 @@ export async function smoothness(opened: Opened, act: (page: Page) => Promise<vo
   };
 }
 
-async function stretch({ page, tools }: Opened, act: (page: Page) => Promise<void>): Promise<Stretch> {
+/** Counts while something goes on. */
+export async function stretch({ page, tools }: Opened, act: (page: Page) => Promise<void>): Promise<Stretch> {
   const first = await state(page, tools);
   await page.evaluate(() => (window.bench.frames = []));
   await act(page);

@@ -20,5 +20,14 @@ export interface ProbeResult {
   readonly told: readonly string[];
 }
 
-/** The result, or what broke. */
-export type ProbeAnswer = { readonly result: ProbeResult } | { readonly problem: string };
+/** A sweep for the worker. */
+export interface SweepTask {
+  readonly firmware: WebAssembly.Module;
+  /** The run that varies. */
+  readonly setup: RunSetup;
+  /** Each `WHAT=VALUES`. */
+  readonly vary: readonly string[];
+}
+
+/** The result, the table of a sweep as one line of JSON, or what broke. */
+export type ProbeAnswer = { readonly result: ProbeResult } | { readonly table: string } | { readonly problem: string };

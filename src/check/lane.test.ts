@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { handInOfFiles } from './hand-in/read-hand-in';
-import { Lane, STUCK_MS, type CheckAnswer, type CheckRequest } from './lane';
+import { Asker, Lane, START_MS, STUCK_MS, type CheckAnswer, type CheckRequest } from './lane';
 import { unreadable } from './result';
 import { sceneWith, targetAt, taskWith } from './testing/tasks';
 
@@ -93,5 +93,41 @@ describe('a lane', () => {
     expect(watching()).toBe(0);
     await pass(STUCK_LOOKS);
     expect(started()).toBe(1);
+  });
+});
+
+describe('a thread that is still loading', () => {
+  it('is not stuck for a minute; once it has begun, it is after ten seconds of silence', async () => {
+    let beat = 0;
+    let look = (): void => undefined;
+    const asker = new Asker<string, string>(
+      () => ({ ask: () => undefined, pulse: () => ({ beat, world: 0 }), stop: () => undefined }),
+      (_, act) => {
+        look = act;
+        return () => undefined;
+      },
+      Infinity,
+      START_MS,
+    );
+    const pass = (ms: number): void => Array.from({ length: ms / 200 }).forEach(() => look());
+    let ended: string | null = null;
+    const ask = (): void =>
+      void asker.askOnce('').then((ending) => (ended = 'reason' in ending ? ending.reason.code : ending.result));
+    ask();
+    pass(START_MS);
+    await settled();
+    expect(ended).toBeNull();
+    pass(200);
+    await settled();
+    expect(ended).toBe('stuck');
+    ended = null;
+    ask();
+    beat = 1;
+    pass(STUCK_MS);
+    await settled();
+    expect(ended).toBeNull();
+    pass(400);
+    await settled();
+    expect(ended).toBe('stuck');
   });
 });

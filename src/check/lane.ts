@@ -36,6 +36,12 @@ export type Every = (ms: number, act: () => void) => () => void;
  */
 export const STUCK_MS = 10_000;
 
+/**
+ * The same before a thread's first sign of life, where that comes before its program begins: the thread may still be loading, and no
+ * machine shall decide what a match or a run of a series comes to.
+ */
+export const START_MS = 60_000;
+
 /** Longest duration of a run on any machine, in ms of wall time. Chosen: a simulation slower than that is of no use. */
 const LONG_MS = 120_000;
 
@@ -58,11 +64,15 @@ export class Asker<Request, Result> {
   private end: ((ending: { readonly result: Result } | Loss) => void) | null = null;
   private unwatch: () => void = () => undefined;
 
-  /** @param mostMs longest wall time in one world */
+  /**
+   * @param mostMs longest wall time in one world
+   * @param startMs longest silence before the first sign of life
+   */
   constructor(
     private readonly start: Start<Request, Result>,
     private readonly every: Every,
     private readonly mostMs: number,
+    private readonly startMs = STUCK_MS,
   ) {}
 
   /** The answer to a request, which is asked a second time if it was stuck. */
@@ -111,7 +121,7 @@ export class Asker<Request, Result> {
 
   /** Gives up a thread without a sign of life for `STUCK_MS`, or slower with a world than the real robot would be. */
   private watch(thread: Thread<Request>): () => void {
-    const { mostMs } = this;
+    const { mostMs, startMs } = this;
     let { beat, world } = thread.pulse();
     let [stillMs, worldMs] = [0, 0];
     return this.every(LOOK_MS, () => {
@@ -119,7 +129,7 @@ export class Asker<Request, Result> {
       stillMs = now.beat === beat ? stillMs + LOOK_MS : 0;
       worldMs = now.world === world ? worldMs + LOOK_MS : 0;
       ({ beat, world } = now);
-      if (stillMs > STUCK_MS) this.lose('stuck', {});
+      if (stillMs > (beat === 0 ? startMs : STUCK_MS)) this.lose('stuck', {});
       else if (worldMs > mostMs) this.lose('long', { seconds: mostMs / 1000 });
     });
   }

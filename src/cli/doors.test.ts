@@ -43,6 +43,7 @@ const files: Readonly<Record<string, readonly [run: string, task: string, handIn
   'mylevel.json': ['is a course without a program', 'the course has no goals', 'mylevel course'],
   'week.json': ['is a series of tasks', 'is a series. Say which', 'week project'],
   'anna.run.json': ['is a recorded run', 'neither a project nor a course', 'anna forward()'],
+  'cup.json': ['is a tournament', 'is a tournament', 'cup tournament'],
   'class.zip': ['is a zip', 'is a zip', 'Anna forward(), Ben '],
   'week.zip': ['is a zip', 'is a zip', '02-ans-ziel forward()'],
   'links.txt': [': Anna:', 'not JSON', 'Anna forward()'],

@@ -4,7 +4,7 @@ import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
 import { documentOf, textOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
-import { documentOfText, isOurs } from '#intake/text';
+import { documentOfText, isOurs, TOURNAMENT } from '#intake/text';
 import { MAIN, newWork } from '#project/project';
 import { mapNoteText } from '#rescue-line/say';
 import { scoredBy } from '#rescue-line/scored-by';
@@ -159,6 +159,7 @@ async function readScene(word: string): Promise<CourseRead> {
   if (document.kind === 'project') return { scene: document.project.scene, notes: [] };
   if (document.kind === 'course')
     return { scene: document.scene, notes: document.mapNotes.map((note) => mapNoteText(note, 'en')) };
+  if (document.kind === 'tournament') return refuse(word, TOURNAMENT.message);
   const parsed = parseScene(text);
   if ('scene' in parsed) return { scene: parsed.scene, notes: [] };
   // The problems inside a project or a map are reported, instead of "not a course".

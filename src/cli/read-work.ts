@@ -3,7 +3,7 @@ import { documentOfAddress } from '#intake/address';
 import { unreadText } from '#check/report/say';
 import type { HexBoard } from '#hex/firmware';
 import type { AddressDocument, Document, HexDocument } from '#intake/document';
-import { documentOfText } from '#intake/text';
+import { documentOfText, TOURNAMENT } from '#intake/text';
 import { isProjectLink } from '#project/link/link';
 import { runFilesOf } from '#project/devices';
 import { filesByName, newWork, type Project, type ProjectSettings } from '#project/project';
@@ -104,6 +104,8 @@ export function workOfJson(text: string): Read {
       return { problem: 'is a series of tasks. Open it on the page, or name one of them for parcours check.' };
     case 'recording':
       return { problem: RECORDED };
+    case 'tournament':
+      return { problem: TOURNAMENT.message };
     case 'unreadable':
       return { problem: document.problems.map(({ message }) => message).join('\n') };
   }

@@ -11,7 +11,7 @@ import { documentOf } from './file';
 import { formatOf, isTextWithLinks, lastOf, mostBytes } from './formats';
 import type { NamedLink } from './links';
 import { projectOfRun } from './project-of-run';
-import { SERIES } from './text';
+import { SERIES, TOURNAMENT } from './text';
 import { Budget, chosenIn, readBeside, type Chosen, type TreeFile } from './tree';
 
 /** The content of a source: a hand-in, or the reason why there is none; then perhaps several, of which somebody chooses. */
@@ -157,6 +157,8 @@ function handInOfWork(document: ProgramDocument | TextDocument | AddressDocument
       return unread('course');
     case 'series':
       return { problem: SERIES.problem };
+    case 'tournament':
+      return { problem: TOURNAMENT.problem };
     case 'unreadable':
       return { problem: document.problem };
     default:

@@ -26,6 +26,7 @@ export type Document =
   | CourseDocument
   | SeriesDocument
   | RecordingDocument
+  | TournamentDocument
   /** A zip: hand-ins, tasks, or the folder of a series lie in it. Or the files of an e-mail, whose sender is `from`. */
   | { readonly kind: 'zip'; readonly files: readonly TreeFile[]; readonly from?: string }
   /** A text with links to hand-ins. */
@@ -36,7 +37,8 @@ export type Document =
   | Unreadable;
 
 /** A text of JSON. */
-export type TextDocument = ProjectDocument | CourseDocument | SeriesDocument | RecordingDocument | Unreadable;
+export type TextDocument =
+  ProjectDocument | CourseDocument | SeriesDocument | RecordingDocument | TournamentDocument | Unreadable;
 
 /** The content of an address. */
 export type AddressDocument =
@@ -129,6 +131,12 @@ export interface RecordingDocument {
   readonly text: string;
   /** The moment that is shown first, in simulated µs. */
   readonly atUs: number;
+}
+
+/** A tournament that was played, to be read by `#lab/tournament/file`. */
+export interface TournamentDocument {
+  readonly kind: 'tournament';
+  readonly text: string;
 }
 
 /** One thing that is wrong inside a file. */

@@ -10,17 +10,27 @@ import type { ReadyCourses } from '#project/link/link';
 import { MAIN, projectLimits, type Project } from '#project/project';
 import { courseOfMap } from '#rescue-line/course-of-map';
 import { looksLikeMap, readMap } from '#rescue-line/read-map';
+import { looksLikeTournament } from '#lab/tournament/format';
 import { isTapeFile } from '#tape/tape';
-import type { CourseDocument, Document, FileProblem, SeriesDocument, TextDocument, Unreadable } from './document';
+import {
+  unreadable,
+  type CourseDocument,
+  type Document,
+  type FileProblem,
+  type SeriesDocument,
+  type TextDocument,
+  type Unreadable,
+} from './document';
 import { documentOfWorld } from './webtigerpython';
 
 /**
  * Reads a text of JSON of any known kind: a project, a course, a map of a rescue line, a world of WebTigerPython, a level of an
- * earlier simulator, a series, a recorded run.
+ * earlier simulator, a series, a recorded run, a tournament.
  * Never throws.
  */
 export function documentOfText(text: string, courses: ReadyCourses): TextDocument {
   if (looksLikeSeries(text)) return seriesDocument(parseSeries(text, courses));
+  if (looksLikeTournament(text)) return { kind: 'tournament', text };
   if (isTapeFile(text)) return { kind: 'recording', text, atUs: 0 };
   const value = valueOf(text);
   // A text that is not JSON, or far too long, gets the messages of a project file.
@@ -54,6 +64,7 @@ export function taskIn(document: Document): { readonly project: Project } | Unre
   if (document.kind === 'project' || document.kind === 'unreadable') return document;
   if (document.kind === 'course')
     return { project: { files: [{ name: MAIN, text: '' }], scene: document.scene, course: null } };
+  if (document.kind === 'tournament') return TOURNAMENT;
   return document.kind === 'series' ? SERIES : NEITHER;
 }
 
@@ -117,6 +128,12 @@ export const SERIES = notOurs(
   ...(['', '"parcours-series"'] as const),
   'is a series itself; a series holds tasks only. Add its tasks one by one.',
 );
+
+/** The file of a tournament in the place of a task or a hand-in. */
+export const TOURNAMENT: Unreadable = {
+  ...unreadable(unread('tournament').problem),
+  message: 'is a tournament. Play it again with parcours tournament --verify, or open it on the page.',
+};
 
 /** The file of a class in the place of work. */
 const CLASS = notOurs(

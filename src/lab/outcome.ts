@@ -1,4 +1,5 @@
 import { TrailKeeper } from '#check/run/trail';
+import type { Vec } from '#core/geometry';
 import type { Point } from '#scene/scene';
 import type { RunOutlets } from '#simulation/outlets';
 import { msOf, robotReport } from '#simulation/report';
@@ -55,6 +56,8 @@ export interface RunResult {
 export interface Drive {
   readonly way: readonly (readonly Point[])[];
   readonly endUs: number;
+  /** Places of its line sensors, robot frame, on the real robot; in mm. */
+  readonly lineMm: readonly Vec[];
 }
 
 /** Takes a run to its end. @param withDrive its way is kept */
@@ -75,7 +78,10 @@ export async function ranTo(
   }
   const { verdict } = simulation;
   const outcome = outcomeOf(simulation, verdict);
-  const drive = trail && { way: trail.way().trail, endUs: simulation.nowUs };
+  const drive = trail && {
+    ...{ way: trail.way().trail, endUs: simulation.nowUs },
+    lineMm: (simulation.snapshot().robot?.state.lineSensors ?? []).map(({ atMm }) => atMm),
+  };
   simulation.dispose();
   return { outcome, verdict, ...(drive && { drive }) };
 }

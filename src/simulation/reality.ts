@@ -16,7 +16,7 @@
  */
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
-import { bodyWith, supplyOf, type Traits } from '#robots/traits';
+import { bodyWith, supplyOf, type MotorTraits, type Traits } from '#robots/traits';
 import type { ChassisType } from '#world/chassis';
 import type { DepthCell } from '#world/probes/depth-grid';
 import type { ConeHit } from '#world/probes/distance-cone';
@@ -78,14 +78,9 @@ const IDEAL: Reality = {
  */
 export function createReality(amount: number, seed: number, nowUs: () => number, own?: Traits): Reality {
   if (amount === 0) return own === undefined ? IDEAL : measured(own, IDEAL);
-  const chance = createRng(seed).fork('reality');
-  const { least, most } = MOTOR_DIFFERENCE;
-  const sign = chance.unit() < 0.5 ? -1 : 1;
-  const difference = sign * amount * (least + (most - least) * chance.unit());
-  const charge = 1 - amount * FLAT_BATTERY * chance.unit();
-  const motors = { difference, charge, sag: amount * SAG_AT_FULL_DUTY, friction: 0 };
+  const { motors, salt } = drawn(amount, seed);
   const offset = own === undefined ? SENSOR_OFFSET : 0;
-  const senses = trembling(amount, chance.u32(), nowUs, offset);
+  const senses = trembling(amount, salt, nowUs, offset);
   if (own !== undefined) return measured(own, senses);
   return {
     ...senses,
@@ -93,6 +88,32 @@ export function createReality(amount: number, seed: number, nowUs: () => number,
     supply: ({ left, right }) => supplyOf(motors, left, right),
   };
 }
+
+/** Everything that the seed draws before the run. */
+function drawn(amount: number, seed: number): { readonly motors: MotorTraits; readonly salt: number } {
+  const chance = createRng(seed).fork('reality');
+  const { least, most } = MOTOR_DIFFERENCE;
+  const sign = chance.unit() < 0.5 ? -1 : 1;
+  const difference = sign * amount * (least + (most - least) * chance.unit());
+  const charge = 1 - amount * FLAT_BATTERY * chance.unit();
+  return { motors: { difference, charge, sag: amount * SAG_AT_FULL_DUTY, friction: 0 }, salt: chance.u32() };
+}
+
+/** The lasting faults of a robot that was not measured: all that tells it from others of its type. */
+export interface Faults {
+  readonly motors: MotorTraits;
+  /** How much lighter than it is the line sensor at a spot sees the floor, in reflectance; below 0: darker. */
+  readonly lighter: (spot: Vec) => number;
+}
+
+/** The faults that the robot of a seed has for good. @param amount 0 … 1 */
+export function faultsOf(amount: number, seed: number): Faults {
+  const { motors, salt } = drawn(amount, seed);
+  return { motors, lighter: (spot) => amount * SENSOR_OFFSET * sideOf(salt, channelOf(spot)) };
+}
+
+/** The share of the largest offset that the sensor of a channel has, −1 … 1. */
+const sideOf = (salt: number, channel: number): number => 2 * unitOf(salt, -1, channel) - 1;
 
 type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'light' | 'miss'>;
 
@@ -116,7 +137,7 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
   return {
     reflectance: (seen, spot) => {
       const channel = channelOf(spot);
-      const offset = mostOffset * (2 * unitOf(salt, -1, channel) - 1);
+      const offset = mostOffset * sideOf(salt, channel);
       const most = Math.max(1, seen);
       return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel)), 0), most);
     },

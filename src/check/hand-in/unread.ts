@@ -8,7 +8,7 @@ export interface Unread {
 /** The codes of what cannot be read, as reports have them. */
 export const unreadCodes = [
   // files
-  ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone', 'slow'] as const),
+  ...(['kind', 'not-text', 'project', 'newer', 'course', 'tournament', 'large', 'gone', 'slow'] as const),
   // a board's file
   ...(['hex-line', 'hex-damaged', 'hex-makecode', 'hex-other', 'hex-empty'] as const),
   // folders

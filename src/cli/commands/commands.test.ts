@@ -60,9 +60,10 @@ describe('the table of commands', () => {
 
   it.each(rows)('$name --$option changes what is asked for', ({ name, option, about }) => {
     const line = [...name.split(' '), ...least[name], ...(needs[`${name} --${option}`] ?? [])];
-    const isMerge = option === 'merge' ? name.split(' ') : line;
+    // These tell all that is done: nothing else says what is run.
+    const isWhole = ['merge', 'verify'].includes(option) ? name.split(' ') : line;
     const typed = about.value === undefined ? [`--${option}`] : [`--${option}`, sampleOf(about)];
-    const [before, after] = [parseCommand(line, around), parseCommand([...isMerge, ...typed], around)];
+    const [before, after] = [parseCommand(line, around), parseCommand([...isWhole, ...typed], around)];
     expect(after).toMatchObject({ type: name });
     expect(after).not.toEqual(before);
   });

@@ -2,7 +2,7 @@ import { basename } from 'node:path';
 import type { AddressDocument, Document, ProgramDocument, RewrittenLine } from '#intake/document';
 import { documentOf } from '#intake/file';
 import { formatOf, limits } from '#intake/formats';
-import { documentOfText } from '#intake/text';
+import { documentOfText, TOURNAMENT } from '#intake/text';
 import { defaultProjectSettings, MAIN, newWork, type SourceFile } from '#project/project';
 import { noteText } from '#project/webtigerpython/say';
 import type { Note } from '#project/webtigerpython/note';
@@ -85,6 +85,8 @@ async function inputOf(document: Document | AddressDocument): Promise<Input | Pr
       return inputOfReady(document.course, document.isWhole);
     case 'recording':
       return { problem: 'is a recorded run. Run it again with parcours replay.' };
+    case 'tournament':
+      return { problem: TOURNAMENT.message };
     case 'series':
     case 'series-link':
     case 'series-place':

@@ -1,4 +1,4 @@
-import { Asker, inLanes } from '#check/lane';
+import { Asker, inLanes, START_MS } from '#check/lane';
 import { stuckOutcome } from '#lab/outcome';
 import type { RunAnswer, RunRequest } from '#lab/run-request';
 import { hasTask } from '#simulation/task/task-brief';
@@ -38,7 +38,7 @@ export async function runMaker(jobs: number): Promise<RunMaker> {
   const firmware = await WebAssembly.compile(readFirmware());
   const start = threads<RunRequest, RunAnswer>('lab-worker', (): Omit<RunnerData, 'shared'> => ({ firmware }));
   // A run has as long as it takes: only one without a sign of life is given up.
-  const lanes = Array.from({ length: jobs }, (): Lane => new Asker(start, every, Infinity));
+  const lanes = Array.from({ length: jobs }, (): Lane => new Asker(start, every, Infinity, START_MS));
   return {
     make: (runs, made) => makeRuns(runs, lanes, made),
     stop: () => lanes.forEach((lane) => lane.stop()),

@@ -1,9 +1,9 @@
 import { resolve } from 'node:path';
 import { progressText } from '#lab/say';
-import { isForOne, MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
-import { resultOfRun, type MatchResult, type Pairing } from '#lab/tournament/match';
+import { isForOne, type Files } from '#lab/tournament/match-setup';
 import { programNames } from '#lab/tournament/names';
 import { leagueCount, matchCount, played, type Draw, type Tournament } from '#lab/tournament/play';
+import { firstStage } from '#lab/tournament/stages';
 import { playedText, rowText, tournamentCsv, tournamentHtml, tournamentJson } from '#lab/tournament/texts';
 import { MOST_RUNS } from '#lab/values';
 import type { Scene } from '#scene/scene';
@@ -13,8 +13,9 @@ import { filesOfWord, readCourse } from '../read-files';
 import { isAddress, shortened } from '../read-work';
 import { CountProgress, refuse, writeReports } from '../results-out';
 import { printable, type Terminal } from '../terminal';
-import { runMaker, type Wanted } from './make-runs';
-import type { TournamentOptions } from './tournament-arguments';
+import { matchPlayer } from './play-matches';
+import type { PlayOptions, TournamentOptions } from './tournament-arguments';
+import { verifyTournament } from './verify-tournament';
 
 type Problem = { readonly problem: string };
 
@@ -30,9 +31,10 @@ interface Entered {
 /**
  * Carries out `parcours tournament`.
  *
- * @returns the exit code: 0 all matches are played, 2 bad usage or a bad file
+ * @returns the exit code: 0 all matches are played, 1 one is not as the file says that is verified, 2 bad usage or a bad file
  */
-export async function tournament(options: TournamentOptions, terminal: Terminal): Promise<0 | 2> {
+export async function tournament(options: TournamentOptions, terminal: Terminal): Promise<0 | 1 | 2> {
+  if ('verify' in options) return verifyTournament(options, terminal);
   const entered = await enter(options);
   if ('problem' in entered) return refuse(entered.problem, terminal);
   for (const note of entered.notes) terminal.message(`parcours: ${note}`);
@@ -53,14 +55,7 @@ export async function tournament(options: TournamentOptions, terminal: Terminal)
 }
 
 /** Reads everything, and says what is wrong with it before a match is played. */
-async function enter({
-  course,
-  programs: paths,
-  mode,
-  seeds,
-  report,
-  csv,
-}: TournamentOptions): Promise<Entered | Problem> {
+async function enter({ course, programs: paths, mode, seeds, report, csv }: PlayOptions): Promise<Entered | Problem> {
   const read = await readCourse(course);
   if ('problem' in read) return read;
   const { scene, notes } = read;
@@ -96,31 +91,15 @@ function drawProblem(draw: Draw, course: string): string | null {
 
 async function playAll(
   { scene, programs, draw }: Entered,
-  { jobs, quiet, json, lang }: TournamentOptions,
+  { jobs, quiet, json, lang }: PlayOptions,
   terminal: Terminal,
 ): Promise<Tournament | Problem> {
   const of = matchCount(draw);
   const progress = new CountProgress(terminal, of, quiet || json, (done) => progressText(done, of, lang));
-  const maker = await runMaker(Math.min(jobs, of));
-  let problem = '';
-  const play = async (pairings: readonly Pairing[]): Promise<readonly MatchResult[] | null> => {
-    const results: MatchResult[] = [];
-    const runs: Wanted<number>[] = [];
-    for (const [place, { a, b, seed }] of pairings.entries()) {
-      const setup = matchSetup(scene, programs[a] ?? {}, b === null ? null : (programs[b] ?? {}), seed);
-      if ('problem' in setup) problem = setup.problem;
-      else runs.push({ is: place, request: { setup, end: MATCH_END } });
-    }
-    if (problem !== '') return null;
-    const refused = await maker.make(runs, (place, made) => {
-      results[place] = resultOfRun(made, draw.isAlone);
-      progress.add(1);
-    });
-    if (refused !== null) problem = refused.problem;
-    return refused === null ? results : null;
-  };
-  const found = await played(draw, play);
-  maker.stop();
+  const named = programs.map((files, place) => ({ name: draw.names[place] ?? '', files }));
+  const player = await matchPlayer({ scene, programs: named }, Math.min(jobs, of), () => progress.add(1));
+  const found = await played(draw, (pairings) => player.play(firstStage(draw), pairings));
+  player.stop();
   terminal.clearProgress();
-  return found ?? { problem };
+  return found ?? { problem: player.problem };
 }

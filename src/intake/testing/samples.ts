@@ -8,6 +8,7 @@ import { seriesLinkOf } from '#check/series/series-link';
 import { aSeries, readyCourses } from '#check/series/testing/series';
 import { seriesForPupils, seriesToFolder, seriesToText } from '#check/series/write-series';
 import { projectWith, sceneWith, targetAt } from '#check/testing/tasks';
+import { tournamentFile, type Entry } from '#lab/tournament/file';
 import { projectToText } from '#project/file';
 import { linkOf } from '#project/link/link';
 import { serializeScene } from '#scene/serialize';
@@ -26,6 +27,11 @@ const run = tapeToText({
 });
 /** Its set-up was changed afterwards, so that nobody runs it again to compare. */
 const changedRun = run.replace('"seed":1', '"seed":2');
+/** A tournament of two programs, each of which drives alone; it says nothing of what came of it. */
+const cup: Entry = {
+  ...{ name: 'Hall', scene, mode: 'league', seeds: [1] },
+  programs: ['anna', 'ben'].map((name) => ({ name, files: { 'main.py': 'forward()\n' } })),
+};
 const projectLink = linkOf(project, { courses: readyCourses, program: true })?.fragment ?? '';
 
 /** A program with a world, and a world alone, as WebTigerPython packs them. */
@@ -86,6 +92,7 @@ export const samples: readonly Sample[] = [
   sample('course', 'mylevel.json', JSON.stringify(world)),
   sample('series', 'week.json', seriesToText(seriesForPupils(aSeries()))),
   sample('recording', 'anna.run.json', changedRun),
+  sample('tournament', 'cup.json', tournamentFile(cup, [])),
   sample('zip', 'class.zip', zipOf({ 'Anna/main.py': 'forward()\n', 'Ben/main.py': '' })),
   sample('zip', 'week.zip', zipOf(Object.fromEntries(seriesFolder().map(({ name, text }) => [name, text])))),
   sample('links', 'links.txt', `Anna: https://parcours.example/#${projectLink}\n`),

@@ -1,5 +1,6 @@
 import { escaped } from '#check/report/escaped';
 import type { SweepResult, SweepRun } from '../sweep-texts';
+import { curveScale } from './curve-scale';
 
 /** A drawing in its own pixels: the curve, below it the lane of those that have no figure. */
 const [WIDE, HIGH, LANE] = [800, 300, 34] as const;
@@ -19,13 +20,13 @@ interface Measure {
 /** The curve of one thing that varies over a measure: passed as rings on it, the others as crosses in a lane below. */
 export function curveOf({ varied: [name = ''], runs }: SweepResult, { title, of }: Measure): string {
   const points = runs.map((run, place) => ({ run, x: at(run, place), figure: figureOf(run, of) }));
-  const xs = scale(
+  const xs = curveScale(
     points.map(({ x }) => x),
     LEFT,
     WIDE - RIGHT,
   );
   const figures = points.flatMap(({ figure }) => (figure === null ? [] : [figure]));
-  const ys = scale(figures, HIGH - LANE - GAP, TOP + GAP);
+  const ys = curveScale(figures, HIGH - LANE - GAP, TOP + GAP);
   const hasLane = figures.length < points.length;
   const size = points.length > MOST_SIGNS ? 2 : 5;
   const marks = points.map(({ x, figure, run }) =>
@@ -58,13 +59,6 @@ const figureOf = (run: SweepRun, of: Measure['of']): number | null => (run.passe
 
 /** A number in up to one digit after the point. */
 const shownNumber = (value: number): string => String(Math.round(value * 10) / 10);
-
-/** Maps numbers evenly onto a stretch. */
-function scale(values: readonly number[], from: number, to: number): (value: number) => number {
-  const low = values.reduce(least, Infinity);
-  const span = values.reduce(most, -Infinity) - low || 1;
-  return (value) => Math.round((from + ((value - low) / span) * (to - from)) * 10) / 10;
-}
 
 const least = (one: number, other: number): number => Math.min(one, other);
 const most = (one: number, other: number): number => Math.max(one, other);

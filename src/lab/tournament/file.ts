@@ -11,16 +11,16 @@ import { Reader } from '#scene/reader';
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 import { isForOne, type Files } from './match-setup';
+import { TOURNAMENT_FORMAT } from './format';
 import { leagueCount, modes, type Draw, type Mode } from './play';
 import type { Stage } from './stages';
 
-/** The name of the format in a file. */
-export const TOURNAMENT_FORMAT = 'parcours-tournament';
 const VERSION = 1;
 
 /** Chosen: a class's programs are far shorter, and its matches some hundred. */
 const limits = {
-  characters: 40_000_000,
+  /** As many as any file of JSON may have that is opened. */
+  characters: 16 * 1024 * 1024,
   programs: { min: 1, max: 100 },
   nameCharacters: 200,
   files: 20,
@@ -76,26 +76,49 @@ export function tournamentFile({ name, scene, programs, mode, seeds }: Entry, st
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
 
-/** Number of matches that have come out otherwise than the file says, those included that only one of both has. */
-export function differences(stages: readonly Stage[], told: readonly unknown[]): number {
-  let count = 0;
-  for (let place = 0; place < Math.max(stages.length, told.length); place++) {
-    const [stage, other] = [stages[place], told[place]];
-    const here = stage === undefined ? {} : dataOf(stage);
+/** A match that was played again, beside what a file tells of it. Only one of both may have it. */
+export interface Compared {
+  /** Place of its stage. */
+  readonly stage: number;
+  /** As it came out now, with the names of its programs; `undefined`: it was not played. */
+  readonly now: unknown;
+  /** As the file has it; `undefined`: it tells nothing. */
+  readonly told: unknown;
+  readonly isSame: boolean;
+}
+
+/** A tournament that was played again, compared with its file. */
+export interface Comparison {
+  /** Each match, in the order of the stages. */
+  readonly matches: readonly Compared[];
+  /** True if the tables are the file's. */
+  readonly areTablesSame: boolean;
+}
+
+/** Compares a tournament that was played again with what its file tells. */
+export function comparison(stages: readonly Stage[], told: readonly unknown[]): Comparison {
+  const matches: Compared[] = [];
+  let areTablesSame = true;
+  for (let stage = 0; stage < Math.max(stages.length, told.length); stage++) {
+    const [played, other] = [stages[stage], told[stage]];
+    const here = played === undefined ? {} : dataOf(played);
     const there = isRecord(other) ? other : {};
-    const [played, toldOf] = [listIn(here), listIn(there)];
-    for (let match = 0; match < Math.max(played.length, toldOf.length); match++)
-      if (!isSame(played[match], toldOf[match])) count += 1;
-    if (count === 0 && !isSame(here['table'], there['table'])) count = 1;
+    const [now, before] = [listIn(here), listIn(there)];
+    for (let match = 0; match < Math.max(now.length, before.length); match++)
+      matches.push({ stage, now: now[match], told: before[match], isSame: isSame(now[match], before[match]) });
+    areTablesSame &&= isSame(here['table'], there['table']);
   }
-  return count;
+  return { matches, areTablesSame };
+}
+
+/** Number of matches that have come out otherwise than the file says; a table alone that differs counts as one. */
+export function differences({ matches, areTablesSame }: Comparison): number {
+  const count = matches.filter((one) => !one.isSame).length;
+  return count === 0 && !areTablesSame ? 1 : count;
 }
 
 const listIn = ({ matches }: Readonly<Record<string, unknown>>): readonly unknown[] =>
   Array.isArray(matches) ? (matches as readonly unknown[]) : [];
-
-/** True if a text seems to be the file of a tournament: only then it is worth parsing. */
-export const looksLikeTournament = (text: string): boolean => /^\ufeff?\s*\{[^{[]*"parcours-tournament"/.test(text);
 
 /** Reads the file of a tournament. Never throws. */
 export function parseTournament(text: string): { readonly tournament: ToldTournament } | { readonly problem: string } {
@@ -140,8 +163,13 @@ function readTournament(value: unknown): ReturnType<typeof parseTournament> {
 
 function readProgram(value: unknown, path: string, reader: Reader): Entry['programs'][number] {
   const fields = reader.fields(value, path, ['name', 'files']);
-  const files = isRecord(fields['files']) ? Object.entries(fields['files']).slice(0, limits.files) : [];
-  if (files.length === 0) reader.report('unknown-value', `${path}.files`, fields['files'], 'there is no program.');
+  const files = isRecord(fields['files']) ? Object.entries(fields['files']) : [];
+  const { length: count } = files;
+  if (count === 0) reader.report('unknown-value', `${path}.files`, fields['files'], 'there is no program.');
+  if (count > limits.files) {
+    const what = `${count} files are too many, at most ${limits.files}.`;
+    reader.report('too-many', `${path}.files`, undefined, what, { count, max: limits.files });
+  }
   return {
     name: reader.text(fields['name'], `${path}.name`, limits.nameCharacters),
     files: Object.fromEntries(

@@ -21,7 +21,7 @@ export interface MatchResult {
   readonly atMs: number | null;
   /** Why the other one has not won, or why nobody has; `null`: one robot that has passed. */
   readonly reason: MatchReason | null;
-  /** The fingerprint of its run; left out: nobody keeps it. */
+  /** The fingerprint of its run; left out: it was stuck. */
   readonly traceHash?: string;
 }
 
@@ -33,18 +33,21 @@ export function resultOfRun(
   { outcome, verdict }: { readonly outcome: Outcome; readonly verdict: Verdict | null },
   isAlone: boolean,
 ): MatchResult {
-  const { atMs, reason } = outcome;
-  if (isAlone) return { winner: outcome.passed === true ? 'a' : 'b', atMs, reason };
+  const { atMs, reason, traceHash } = outcome;
+  // A run that was stuck has none.
+  const hash = traceHash ? { traceHash } : {};
+  if (isAlone) return { winner: outcome.passed === true ? 'a' : 'b', atMs, reason, ...hash };
   const [a, b] = verdict?.robots ?? [];
   if (verdict === null || a === undefined || b === undefined)
-    return { winner: 'draw', atMs: null, reason: reason ?? 'open' };
+    return { winner: 'draw', atMs: null, reason: reason ?? 'open', ...hash };
   const lead = ranks[a.state] - ranks[b.state] || timeOf(b) - timeOf(a) || 0;
-  if (lead === 0) return { winner: 'draw', atMs, reason: reason ?? (verdict.atMs === null ? 'open' : 'time') };
+  if (lead === 0) return { winner: 'draw', atMs, reason: reason ?? (verdict.atMs === null ? 'open' : 'time'), ...hash };
   const loser = lead > 0 ? b : a;
   return {
     winner: lead > 0 ? 'a' : 'b',
     atMs,
     reason: loser.reason ?? reason ?? (loser.state === 'open' ? 'open' : 'beaten'),
+    ...hash,
   };
 }
 

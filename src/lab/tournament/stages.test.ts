@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { parseSceneValue } from '#scene/parse';
 
-import { differences, parseTournament, tournamentFile, type Entry } from './file';
+import { comparison, differences, parseTournament, tournamentFile, type Entry } from './file';
 import { inRounds, leaguePairings } from './league';
 import type { MatchResult, Pairing } from './match';
 import type { Draw } from './play';
@@ -77,13 +77,31 @@ describe('the file of a tournament', () => {
     if ('problem' in read) throw new Error(read.problem);
     const { told, ...again } = read.tournament;
     expect(again).toEqual(entry);
-    expect(differences(stages, told)).toBe(0);
+    expect(differences(comparison(stages, told))).toBe(0);
   });
   it('tells how many matches come out otherwise', async () => {
     const stages = await stagesOf(draw);
     const changed = tournamentFile(entry, stages).replace('"a":"a","b":"b","seed":1,"winner":"b"', '"a":"a","b":"b","seed":1,"winner":"a"'); // prettier-ignore
     const read = parseTournament(changed);
-    expect('tournament' in read && differences(stages, read.tournament.told)).toBe(1);
+    if ('problem' in read) throw new Error(read.problem);
+    const compared = comparison(stages, read.tournament.told);
+    expect(differences(compared)).toBe(1);
+    expect(compared.matches.filter(({ isSame }) => !isSame)).toMatchObject([
+      { stage: 0, now: { a: 'a', b: 'b', winner: 'b' }, told: { a: 'a', b: 'b', winner: 'a' } },
+    ]);
+  });
+  it('tells of a table that does not come of its matches', async () => {
+    const stages = await stagesOf(draw);
+    const read = parseTournament(tournamentFile(entry, stages).replaceAll('"points":24', '"points":25'));
+    if ('problem' in read) throw new Error(read.problem);
+    expect(comparison(stages, read.tournament.told).areTablesSame).toBe(false);
+  });
+  it('with more files of a program than a board has room for says so, and drops none', () => {
+    const files = Object.fromEntries(Array.from({ length: 21 }, (_, place) => [`f${place}.py`, '']));
+    const programs = entry.programs.map((one, place) => (place === 0 ? { ...one, files } : one));
+    expect(parseTournament(tournamentFile({ ...entry, programs }, []))).toMatchObject({
+      problem: expect.stringContaining('programs[0].files: 21 files are too many, at most 20.'),
+    });
   });
   it.each([
     ['{', 'not JSON'],

@@ -1,5 +1,5 @@
 import type { Match, MatchResult, Pairing } from './match';
-import { played, type Draw } from './play';
+import { matchCount, played, type Draw } from './play';
 import type { Row } from './table';
 
 /** A part of a tournament with a table of its own. */
@@ -24,6 +24,9 @@ export function finalistsOf({ mode, names, isAlone }: Draw): number {
   while (2 * count <= Math.min(names.length, MOST_FINALISTS)) count *= 2;
   return count;
 }
+
+/** Number of matches with those of the final round; of brackets fewer may be played. */
+export const wholeCount = (draw: Draw): number => matchCount(draw) + 2 * Math.max(0, finalistsOf(draw) - 1);
 
 /** The first stage of a tournament: all of its programs. */
 export const firstStage = (draw: Draw): StagePlan => ({ ...draw, entrants: draw.names.map((_, place) => place) });

@@ -62,6 +62,7 @@ const files: Readonly<Record<string, readonly [page: string, class_: string, mak
   'mylevel.json': [': main.py ', 'mylevel course', 'task', ''],
   'week.json': ['#series/woch', 'series', 'series', 'series'],
   'anna.run.json': ['Hall: main.py forward()', 'anna forward()', 'refused', 'is not a task'],
+  'cup.json': ['#tournament', 'cup tournament', 'refused', 'this is a tournament'],
   'class.zip': ['cannot be opened here', 'Anna forward(), Ben ', 'nothing', 'is not a task'],
   'week.zip': ['#series/woch', 'series', 'series', 'series'],
   'links.txt': ['cannot be opened here', 'Anna forward()', 'refused', 'is not a task'],
@@ -166,6 +167,13 @@ describe.each(Object.entries(addresses))('an address: %s', (kind, address) => {
     const { tasks, series }: Collected = collectLinks(address);
     expect(series.length > 0 ? 'series' : tasks.length > 0 ? 'task' : 'refused').toBe(inMaker);
   });
+});
+
+it('a tournament that is pasted as text leads to its page', () => {
+  location.hash = '';
+  const cup = samples.find(({ kind }) => kind === 'tournament')!;
+  expect(openAddress(page, new TextDecoder().decode(cup.bytes))).toBeNull();
+  expect(location.hash).toBe('#tournament');
 });
 
 it('a zip of a class is read once, also where it is looked through for a series', async () => {

@@ -5,6 +5,7 @@ import type { CourseDocument, ProgramDocument, ProjectDocument, ReadyDocument } 
 import { defaultProjectSettings, type Project } from '#project/project';
 
 import type { Workplace } from '../../session/work/model/parts';
+import { bringTo } from '../../session/layout/brought-file';
 import { hasNothingOwn, useCourses } from '../../session/work/use-courses';
 import { useDevice } from '../../session/work/hardware/use-device';
 import { AUTO_ROBOT } from '../../session/work/settings/devices';
@@ -51,6 +52,9 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
       return null;
     case 'series-place':
       location.hash = `series=${placeSeenFrom(address.trim(), document.place)}`;
+      return null;
+    case 'tournament':
+      bringTo(app, 'tournament', document.text);
       return null;
     case 'series':
       return t(words.problems.notALink);

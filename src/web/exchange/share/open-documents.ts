@@ -8,6 +8,7 @@ import { mapNoteText } from '#rescue-line/say';
 import type { PageParts } from '../../kit/parts';
 import type { Workplace } from '../../session/work/model/parts';
 import { MOST_AT_ONCE } from '../../session/work/storage/history';
+import { bringTo } from '../../session/layout/brought-file';
 import { hasNothingOwn } from '../../session/work/use-courses';
 import { useOpenings } from '../../session/work/use-openings';
 import { isReadyArena } from '../../session/work/catalogue/examples';
@@ -90,6 +91,9 @@ async function openDocument(app: TakesDocuments, { file: loaded, document }: Tak
       openHexDocument(app, document, file);
       return null;
     }
+    case 'tournament':
+      bringTo(app, 'tournament', document.text);
+      return null;
     case 'unreadable':
       return refusalOf(loaded, document);
     default:

@@ -63,6 +63,19 @@ describe('the values of a run', () => {
   });
 });
 
+describe('chance alone', () => {
+  const chance: Wish = { kind: 'ranges', ranges: [{ name: 'seed', from: 1, to: 3, step: 1 }] };
+  it('is taken over for a used robot; a new one on the page has always the first', async () => {
+    const { page, lab } = await series({}, chance);
+    expect([0, 1].map((place) => canTake(page, lab, place))).toEqual([true, false]);
+    page.settings.change({ reality: 1 });
+    await Promise.race([lab.begin(chance), Promise.resolve()]);
+    expect([isStale(lab), takeOver(page, lab, 2)]).toEqual([false, 'done']);
+    expect(page.settings.current.value).toMatchObject({ reality: 1, seed: 3 });
+    expect(isStale(lab)).toBe(false);
+  });
+});
+
 describe('a series', () => {
   it('no longer holds with another robot or chance, unless they are what varies', async () => {
     for (const [wish, expected] of [

@@ -11,6 +11,7 @@ import { Recording } from '../../session/run/recording';
 import { repeatInWorker, type Repeated } from '../../session/run/repeat-client';
 import { showAgain } from '../../session/run/run-again';
 import { examOf } from '../../session/task/exam/exam-model';
+import { seedOf } from '../../session/work/hardware/hardware';
 import type { Workplace } from '../../session/work/model/parts';
 import { consoleOf } from '../console/parts';
 import type { Settings } from '../../session/work/settings/settings';
@@ -75,7 +76,9 @@ export async function asGhost(app: App, of: OfRun): Promise<boolean> {
 /** The condition of the robot and its chance, as far as they do not vary in the series. */
 function condition({ setup: { reality, seed }, usedSeed }: Base, { wish, sweep }: Series): readonly number[] {
   if (wish.kind === 'robots') return [];
-  return sweep.varied.some(({ what }) => what.kind === 'reality') ? [usedSeed] : [reality, seed];
+  const varies = (kind: 'reality' | 'seed'): boolean => sweep.varied.some(({ what }) => what.kind === kind);
+  if (varies('seed')) return varies('reality') ? [] : [reality];
+  return varies('reality') ? [usedSeed] : [reality, seed];
 }
 
 /** True if the work is no longer the one that the series was made with, the number that was taken from it apart. */
@@ -95,6 +98,8 @@ interface Change {
   readonly start: SceneEdit | null;
   /** `null`: the robot stays as it is. */
   readonly robot: Partial<Pick<Settings, 'reality' | 'seed'>> | null;
+  /** True: the chance of a new robot is another one, which the page does not have. */
+  readonly isElsewhere: boolean;
 }
 
 function changeTo({ work }: Pick<App, 'work'>, lab: LabModel, place: number): Change | null {
@@ -115,6 +120,7 @@ function changeTo({ work }: Pick<App, 'work'>, lab: LabModel, place: number): Ch
     files,
     start: isThere ? null : { type: 'robot', robot: { at, heading } },
     robot: varies ? (reality > 0 ? { reality, seed } : { reality }) : null,
+    isElsewhere: seedOf({ reality, seed }) !== seed,
   };
 }
 
@@ -130,6 +136,7 @@ export function canTake(app: App, lab: LabModel, place: number): boolean {
     isOpen && (file !== MAIN || lines.length === 0 || keptLines(before, after, lines) !== null);
   const mayMove = !locks.isLocked('course') && ['select', 'rotate', 'start'].some((tool) => locks.hasTool(tool));
   return (
+    !change.isElsewhere &&
     change.files.every(keeps) &&
     (change.start === null || mayMove) &&
     (change.robot === null || !locks.isLocked('robot'))

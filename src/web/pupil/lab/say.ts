@@ -3,6 +3,7 @@ import type { Value } from '#lab/what';
 
 import { shownLanguage, t } from '../../kit/i18n';
 import { numberText } from '../../kit/i18n/number-text';
+import type { Fault } from './model/faults';
 import type { LabRun, Series } from './model/lab-model';
 import { numberThings, type Thing } from './model/things';
 import words from './words';
@@ -32,6 +33,23 @@ export function outcomeText({ passed, atMs, reason, pathMm }: LabRun): string {
   return pathMm === null ? t(words.ended) : t(words.drove, { way: Math.round(pathMm / 10) });
 }
 
+/** The differences of the used robot of a run, in a few words. */
+export const faultsText = (faults: readonly Fault[]): string => faults.map(faultText).join(', ');
+
+function faultText(fault: Fault): string {
+  const { pulls, sees } = words.faults;
+  switch (fault.kind) {
+    case 'pulls':
+      return t(pulls[fault.isHard ? 'hard' : 'little'][fault.to]);
+    case 'slower':
+      return t(words.faults.slower, fault);
+    case 'sees':
+      return t(sees[fault.isLighter ? 'lighter' : 'darker'][fault.side]);
+    case 'trembles':
+      return t(words.faults.trembles);
+  }
+}
+
 /** The name of a thing in a list. */
 export function thingText({ name, number }: Thing): string {
   if (number !== null) {
@@ -40,6 +58,7 @@ export function thingText({ name, number }: Thing): string {
   }
   if (name === 'start.x') return t(words.things.x);
   if (name === 'start.y') return t(words.things.y);
+  if (name === 'seed') return t(words.things.seed);
   return name === 'start.heading' ? t(words.things.heading) : t(words.things.reality);
 }
 

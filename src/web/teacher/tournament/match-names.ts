@@ -16,7 +16,9 @@ export function roundName(beforeFinal: number, number: number): string {
 export function matchName({ stage, number, tie }: ShownMatch): string {
   if (tie === null) return t(stage.isAlone ? words.run : words.match, { number });
   const round = roundName(tie.beforeFinal, Math.ceil(Math.log2(stage.names.length)) - tie.beforeFinal);
-  const named = tie.of === 1 ? round : t(words.ofRound, { round, number: tie.pair + 1 });
+  // A round that has a number itself is not followed by another one.
+  const pair = t(LAST[tie.beforeFinal] === undefined ? words.pairOf : words.ofRound, { round, number: tie.pair + 1 });
+  const named = tie.of === 1 ? round : pair;
   return t(words.inRound, { round: named, number: tie.match + 1 });
 }
 

@@ -1,12 +1,15 @@
 import { computed, type Ref } from 'vue';
 
 import { courses } from '#catalogue/courses';
-import { looksLikeTournament, parseTournament } from '#lab/tournament/file';
+import { openFile } from '#intake/file';
+import { formatOf } from '#intake/formats';
+import { parseTournament } from '#lab/tournament/file';
+import { looksLikeTournament } from '#lab/tournament/format';
 import { isForOne } from '#lab/tournament/match-setup';
 import { listSources } from '#intake/sources';
 import { hasTask } from '#simulation/task/task-brief';
 
-import type { AddedFile } from '../../kit/files/added-files';
+import { treeFile, type AddedFile } from '../../kit/files/added-files';
 import { shownLanguage, t } from '../../kit/i18n';
 import { askBeforeLeaving } from '../../kit/state/ask-before-leaving';
 import type { PageParts } from '../../kit/parts';
@@ -89,13 +92,10 @@ export async function takeFiles(
   model: TournamentModel,
   files: readonly AddedFile[],
 ): Promise<string | null> {
-  for (const { path, file } of files) {
-    const text = path.endsWith('.json') && file.size < MOST_BYTES ? await file.text() : '';
-    if (!looksLikeTournament(text)) continue;
-    const read = parseTournament(text);
-    if ('problem' in read) return t(words.badFile, { name: path, reason: read.problem });
-    afterDropping(app, model, () => void model.open(read.tournament));
-    return null;
+  for (const added of files) {
+    if (!['json', 'other'].includes(formatOf(added.path))) continue;
+    const document = await openFile(treeFile(added), readyScene);
+    if (document.kind === 'tournament') return openAgain(app, model, document.text, added.path);
   }
   if (model.phase.value !== 'enter') return null;
   const { sources } = await handInReader.open(files);
@@ -103,11 +103,27 @@ export async function takeFiles(
   return null;
 }
 
-/** Larger files are no tournament's. */
-const MOST_BYTES = 40_000_000;
+/**
+ * Opens the file of a tournament and plays it again; asks first if another result is not saved.
+ *
+ * @param name of the file, for the message; left out: it came as text
+ * @returns `null`, or why it cannot be read
+ */
+export function openAgain(
+  app: Pick<PageParts, 'dialogs'>,
+  model: TournamentModel,
+  text: string,
+  name = t(words.title),
+): string | null {
+  const read = parseTournament(text);
+  if ('problem' in read) return t(words.badFile, { name, reason: read.problem });
+  afterDropping(app, model, () => void model.open(read.tournament));
+  return null;
+}
 
-/** Adds the programs behind the links in a text. @returns false if there are none */
-export function addLinks(model: TournamentModel, text: string): Promise<boolean> {
+/** Adds the programs behind the links in a text, or opens the tournament that it is. @returns false if it is neither */
+export function addText(app: Pick<PageParts, 'dialogs'>, model: TournamentModel, text: string): Promise<boolean> {
+  if (looksLikeTournament(text)) return Promise.resolve(openAgain(app, model, text) === null);
   const sources = listSources(text, readyScene);
   if (sources.length > 0) void model.add(sources);
   return Promise.resolve(sources.length > 0);

@@ -40,7 +40,7 @@ function lab(lanes: number, answer: (request: RunRequest, place: number) => Answ
   const become = (text: string): void => void (setup = setupOf(text));
   return { model: new LabModel(ports), asked, become };
 }
-const drive = { way: [], endUs: 4_000_000 };
+const drive = { way: [], endUs: 4_000_000, lineMm: [] };
 const good = (): Answer<RunAnswer> => ({ result: { outcome, verdict: null, drive } });
 const wish: Wish = { kind: 'ranges', ranges: [{ name: 'main.py:3', from: 400, to: 900, step: 20 }] };
 const numbersOf = (asked: readonly RunRequest[]): readonly number[] =>

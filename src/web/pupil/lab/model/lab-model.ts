@@ -1,4 +1,4 @@
-import { Asker, inLanes, type Every, type Start } from '#check/lane';
+import { Asker, inLanes, START_MS, type Every, type Start } from '#check/lane';
 import { stuckOutcome, type Drive } from '#lab/outcome';
 import type { RunEnd } from '#lab/run-end';
 import type { RunAnswer, RunRequest } from '#lab/run-request';
@@ -168,7 +168,7 @@ export class LabModel {
     // A run has as long as it takes: only one without a sign of life is given up.
     this.lanes = Array.from(
       { length: Math.min(this.ports.lanes, order.length) },
-      () => new Asker(start, this.ports.every, Infinity),
+      () => new Asker(start, this.ports.every, Infinity, START_MS),
     );
     let isTold = false;
     const tell = (): void => {

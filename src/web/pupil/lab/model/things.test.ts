@@ -18,8 +18,14 @@ describe('what can vary', () => {
       ['main.py:3.2', 16],
     ]));
 
-  it('is the start of the robot, and how used it is', () =>
-    expect(otherThings(run('')).map(({ name }) => name)).toEqual(['start.x', 'start.y', 'start.heading', 'reality']));
+  it('is the start of the robot, how used it is, and chance', () =>
+    expect(otherThings(run('')).map(({ name }) => name)).toEqual([
+      'start.x',
+      'start.y',
+      'start.heading',
+      'reality',
+      'seed',
+    ]));
 
   it.each([
     ['650', { from: 400, to: 900, step: 10 }],

@@ -14,8 +14,8 @@ export interface ProgramNumber {
   readonly isWhole: boolean;
 }
 
-/** The start of the robot, and how used it is. */
-export const OTHER_THINGS = ['start.x', 'start.y', 'start.heading', 'reality'] as const;
+/** The start of the robot, how used it is, and chance. */
+export const OTHER_THINGS = ['start.x', 'start.y', 'start.heading', 'reality', 'seed'] as const;
 export type OtherThing = (typeof OTHER_THINGS)[number];
 
 /** Something that can vary, with its value now. */
@@ -66,15 +66,16 @@ export function numberThings({ devices: [{ files }] }: Pick<RunSetup, 'devices'>
 }
 
 /** The other things of a run that can vary. */
-export function otherThings({ scene, reality }: Pick<RunSetup, 'scene' | 'reality'>): readonly Thing[] {
+export function otherThings({ scene, reality, seed }: Pick<RunSetup, 'scene' | 'reality' | 'seed'>): readonly Thing[] {
   const { at, heading } = scene.robot;
-  const now = { 'start.x': at[0], 'start.y': at[1], 'start.heading': heading, reality } as const;
+  const now = { 'start.x': at[0], 'start.y': at[1], 'start.heading': heading, reality, seed } as const;
   return OTHER_THINGS.map((name) => ({ name, now: now[name], number: null }));
 }
 
 /** The first range that is offered for a thing, around its value now. */
 export function firstRange({ name, now, number }: Thing): Range {
   if (name === 'reality') return { name, from: 0, to: 1, step: 0.05 };
+  if (name === 'seed') return { name, from: 1, to: 20, step: 1 };
   if (number === null) {
     const [wide, step] = name === 'start.heading' ? [20, 2] : [40, 4];
     return { name, from: Math.round(now) - wide, to: Math.round(now) + wide, step };

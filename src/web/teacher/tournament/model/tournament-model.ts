@@ -2,14 +2,15 @@ import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import { shownNames } from '#check/report/names';
 import type { Unread } from '#check/hand-in/unread';
-import { Asker, inLanes, type Every, type Start } from '#check/lane';
+import { Asker, inLanes, START_MS, type Every, type Start } from '#check/lane';
 import type { Choice } from '#intake/contents';
 import { contentOf, withOwnNames, type Source } from '#intake/sources';
-import { differences, drawOf, tournamentFile, type Entry, type ToldTournament } from '#lab/tournament/file';
+import { comparison, differences, drawOf, tournamentFile, type Entry, type ToldTournament } from '#lab/tournament/file';
 import { inRounds } from '#lab/tournament/league';
-import { isForOne, MATCH_END, matchSetup, type Files } from '#lab/tournament/match-setup';
+import { isForOne, MATCH_END, type Files } from '#lab/tournament/match-setup';
 import { resultOfRun, type Match, type MatchResult, type Pairing } from '#lab/tournament/match';
 import { matchCount, type Draw, type Mode } from '#lab/tournament/play';
+import { stageSetup } from '#lab/tournament/stage-setup';
 import { playedStages, type Stage, type StagePlan } from '#lab/tournament/stages';
 import { stuckOutcome } from '#lab/outcome';
 import type { RunAnswer, RunRequest } from '#lab/run-request';
@@ -82,7 +83,9 @@ export class TournamentModel {
   readonly told: ShallowRef<readonly unknown[] | null> = shallowRef(null);
   /** Number of matches that have come out otherwise than the file says; `null`: from no file, or not over yet. */
   readonly differing = computed(() =>
-    this.told.value === null || this.phase.value !== 'over' ? null : differences(this.whole, this.told.value),
+    this.told.value === null || this.phase.value !== 'over'
+      ? null
+      : differences(comparison(this.whole, this.told.value)),
   );
   /** The programs that can play, and how; `null`: there is no course. */
   readonly entry = computed((): Entry | null => {
@@ -216,7 +219,7 @@ export class TournamentModel {
   /** The run of a match of a stage; `null`: there is none. */
   setupOf(stage: StagePlan, pairing: Pairing): RunSetup | null {
     const { playing: entry } = this;
-    const setup = entry && setupIn(entry, stage, pairing);
+    const setup = entry && stageSetup(entry, stage, pairing);
     return setup === null || 'problem' in setup ? null : setup;
   }
 
@@ -233,10 +236,10 @@ export class TournamentModel {
     const waiting = pairings.flatMap((pairing, at) => (results[at] === undefined ? [{ ...pairing, at }] : []));
     const ordered = plan.mode === 'league' ? inRounds(waiting, plan.names.length) : waiting;
     const count = Math.min(this.ports.lanes, ordered.length);
-    this.lanes = Array.from({ length: count }, () => new Asker(now.start, this.ports.every, Infinity));
+    this.lanes = Array.from({ length: count }, () => new Asker(now.start, this.ports.every, Infinity, START_MS));
     await inLanes(ordered, this.lanes, async ({ at, ...pairing }, _, lane) => {
       if (now.turn !== this.turn) return;
-      const setup = setupIn(entry, plan, pairing);
+      const setup = stageSetup(entry, plan, pairing);
       const result = 'problem' in setup ? setup : await resultIn(setup, plan, lane);
       if (now.turn !== this.turn) return;
       if ('problem' in result) {
@@ -287,15 +290,6 @@ const matchesOf = (pairings: readonly Pairing[], results: readonly (MatchResult 
     return result === undefined ? [] : [{ ...pairing, ...result }];
   });
 
-function setupIn(
-  { scene, programs }: Entry,
-  { entrants }: StagePlan,
-  { a, b, seed }: Pairing,
-): RunSetup | { readonly problem: string } {
-  const filesOf = (place: number): Files => programs[entrants[place] ?? -1]?.files ?? {};
-  return matchSetup(scene, filesOf(a), b === null ? null : filesOf(b), seed);
-}
-
 async function resultIn(
   setup: RunSetup,
   { isAlone }: StagePlan,
@@ -308,8 +302,7 @@ async function resultIn(
     return resultOfRun({ outcome: stuckOutcome(true), verdict: null }, isAlone);
   }
   const { result } = answer;
-  if ('refused' in result) return { problem: result.refused };
-  return { ...resultOfRun(result, isAlone), traceHash: result.outcome.traceHash };
+  return 'refused' in result ? { problem: result.refused } : resultOfRun(result, isAlone);
 }
 
 function withShown(programs: readonly Program[]): readonly Program[] {

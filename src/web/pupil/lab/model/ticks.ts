@@ -1,12 +1,3 @@
-/** Maps numbers evenly onto a stretch. */
-export function curveScale(values: readonly number[], from: number, to: number): (value: number) => number {
-  const low = values.reduce((one, other) => Math.min(one, other), Infinity);
-  const high = values.reduce((one, other) => Math.max(one, other), -Infinity);
-  const span = high - low;
-  if (!(span > 0)) return () => Math.round((from + to) * 5) / 10;
-  return (value) => Math.round((from + ((value - low) / span) * (to - from)) * 10) / 10;
-}
-
 /**
  * Round numbers for an axis.
  *

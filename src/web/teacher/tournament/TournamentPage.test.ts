@@ -1,0 +1,43 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
+
+import { samples } from '#intake/testing/samples';
+
+import { mountOn } from '../../app/testing/mount-on';
+import { createPage, type TestPage } from '../../app/testing/page';
+import { setLanguage } from '../../kit/i18n';
+import { bringTo } from '../../session/layout/brought-file';
+import TournamentPage from './TournamentPage.vue';
+import { addText, tournamentOf } from './use-tournament';
+
+const text = new TextDecoder().decode(samples.find(({ kind }) => kind === 'tournament')!.bytes);
+let page: TestPage;
+beforeEach(async () => {
+  await setLanguage('en');
+  page = createPage();
+});
+
+describe('the page of a tournament', () => {
+  it('plays one again that was opened elsewhere, before it was shown or while it is', async () => {
+    bringTo(page, 'tournament', text);
+    mountOn(page, TournamentPage);
+    const model = tournamentOf(page);
+    expect([model.programs.value.length, model.told.value, model.count.value]).toEqual([2, [], 1]);
+    bringTo(page, 'tournament', text);
+    await nextTick();
+    expect(model.count.value).toBe(2);
+  });
+
+  it('says what is wrong with one that cannot be read', () => {
+    bringTo(page, 'tournament', text.replace('"version": 1', '"version": 9'));
+    mountOn(page, TournamentPage);
+    expect(document.querySelector('[role=alert]')?.textContent).toContain('newer');
+  });
+
+  it('plays one again that is pasted where links are added', async () => {
+    const model = tournamentOf(page);
+    expect(await addText(page, model, text)).toBe(true);
+    expect(model.told.value).toEqual([]);
+  });
+});
