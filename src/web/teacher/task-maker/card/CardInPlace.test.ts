@@ -2,6 +2,7 @@
 import { defineComponent, h, nextTick } from 'vue';
 import { beforeEach, describe, expect, it } from 'vitest';
 
+import { sceneDefaults } from '#scene/scene';
 import { createPage } from '../../../app/testing/page';
 import { mountOn } from '../../../app/testing/mount-on';
 import { nameToSave } from '../../../session/work/work-name';
@@ -35,5 +36,36 @@ describe('the title of a card', () => {
     expect([work.work.value.project.course, work.scene.value.name]).toEqual([null, 'Ab in die Garage']);
     expect(nameToSave({ work })).toBe('Ab in die Garage');
     expect(document.querySelector('[data-testid=maker-text]')!.textContent).toBe(told);
+  });
+});
+
+describe('a card in several languages', () => {
+  const press = async (id: string): Promise<void> => {
+    document.querySelector<HTMLElement>(`[data-testid=${id}]`)!.click();
+    await nextTick();
+  };
+
+  it('is written in a second one, and the course keeps its name', async () => {
+    const { entitle, work } = cardPage();
+    await entitle('Ab in die Garage');
+    await press('maker-more-languages');
+    await press('card-language-fr');
+    expect(document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!.value).toBe('');
+    await entitle('Au garage');
+    expect(work.scene.value.name).toBe('Ab in die Garage');
+    expect(work.scene.value.task.card?.translations).toMatchObject([{ language: 'fr', title: 'Au garage' }]);
+    await press('card-language-en');
+    await press('card-language-fr');
+    expect(document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!.value).toBe('Au garage');
+  });
+
+  it('has a picture that can be removed', async () => {
+    const { work } = cardPage();
+    expect(document.querySelector('[data-testid=card-picture-remove]')).toBeNull();
+    const { task } = work.scene.value;
+    work.edit({ type: 'course', changes: { task: { ...task, card: { ...sceneDefaults.card, picture: 'data:image/png;base64,AA==' } } } }); // prettier-ignore
+    await nextTick();
+    await press('card-picture-remove');
+    expect(work.scene.value.task.card?.picture ?? '').toBe('');
   });
 });
