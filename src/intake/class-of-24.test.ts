@@ -13,8 +13,7 @@ const zipOf = (files: Files): Uint8Array =>
   zipSync(Object.fromEntries(Object.entries(files).map(([path, content]) => [path, bytesOf(content)])));
 
 /** As Windows' old Notepad saves a text: with a mark in UTF-16, else a byte a sign. */
-const utf16 = (text: string): Uint8Array =>
-  Uint8Array.from(['\ufeff', ...text].flatMap((sign) => [sign.charCodeAt(0) & 255, sign.charCodeAt(0) >> 8]));
+const utf16 = (text: string): Uint8Array => new Uint8Array(Uint16Array.from(`\ufeff${text}`, (sign) => sign.charCodeAt(0)).buffer); // prettier-ignore
 const ansi = (text: string): Uint8Array => Uint8Array.from(text, (sign) => sign.charCodeAt(0));
 
 /** An e-mail with a link in its text. */
@@ -25,7 +24,7 @@ const moodle = (name: string, number: number, kind: 'file' | 'onlinetext' = 'fil
   `${name}_${String(number)}_assignsubmission_${kind}_`;
 const project = samples.find(({ kind }) => kind === 'project')!.bytes;
 
-/** What a teacher has in the folder of downloads after a lesson. */
+/** The folder of downloads of a teacher after a lesson. */
 const given: Files = {
   // Moodle: "download all", in folders.
   'INF 8b-Roboter-10230.zip': zipOf({
