@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { defineComponent, h, nextTick } from 'vue';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { sceneDefaults } from '#scene/scene';
 import { createPage } from '../../../app/testing/page';
@@ -36,6 +36,37 @@ describe('the title of a card', () => {
     expect([work.work.value.project.course, work.scene.value.name]).toEqual([null, 'Ab in die Garage']);
     expect(nameToSave({ work })).toBe('Ab in die Garage');
     expect(document.querySelector('[data-testid=maker-text]')!.textContent).toBe(told);
+  });
+});
+
+describe('the text of a card', () => {
+  const box = () => document.querySelector<HTMLTextAreaElement>('textarea[data-testid=maker-text]');
+
+  it('of the empty arena is none once the course has a name', async () => {
+    const { entitle, work } = cardPage();
+    work.openProject({ ...work.work.value.project, course: 'empty' }, null);
+    await entitle('Ab in die Garage');
+    expect(work.scene.value.description).toBe('');
+  });
+
+  it('stays a box as long as something else is pressed, which would move away under the pointer, and is kept', async () => {
+    vi.useFakeTimers({ toFake: ['setTimeout'] });
+    const { work } = cardPage();
+    document.querySelector<HTMLElement>('[data-testid=maker-text]')!.click();
+    await nextTick();
+    await nextTick();
+    box()!.value = 'Fahr los.';
+    box()!.dispatchEvent(new Event('input'));
+    document.body.dispatchEvent(new Event('pointerdown', { bubbles: true }));
+    box()!.blur();
+    await nextTick();
+    expect(work.scene.value.description).toBe('Fahr los.');
+    expect(box()).not.toBeNull();
+    document.body.dispatchEvent(new Event('pointerup', { bubbles: true }));
+    vi.runAllTimers();
+    await nextTick();
+    expect(box()).toBeNull();
+    vi.useRealTimers();
   });
 });
 
