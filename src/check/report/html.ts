@@ -13,7 +13,7 @@ import reportWords from './words';
 import styles from './report.css?raw';
 import { isUnread, reasonsAgainst, secondsText } from './texts';
 
-/** What a report shows besides the results. */
+/** Parts of a report besides the results. */
 interface ReportExtras {
   /** The drawing of a code that leads to the feedback on a hand-in, below its note; empty: none. */
   readonly codeOf?: (one: NamedResult) => string;
@@ -25,7 +25,7 @@ interface ReportExtras {
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
  * each sheet is a page. Of one hand-in it is the sheet alone.
  *
- * @param extras what it shows besides the results
+ * @param extras what is shown besides the results
  */
 export function htmlOf(
   found: ClassResult,

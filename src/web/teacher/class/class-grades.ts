@@ -15,9 +15,9 @@ export interface ClassGrades {
   /** The name of the class. */
   readonly name: string;
   /** The grade for the points of a hand-in that count; `null`: nothing of it could be read. */
-  of(handIn: Counted): number | null;
+  readonly of: (handIn: Counted) => number | null;
   /** The same in words; empty: none. */
-  text(handIn: Counted): string;
+  readonly text: (handIn: Counted) => string;
 }
 
 /** The grades for a task by the scale of the class that is open on the page of classes; `null`: it has none. */
