@@ -85,10 +85,12 @@ test('a lesson from the empty arena to the projector takes 60 gestures at most',
   await click(by('maker-title'));
   await type('Ab in die Garage');
   await click(by('maker-text'));
+  await expect(page.locator(`textarea${by('maker-text')}`)).toBeFocused();
   await type('Warte, bis der Weg frei ist, und fahr in die Garage.');
   await click(by('maker-add-hint'));
   await expect(page.locator(`textarea${by('maker-hint')}`)).toBeFocused();
   await type('Der Ultraschall sieht den Block.');
+  await expect(page.locator(by('maker-title'))).toHaveValue('Ab in die Garage');
   // Three more checks, two hidden worlds.
   for (const check of ['stop', 'touches', 'loop']) await choose(by('maker-add-check'), check);
   await click(by('maker-add-world'));
