@@ -11,7 +11,7 @@ import { newClass } from '#school-class/school-class';
 import { usualScale } from '#school-class/grades';
 import { createPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
-import { classBookOf } from '../classes/use-class-book';
+import { classBookOf } from '../class-book/use-class-book';
 import HandInView from './HandInView.vue';
 import type { Row } from './model/class-model';
 

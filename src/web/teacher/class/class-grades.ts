@@ -8,7 +8,7 @@ import { gradeText } from '#school-class/report/say';
 
 import { shownLanguage } from '../../kit/i18n';
 import type { WithLate } from '../../kit/state/late-models';
-import { classBookOf } from '../classes/use-class-book';
+import { classBookOf } from '../class-book/use-class-book';
 
 /** Grades by the scale of a class. */
 export interface ClassGrades {
