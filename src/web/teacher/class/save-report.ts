@@ -7,7 +7,7 @@ import { spreadsheetForm } from '../../kit/i18n/spreadsheet-form';
 import type { PageParts } from '../../kit/parts';
 import type { WithLate } from '../../kit/state/late-models';
 import { fileName, saveText } from '../../session/work/save-file';
-import { gradesOf } from './class-grades';
+import { gradesOf } from './feedback/class-grades';
 import { noteLink } from './feedback/feedback-link';
 import type { Row } from './model/class-model';
 

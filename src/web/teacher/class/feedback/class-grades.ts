@@ -6,9 +6,9 @@ import { mostPoints, type ClassTask } from '#check/task/task';
 import { gradeOf } from '#school-class/grades';
 import { gradeText } from '#school-class/report/say';
 
-import { shownLanguage } from '../../kit/i18n';
-import type { WithLate } from '../../kit/state/late-models';
-import { classBookOf } from '../class-book/use-class-book';
+import { shownLanguage } from '../../../kit/i18n';
+import type { WithLate } from '../../../kit/state/late-models';
+import { classBookOf } from '../../class-book/use-class-book';
 
 /** Grades by the scale of a class. */
 export interface ClassGrades {
