@@ -131,8 +131,9 @@ export const wings = {
     projector: ['session', 'pupil/console', 'pupil/arena', 'pupil/next-step'],
     print: ['session', 'course/editor', 'pupil/arena', 'pupil/look-back', 'exchange/share'],
     desk: ['session', 'pupil/galleries'],
-    class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/desk'],
-    classes: ['session', 'pupil/galleries', 'teacher/class', 'teacher/desk'],
+    'class-book': ['session'],
+    class: ['session', 'pupil/galleries', 'exchange/share', 'teacher/class-book', 'teacher/desk'],
+    classes: ['session', 'pupil/galleries', 'teacher/class', 'teacher/class-book', 'teacher/desk'],
     tournament: ['session', 'pupil/arena', 'pupil/galleries', 'teacher/class', 'teacher/desk', 'teacher/print'],
     'task-maker': [
       'session', 'course/editor', 'pupil/code', 'pupil/locks', 'pupil/galleries', 'pupil/board', 'exchange/share',

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { csvText, spreadsheetText, usualForm } from './csv';
+import { csvText, formWith, spreadsheetText, usualForm } from './csv';
 
 const rows = [
   ['Name', 'Note', 'Zeit'],
@@ -20,4 +20,9 @@ describe('a table as CSV', () => {
 
   it('has commas and points for a spreadsheet in English', () =>
     expect(spreadsheetText([['a', 0.25]], usualForm('en'))).toBe('\ufeffa,0.25\r\n'));
+
+  it('has the decimal sign of the country, which never parts cells, too', () =>
+    expect(
+      [formWith('de', '.'), formWith('en', ','), formWith('en', '.')].map(({ sign, point }) => sign + point),
+    ).toEqual([...[';.', ';,', ',.']]));
 });

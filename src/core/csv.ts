@@ -15,12 +15,17 @@ export interface SpreadsheetForm {
   readonly point: '.' | ',';
 }
 
+/** The signs that spreadsheets expect in a language where decimals have this sign: it never parts cells, too. */
+export const formWith = (language: Language, point: SpreadsheetForm['point']): SpreadsheetForm => ({
+  sign: point === ',' || language !== 'en' ? ';' : ',',
+  point,
+});
+
 /**
  * The signs that spreadsheets expect in a language: in German, French and Italian semicolons and decimal commas. In
- * Switzerland decimals have a point in two of them: whoever knows the country says so.
+ * Switzerland decimals have a point: whoever knows the country says so.
  */
-export const usualForm = (language: Language): SpreadsheetForm =>
-  language === 'en' ? { sign: ',', point: '.' } : { sign: ';', point: ',' };
+export const usualForm = (language: Language): SpreadsheetForm => formWith(language, language === 'en' ? '.' : ',');
 
 /** A table as CSV for a spreadsheet: opened by a double click, each cell is in its column, and a number is a number. */
 export const spreadsheetText = (rows: readonly (readonly Cell[])[], form: SpreadsheetForm): string =>

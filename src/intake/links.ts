@@ -83,7 +83,7 @@ function lengthWithout(text: string, sign: RegExp): number {
 
 /**
  * The links of a saved e-mail. A single one is its sender's, unless it stands behind a name and a colon: what is on the line
- * before is a greeting.
+ * before is a greeting, and “Here:” is nobody's name.
  */
 function linksInMail(source: string): readonly NamedLink[] {
   const { from, text } = readMail(source, { isWanted: (part) => linksIn(part).length > 0, textOfPage });
@@ -91,8 +91,12 @@ function linksInMail(source: string): readonly NamedLink[] {
   const [only, another] = links;
   if (only === undefined || another !== undefined || from === '') return links;
   const before = text.slice(0, text.indexOf(only.address)).split('\n').at(-1)?.trimEnd() ?? '';
-  return [{ ...only, name: (before.endsWith(':') && nameIn(before)) || from }];
+  const name = before.endsWith(':') ? nameIn(before) : '';
+  return [{ ...only, name: name === '' || POINTS_TO.test(name) ? from : name }];
 }
+
+/** Words that point to a link in a letter. */
+const POINTS_TO = /^(hier|meine?|voici|voilà|ici|mon|qui|ecco|here|this|my|(il )?link|(le )?lien)(?![\p{L}\p{N}])/iu;
 
 /** The links of a table, such as the answers to a form: the name is in the last cell before the link that is not empty. */
 function linksInTable(text: string): readonly NamedLink[] {

@@ -32,4 +32,9 @@ describe('a name on a hand-in', () => {
     ['l', undefined],
     ['123', undefined],
   ])('%j is that of %s', (name, pupil) => expect(whose(name)).toBe(pupil));
+
+  it('that is a number is that of whoever is kept under this number', () => {
+    const numbered = [...pupils, { id: 'pupil', name: '07', also: [], isListed: false }];
+    expect(['07', '7', 'Lea'].map((name) => findPupil(numbered, name)?.name)).toEqual(['07', undefined, 'Lea']);
+  });
 });

@@ -47,7 +47,8 @@ export const wordsOfPupil = memoOf(({ name, also }: Pupil) => [name, ...also].ma
  */
 export function findPupil(pupils: readonly Pupil[], name: string): Pupil | null {
   const words = wordsOfName(name);
-  if (words.length === 0) return null;
+  // Numbers instead of names.
+  if (words.length === 0) return pupils.find((pupil) => [pupil.name, ...pupil.also].includes(name)) ?? null;
   const only = (is: (own: readonly string[]) => boolean): Pupil | null | undefined => {
     const found = pupils.filter((pupil) => wordsOfPupil(pupil).some((own) => own.length > 0 && is(own)));
     return found.length > 1 ? null : found[0];

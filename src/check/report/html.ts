@@ -13,24 +13,32 @@ import reportWords from './words';
 import styles from './report.css?raw';
 import { isUnread, reasonsAgainst, secondsText } from './texts';
 
+/** Parts of a report besides the results. */
+interface ReportExtras {
+  /** The drawing of a code that leads to the feedback on a hand-in, below its note; empty: none. */
+  readonly codeOf?: (one: NamedResult) => string;
+  /** The grade for what a hand-in counts, by the scale of its class; empty: none. */
+  readonly gradeOf?: (one: NamedResult) => string;
+}
+
 /**
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
  * each sheet is a page. Of one hand-in it is the sheet alone.
  *
- * @param codeOf the drawing of a code that leads to the feedback on a hand-in, below its note; empty: none
+ * @param extras what is shown besides the results
  */
 export function htmlOf(
   found: ClassResult,
   task: ClassTask,
   language: Language,
-  codeOf: (one: NamedResult) => string = () => '',
+  { codeOf = () => '', gradeOf = () => '' }: ReportExtras = {},
 ): string {
   const { handIns } = found;
   const drawings = new Drawings(task);
   const title = escaped(found.task);
-  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language });
+  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language, gradeOf });
   const sheets = handIns
-    .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one) }))
+    .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one), gradeOf }))
     .join('\n');
   const body = `<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
 <main>${table}
@@ -40,16 +48,19 @@ ${sheets}
 }
 
 /** The table of a class, a row for each hand-in. */
-function tableOf(found: ClassResult, { drawings, language }: Sheet): string {
+function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet): string {
   const { handIns, task } = found;
   const words = reportWords.report;
   const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
   const hasStars = handIns.some(({ result }) => result.stars !== null);
-  const columns = ['way', 'name', 'result', 'points', ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
+  const hasGrades = handIns.some((one) => gradeOf(one) !== '');
+  const columns = ['way', 'name', 'result', 'points', ...(hasGrades ? (['grade'] as const) : []), ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
   const head = columns
     .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
     .join('');
-  const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
+  const rows = handIns
+    .map((one, place) => rowOf(one, place, { drawings, hasStars, hasGrades, language, gradeOf }))
+    .join('\n');
   return `
 <h1>${escaped(task)}</h1>
 <p class="summary">${[handIns.length === 0 ? words.nobody[language] : summary, ...otherTaskTexts(found, language)].map(escaped).join('<br>')}</p>
@@ -69,11 +80,12 @@ function pointsText(one: Counted, language: Language): string {
 }
 
 /** Columns of figures. */
-const numbers: readonly string[] = ['points', 'time', 'touches'];
+const numbers: readonly string[] = ['points', 'grade', 'time', 'touches'];
 
 interface Sheet {
   readonly drawings: Drawings;
   readonly language: Language;
+  readonly gradeOf: (one: NamedResult) => string;
 }
 
 const markOf = (passed: boolean): string =>
@@ -88,10 +100,17 @@ function verdictOf(result: CheckResult, language: Language): string {
 const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
 
 function rowOf(
-  { name, shown = name, result, note = '', marked }: NamedResult,
+  one: NamedResult,
   place: number,
-  { drawings, hasStars, language }: Sheet & { readonly hasStars: boolean },
+  {
+    drawings,
+    hasStars,
+    hasGrades,
+    language,
+    gradeOf,
+  }: Sheet & { readonly hasStars: boolean; readonly hasGrades: boolean },
 ): string {
+  const { name, shown = name, result, note = '', marked } = one;
   const [first] = result.worlds;
   const said = [
     ...(result.passed ? [] : reasonsAgainst(result, language)),
@@ -100,12 +119,13 @@ function rowOf(
   ];
   const touches = result.worlds.reduce((sum, world) => sum + world.touches, 0);
   /** On a narrow screen the row of headings is not there: each figure has its own. */
-  const figure = (column: 'points' | 'time' | 'touches', text: string | number): string =>
+  const figure = (column: 'points' | 'grade' | 'time' | 'touches', text: string | number): string =>
     `<td class="number ${column}" data-of="${escaped(reportWords.report[column][language])}">${text}</td>`;
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
     `<th scope="row"><a href="#hand-in-${place}">${escaped(shown)}</a></th>`,
     `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : pointsText({ result, marked }, language))}`,
+    hasGrades ? figure('grade', isUnread(result) ? '' : escaped(gradeOf(one))) : '',
     hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',
     figure('time', first === undefined ? '' : secondsOf(first)),
     figure('touches', isUnread(result) ? '' : touches),
@@ -122,7 +142,7 @@ function askedOf({ checks }: ClassTask, id: string, language: Language): string 
 }
 
 function sheetOf(
-  { name, shown = name, result, note = '', marked }: NamedResult,
+  one: NamedResult,
   place: number,
   {
     drawings,
@@ -130,9 +150,12 @@ function sheetOf(
     task,
     language,
     code,
+    gradeOf,
   }: Sheet & { readonly title: string; readonly task: ClassTask; readonly code: string },
 ): string {
+  const { name, shown = name, result, note = '', marked } = one;
   const words = reportWords.report;
+  const grade = isUnread(result) ? '' : gradeOf(one);
   const facts = (isUnread(result) ? [] : result.checks).map(
     ({ id, passed, reason }) =>
       `<li>${markOf(passed)} ${askedOf(task, id, language)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
@@ -145,7 +168,7 @@ function sheetOf(
   });
   return `<section id="hand-in-${place}">
 <h2>${escaped(shown)}</h2>
-<p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${pointsText({ result, marked }, language)}${marked === undefined ? '' : ` (${escaped(words.byHand[language])})`}`}</p>
+<p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${pointsText({ result, marked }, language)}${marked === undefined ? '' : ` (${escaped(words.byHand[language])})`}`}${grade === '' ? '' : ` · ${words.grade[language]}: ${escaped(grade)}`}</p>
 <ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}${code === '' ? '' : `\n<p class="code">${code}<span>${escaped(words.again[language])}</span></p>`}
 <div class="ways">${figures.join('')}</div>
 </section>`;

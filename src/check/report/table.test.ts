@@ -56,7 +56,20 @@ describe('the table of a class for a spreadsheet', () => {
       'Punkte: 2.5 <span title="von Hand gesetzt">✎</span> (von Hand gesetzt)',
     );
     // A code stands below the note of those who have one.
-    expect(htmlOf(found, task, 'de', ({ name }) => (name === 'Bonnet' ? '<svg id="code"/>' : ''))).toMatch(/class="note">=1\+1.*\n.*<svg id="code"\/><span>Das führt zu deinem Programm/); // prettier-ignore
+    expect(htmlOf(found, task, 'de', { codeOf: ({ name }) => (name === 'Bonnet' ? '<svg id="code"/>' : '') })).toMatch(/class="note">=1\+1.*\n.*<svg id="code"\/><span>Das führt zu deinem Programm/); // prettier-ignore
+  });
+
+  it('has grades beside the points where the class has a scale, as the report does, and none for what was not read', async () => {
+    const found = classResult('t', await rows(), 'de');
+    const [head, berard, , weiss] = cellsOf(tableOf(found, task, 'de', { gradeOf: () => 4.5 }), ';');
+    expect([head, berard, weiss].map((cells) => cells?.slice(2, 5))).toEqual([
+      ['Punkte', 'von', 'Note'],
+      ['1,5', '4', '4,5'],
+      ['', '', ''],
+    ]);
+    const report = htmlOf(found, task, 'de', { gradeOf: ({ name }) => (name === 'Bérard' ? '4.5' : '1.0') });
+    expect(report).toContain('<td class="number grade" data-of="Note">4.5</td>');
+    expect(report.match(/ · Note: /g)).toHaveLength(2);
   });
 
   it('brings the link to each note, beside it', async () => {

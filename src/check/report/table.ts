@@ -14,6 +14,8 @@ interface TableExtras {
   readonly form?: SpreadsheetForm;
   /** The address that brings a pupil the note on a hand-in; `null`: there is none. Left out: there is no column for it. */
   readonly linkOf?: (handIn: NamedResult) => string | null;
+  /** The grade for what a hand-in counts, by the scale of its class; left out: there is no column for it. */
+  readonly gradeOf?: (handIn: NamedResult) => number | null;
 }
 
 /**
@@ -24,7 +26,7 @@ export function tableOf(
   { handIns }: ClassResult,
   task: ClassTask,
   language: Language,
-  { form = usualForm(language), linkOf }: TableExtras = {},
+  { form = usualForm(language), linkOf, gradeOf }: TableExtras = {},
 ): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
@@ -36,7 +38,14 @@ export function tableOf(
     [one.note ?? '', one.note ? (linkOf?.(one) ?? null) : null].slice(0, noteHeadings.length);
   const worlds = task.worlds.map((world) => filledIn(say('world'), { id: worldName(world) }));
   const headings = [
-    ...[say('name'), say('result'), say('points'), say('most'), ...(hasMarks ? [say('byHand')] : [])],
+    ...[
+      say('name'),
+      say('result'),
+      say('points'),
+      say('most'),
+      ...(hasMarks ? [say('byHand')] : []),
+      ...(gradeOf === undefined ? [] : [say('grade')]),
+    ],
     ...(task.stars === null ? [] : [say('stars')]),
     ...task.checks.map((check) => checkText(check, language)),
     ...worlds.flatMap((world) => [world, filledIn(say('secondsIn'), { world }), filledIn(say('touchesIn'), { world })]),
@@ -44,20 +53,24 @@ export function tableOf(
   ];
   const outcome = ({ passed, reason }: Pick<CheckOutcome, 'passed' | 'reason'>): string =>
     passed ? say('passed') : reason === null ? say('missed') : reasonText(reason, language);
-  const figures = ({ result, marked }: NamedResult): readonly Cell[] => [
-    ...[outcome({ passed: result.passed, reason: null }), countedPoints({ result, marked }), most],
-    ...(hasMarks ? [marked === undefined ? null : say('yes')] : []),
-    ...(task.stars === null ? [] : [result.stars]),
-    ...task.checks.map(({ id }) => {
-      const check = result.checks.find((one) => one.id === id);
-      return check === undefined ? null : outcome(check);
-    }),
-    ...task.worlds.flatMap(({ id }): readonly Cell[] => {
-      const world = result.worlds.find((one) => one.id === id);
-      if (world === undefined) return [null, null, null];
-      return [outcome(world), world.atMs === null ? null : Math.round(world.atMs / 10) / 100, world.touches];
-    }),
-  ];
+  const figures = (one: NamedResult): readonly Cell[] => {
+    const { result, marked } = one;
+    return [
+      ...[outcome({ passed: result.passed, reason: null }), countedPoints({ result, marked }), most],
+      ...(hasMarks ? [marked === undefined ? null : say('yes')] : []),
+      ...(gradeOf === undefined ? [] : [gradeOf(one)]),
+      ...(task.stars === null ? [] : [result.stars]),
+      ...task.checks.map(({ id }) => {
+        const check = result.checks.find((one) => one.id === id);
+        return check === undefined ? null : outcome(check);
+      }),
+      ...task.worlds.flatMap(({ id }): readonly Cell[] => {
+        const world = result.worlds.find((one) => one.id === id);
+        if (world === undefined) return [null, null, null];
+        return [outcome(world), world.atMs === null ? null : Math.round(world.atMs / 10) / 100, world.touches];
+      }),
+    ];
+  };
   const nothing = (): readonly Cell[] => [say('unread'), ...headings.slice(3 + noteHeadings.length).map(() => null)];
   const rows = handIns.map((one) => [
     shownName(one),

@@ -1,6 +1,9 @@
+import type { SpreadsheetForm } from '#core/csv';
 import type { Language } from '#core/languages';
 import { command, type Around, type Given, type Options, type Problem } from '../commands/about';
 import {
+  decimalsOption,
+  formOf,
   jobsOf,
   jobsOption,
   langOption,
@@ -32,6 +35,8 @@ export interface CheckOptions {
   readonly junit: string | null;
   readonly csv: string | null;
   readonly table: string | null;
+  /** The signs of `table`. */
+  readonly form: SpreadsheetForm;
   /** True: groups of hand-ins by what their runs did, instead of names. */
   readonly groups: boolean;
   readonly json: boolean;
@@ -47,6 +52,7 @@ const options = {
   report: { value: 'REPORT.html', path: 'writes', help: 'a page with drawings to print' },
   csv: { value: 'R.csv', path: 'writes', help: 'a table for programs' },
   table: { value: 'FILE.csv', path: 'writes', help: 'a table for a spreadsheet in the language of --lang' },
+  decimals: decimalsOption,
   junit: { value: 'R.xml', path: 'writes', help: 'test results, for services that show those' },
   groups: { help: 'shows groups of what the runs did instead of names, in the report, too' },
   json: { help: 'one line at the end for other programs, the same for the same work' },
@@ -95,6 +101,8 @@ type CheckGiven = Given<typeof options>;
 function readCheck(words: readonly string[], given: CheckGiven, { variables }: Around): CheckOptions | Problem {
   const language = languageOf(given.last('lang'));
   if ('problem' in language) return language;
+  const form = formOf(given.last('decimals'), language.lang);
+  if ('problem' in form) return form;
   const work = given.has('merge') ? nothingToRun(words, given) : workOf(words, given, variables);
   if (work !== null && 'problem' in work) return work;
   return {
@@ -104,6 +112,7 @@ function readCheck(words: readonly string[], given: CheckGiven, { variables }: A
     junit: given.last('junit'),
     csv: given.last('csv'),
     table: given.last('table'),
+    ...form,
     groups: given.has('groups'),
     json: given.has('json'),
     quiet: given.has('quiet'),

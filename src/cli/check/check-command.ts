@@ -218,7 +218,7 @@ function writeAll(
 ): readonly string[] {
   // prettier-ignore
   const { task } = named;
-  const { report, junit, csv, table, lang } = options;
+  const { report, junit, csv, table, form, lang } = options;
   return writeReports([
     [
       '--report',
@@ -231,7 +231,7 @@ function writeAll(
     ['--junit', junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     ['--csv', csv, () => `\ufeff${csvOf(found, lang)}`],
-    ['--table', table, () => tableOf(found, task, lang)],
+    ['--table', table, () => tableOf(found, task, lang, { form })],
   ]);
 }
 

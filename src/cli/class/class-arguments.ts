@@ -1,8 +1,9 @@
+import type { SpreadsheetForm } from '#core/csv';
 import { dayNumber, type Day } from '#core/day';
 import type { Language } from '#core/languages';
 import { passPercents, systemIds, type SystemId } from '#school-class/grades';
 import { command, type Around, type Options, type Problem } from '../commands/about';
-import { jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
+import { decimalsOption, formOf, jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
 
 /** The work with the file of a class. */
 type Act = 'add' | 'set' | 'merge' | 'report';
@@ -29,6 +30,8 @@ export interface ClassOptions {
   /** Files to write; `null`: not wanted. */
   readonly report: string | null;
   readonly csv: string | null;
+  /** The signs of `csv`; left out: those of the language. */
+  readonly form?: SpreadsheetForm;
   readonly json: boolean;
   readonly quiet: boolean;
   readonly lang: Language;
@@ -56,6 +59,7 @@ const setOptions = {
 const reportOptions = {
   report: { value: 'F.html', path: 'writes', help: 'a page to print' },
   csv: { value: 'F.csv', path: 'writes', help: 'a table for a spreadsheet' },
+  decimals: decimalsOption,
   date: dateOption,
   ...everyAct,
 } as const satisfies Options;
@@ -146,7 +150,11 @@ export const classReportAbout = command({
   read(words, given, around) {
     const day = dayOf(given.last('date'), around);
     if ('problem' in day) return day;
-    const own = { ...day, report: given.last('report'), csv: given.last('csv') };
+    const language = languageOf(given.last('lang'));
+    if ('problem' in language) return language;
+    const form = formOf(given.last('decimals'), language.lang);
+    if ('problem' in form) return form;
+    const own = { ...day, ...form, report: given.last('report'), csv: given.last('csv') };
     return requestOf('report', words, given, own);
   },
 });

@@ -74,7 +74,7 @@ function merged(given: SchoolClass, options: ClassOptions): Done {
 }
 
 function reported(schoolClass: SchoolClass, options: ClassOptions): Done {
-  const { report, csv, day, lang, file } = options;
+  const { report, csv, form, day, lang, file } = options;
   const outputs = [
     { option: '--report', path: report },
     { option: '--csv', path: csv },
@@ -84,7 +84,7 @@ function reported(schoolClass: SchoolClass, options: ClassOptions): Done {
   const rows = rowsOf(schoolClass, day);
   const files = [
     [report, () => classReport(schoolClass, day, lang)],
-    [csv, () => classTable(schoolClass, rows, lang)],
+    [csv, () => classTable(schoolClass, rows, lang, form)],
   ] as const;
   for (const [path, textOf] of files) {
     if (path === null) continue;

@@ -60,6 +60,8 @@ describe('parcours class', () => {
       '',
     ]);
     expect(readFileSync(csv, 'utf8').split('\r\n')[1]).toMatch(/^Ada Meier;1;.*;fehlt;.*;1;2;3,5$/);
+    classAct('report', own, '--csv', csv, '--lang', 'de', '--decimals', 'point');
+    expect(readFileSync(csv, 'utf8').split('\r\n')[1]).toMatch(/^Ada Meier;1;.*;fehlt;.*;1;2;3\.5$/);
     expect(readFileSync(report, 'utf8')).toContain('<th>Ada Meier</th><td class="passed">✓ 1 / 1');
     expect(JSON.parse(classAct('report', own, '--json').out)).toMatchObject({
       name: 'Klasse 8b',
@@ -121,6 +123,7 @@ describe('the words behind parcours class', () => {
     [['set', '8b.json', '--scale=us'], '--scale: "us" is not known. Known: ch6, de6, de15, fr20, it10.'],
     [['set', '8b.json', '--pass=0'], '--pass: "0" is neither "even" nor a whole number of per cent from 1 to 99.'],
     [['set', '8b.json', '--due=bend'], '--due: "bend" is no TASK=DAY such as bend=2026-11-30.'],
+    [['report', '8b.json', '--decimals=dot'], '--decimals: "dot" is neither "point" nor "comma".'],
     [['add', '8b.json', 'a', 'b', '--jobs=0'], '--jobs: "0" is not a whole number from 1 to 256.'],
   ])('that are %j are told what is missing', (words, problem) => expect(read(...words)).toEqual({ problem }));
 

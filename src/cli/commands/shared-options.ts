@@ -1,4 +1,5 @@
 import { availableParallelism } from 'node:os';
+import { formWith, usualForm, type SpreadsheetForm } from '#core/csv';
 import { LANGUAGES, type Language } from '#core/languages';
 import type { OptionAbout, Problem } from './about';
 
@@ -12,6 +13,22 @@ export function languageOf(text: string | null): { readonly lang: Language } | P
   return lang === undefined
     ? { problem: `--lang: "${text ?? ''}" is not available. Known: ${LANGUAGES.join(', ')}.` }
     : { lang };
+}
+
+const DECIMALS = { point: '.', comma: ',' } as const;
+
+export const decimalsOption = {
+  value: 'SIGN',
+  choices: ['point', 'comma'],
+  help: "the decimal sign of a spreadsheet's table; default: a comma in de, fr, it. In Switzerland: point",
+} as const satisfies OptionAbout;
+
+/** The signs of a spreadsheet's table by the word for its decimal sign; `null`: those of the language. */
+export function formOf(text: string | null, lang: Language): { readonly form: SpreadsheetForm } | Problem {
+  if (text === null) return { form: usualForm(lang) };
+  return text === 'point' || text === 'comma'
+    ? { form: formWith(lang, DECIMALS[text]) }
+    : { problem: `--decimals: "${text}" is neither "point" nor "comma".` };
 }
 
 /** Chosen: more threads than that no machine of a school has. */

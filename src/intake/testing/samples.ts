@@ -42,7 +42,7 @@ const zipOf = (files: Readonly<Record<string, string>>): Uint8Array =>
   zipSync(Object.fromEntries(Object.entries(files).map(([path, text]) => [path, strToU8(text)])));
 
 /** A board's file with this program and a library of ours. */
-function hexOf(program: string): string {
+export function hexOf(program: string): string {
   const cleaned = cleanFirmware(firmwareText('microbit-v2'));
   const files = [{ name: 'mbrobot.py', text: '# ours\n' }, { name: 'main.py', text: program }, { name: 'way.py', text: 'x = 1\n' }]; // prettier-ignore
   const made = makeHex('firmwares' in cleaned ? cleaned.firmwares : [], files);
@@ -50,7 +50,7 @@ function hexOf(program: string): string {
   return made.text;
 }
 /** An e-mail with a file. */
-const mailOf = (name: string, content: string): string =>
+export const mailOf = (name: string, content: string): string =>
   [
     'From: Anna <a@example.org>',
     'Content-Type: multipart/mixed; boundary="x"',

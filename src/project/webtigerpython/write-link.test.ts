@@ -70,7 +70,7 @@ describe('what a link for WebTigerPython cannot hold', () => {
     ['a picture on the floor', scene([], { background: { at: [0, 0], size: [9, 9], cells: [1, 1], levels: '', picture: '' } }), 'The picture on the floor is left out.'],
     ['a name', scene([], { name: 'Hall' }), 'Name and description of the course are left out.'],
     ['several devices', { devices: { first: 'a', others: [{ name: 'b', sameAs: '', files, device: 'auto', firmware: '', robot: 'auto', robotOptions: {} }] } }, 'Only the first of the 2 devices comes along.'],
-    ['settings of the run', { settings: { ...defaultProjectSettings, ...newWork, reality: 1 } }, 'Settings of the run are left out: reality, chance, firmware, own robot.'],
+    ['settings of the run', { settings: { ...defaultProjectSettings, ...newWork, reality: 1 } }, 'Settings of the run are left out: wear, random seed, firmware, own robot.'],
   ])('%s: told before', (_, project, sentence) => expect(said(project)).toEqual([sentence])); // prettier-ignore
 
   it('a robot that the imports do not mean, and a strange microcomputer: told before', () => {

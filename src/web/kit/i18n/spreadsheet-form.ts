@@ -1,4 +1,4 @@
-import { usualForm, type SpreadsheetForm } from '#core/csv';
+import { formWith, usualForm, type SpreadsheetForm } from '#core/csv';
 import type { Language } from '#core/languages';
 
 /**
@@ -9,6 +9,5 @@ import type { Language } from '#core/languages';
 export function spreadsheetForm(language: Language, tags: readonly string[] = navigator.languages): SpreadsheetForm {
   const here = tags.find((tag) => tag.toLowerCase().startsWith(`${language}-`));
   if (here === undefined) return usualForm(language);
-  const point = new Intl.NumberFormat(here).format(0.5).charAt(1) === ',' ? ',' : '.';
-  return { sign: point === ',' || language !== 'en' ? ';' : ',', point };
+  return formWith(language, new Intl.NumberFormat(here).format(0.5).charAt(1) === ',' ? ',' : '.');
 }

@@ -7,8 +7,11 @@ import { unreadable } from '#check/result';
 import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 
 import { mountOn } from '../../app/testing/mount-on';
+import { newClass } from '#school-class/school-class';
+import { usualScale } from '#school-class/grades';
 import { createPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
+import { classBookOf } from '../class-book/use-class-book';
 import HandInView from './HandInView.vue';
 import type { Row } from './model/class-model';
 
@@ -68,6 +71,16 @@ describe('one hand-in', () => {
     for (const typed of ['0,5', '']) await field.setValue(typed);
     expect(shown.emitted('mark')).toEqual([[0.5], [null]]);
     expect(shown.find('[data-testid=mark-wrong]').exists()).toBe(false);
+  });
+
+  it('tells the grade for the points that count, by the scale of the class that is open', () => {
+    const page = createPage();
+    classBookOf(page).add({ ...newClass('8b'), scale: usualScale('ch6') }, true);
+    const handIn = handInOfFiles([{ name: 'main.py', text: '' }]);
+    const result = { ...unreadable(task.checks, { code: 'zip', params: {} }), remarks: [] };
+    const row: Row = { name: 'Tim', shown: 'Tim', handIn, note: '', result, marked: 0.5 };
+    const shown = mountOn(page, HandInView, { row, task, drawings: new Drawings(task) });
+    expect(shown.get('[data-testid=class-grade]').text()).toBe('Note 3.5, nach der Skala von «8b»');
   });
 
   it('closes with Escape, before the page does', () => {

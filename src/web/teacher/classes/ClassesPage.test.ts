@@ -14,10 +14,10 @@ import { createPage } from '../../app/testing/page';
 import { loadTexts } from '../../kit/i18n';
 import { stubDatabase } from '../../session/work/storage/testing/memory-database';
 import { classOf } from '../class/use-class';
-import { ClassBook } from './class-book';
+import { ClassBook } from '../class-book/class-book';
 import ClassesPage from './ClassesPage.vue';
-import { KeptClasses } from './kept-classes';
-import { classBookOf } from './use-class-book';
+import { KeptClasses } from '../class-book/kept-classes';
+import { classBookOf } from '../class-book/use-class-book';
 
 beforeAll(() => loadTexts('de'));
 beforeEach(() => {

@@ -12,8 +12,8 @@ import { shownLanguage, t } from '../../kit/i18n';
 import { spreadsheetForm } from '../../kit/i18n/spreadsheet-form';
 import type { PageParts } from '../../kit/parts';
 import { fileName, saveText } from '../../session/work/save-file';
-import type { ClassBook } from './class-book';
-import { today } from './use-class-book';
+import type { ClassBook } from '../class-book/class-book';
+import { today } from '../class-book/use-class-book';
 import words from './words';
 
 /** The acts on the class in sight, and taking files. */

@@ -43,6 +43,8 @@ export function useTaskWords(): TaskWords {
   const hints = computed(() => (hasBlank.value ? [...now.value.hints, ''] : now.value.hints));
   const nameNow = (): string =>
     courseId.value === null && scene.value.name === '' ? '' : courseName(scene.value, courseId.value);
+  /** The words of a ready course that an author's own takes along: the empty arena has none of a task. */
+  const taken = (): string => (courseId.value === 'empty' ? '' : shown.value);
   function change(changes: CourseChanges): void {
     if (Object.keys(changes).length > 0) editor.apply({ type: 'course', changes });
   }
@@ -54,7 +56,7 @@ export function useTaskWords(): TaskWords {
   return {
     ...{ scene, language, now, hints, nameNow, change, write },
     card: computed(() => cardOf(scene.value)),
-    rename: (name) => change(courseId.value === null ? { name } : { name, description: shown.value }),
+    rename: (name) => change(courseId.value === null ? { name } : { name, description: taken() }),
     choose(next) {
       chosen.value = next;
       hasBlank.value = false;

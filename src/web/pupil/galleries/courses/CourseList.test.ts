@@ -25,7 +25,7 @@ describe('the menu of the task', () => {
     mountOn(page, CourseList);
     expect(byId('previous').textContent).toContain('Meins');
     await tap('empty-arena');
-    expect(page.work.work.value.project.course).toBe('empty');
+    expect([page.work.work.value.project.course, page.mode.current.value]).toEqual(['empty', 'build']);
   });
 
   it('unfolds the samples, of which one robot’s at a time', async () => {

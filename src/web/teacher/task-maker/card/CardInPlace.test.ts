@@ -1,7 +1,8 @@
 // @vitest-environment happy-dom
 import { defineComponent, h, nextTick } from 'vue';
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 
+import { sceneDefaults } from '#scene/scene';
 import { createPage } from '../../../app/testing/page';
 import { mountOn } from '../../../app/testing/mount-on';
 import { nameToSave } from '../../../session/work/work-name';
@@ -35,5 +36,67 @@ describe('the title of a card', () => {
     expect([work.work.value.project.course, work.scene.value.name]).toEqual([null, 'Ab in die Garage']);
     expect(nameToSave({ work })).toBe('Ab in die Garage');
     expect(document.querySelector('[data-testid=maker-text]')!.textContent).toBe(told);
+  });
+});
+
+describe('the text of a card', () => {
+  const box = () => document.querySelector<HTMLTextAreaElement>('textarea[data-testid=maker-text]');
+
+  it('of the empty arena is none once the course has a name', async () => {
+    const { entitle, work } = cardPage();
+    work.openProject({ ...work.work.value.project, course: 'empty' }, null);
+    await entitle('Ab in die Garage');
+    expect(work.scene.value.description).toBe('');
+  });
+
+  it('stays a box as long as something else is pressed, which would move away under the pointer, and is kept', async () => {
+    vi.useFakeTimers({ toFake: ['setTimeout'] });
+    const { work } = cardPage();
+    document.querySelector<HTMLElement>('[data-testid=maker-text]')!.click();
+    await nextTick();
+    await nextTick();
+    box()!.value = 'Fahr los.';
+    box()!.dispatchEvent(new Event('input'));
+    document.body.dispatchEvent(new Event('pointerdown', { bubbles: true }));
+    box()!.blur();
+    await nextTick();
+    expect(work.scene.value.description).toBe('Fahr los.');
+    expect(box()).not.toBeNull();
+    document.body.dispatchEvent(new Event('pointerup', { bubbles: true }));
+    vi.runAllTimers();
+    await nextTick();
+    expect(box()).toBeNull();
+    vi.useRealTimers();
+  });
+});
+
+describe('a card in several languages', () => {
+  const press = async (id: string): Promise<void> => {
+    document.querySelector<HTMLElement>(`[data-testid=${id}]`)!.click();
+    await nextTick();
+  };
+
+  it('is written in a second one, and the course keeps its name', async () => {
+    const { entitle, work } = cardPage();
+    await entitle('Ab in die Garage');
+    await press('maker-more-languages');
+    await press('card-language-fr');
+    expect(document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!.value).toBe('');
+    await entitle('Au garage');
+    expect(work.scene.value.name).toBe('Ab in die Garage');
+    expect(work.scene.value.task.card?.translations).toMatchObject([{ language: 'fr', title: 'Au garage' }]);
+    await press('card-language-en');
+    await press('card-language-fr');
+    expect(document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!.value).toBe('Au garage');
+  });
+
+  it('has a picture that can be removed', async () => {
+    const { work } = cardPage();
+    expect(document.querySelector('[data-testid=card-picture-remove]')).toBeNull();
+    const { task } = work.scene.value;
+    work.edit({ type: 'course', changes: { task: { ...task, card: { ...sceneDefaults.card, picture: 'data:image/png;base64,AA==' } } } }); // prettier-ignore
+    await nextTick();
+    await press('card-picture-remove');
+    expect(work.scene.value.task.card?.picture ?? '').toBe('');
   });
 });
