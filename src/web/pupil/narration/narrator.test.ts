@@ -79,7 +79,7 @@ describe('what is told of a drive', () => {
       '3000 Kamera: ID 5.',
       '7000 Kamera: ID 5, 7.',
       '12000 Kamera: eine Linie.',
-      '18600 Kamera: nichts mehr.',
+      '18500 Kamera: nichts mehr.',
     ]);
   });
 
