@@ -31,12 +31,12 @@ def drive(on_line):
     """Forward, along a line if there is one. Says when it was last on it."""
     left_dark, right_dark = is_dark(irLeft), is_dark(irRight)
     if left_dark and not right_dark:
-        leftArc(0.2)
+        left()
     elif right_dark and not left_dark:
-        rightArc(0.2)
-    elif left_dark or on_line == 0:
+        right()
+    elif left_dark or running_time() - on_line < 300 or on_line == 0:
         forward()
-    elif running_time() - on_line > 300:
+    else:
         stop()          # the line has ended
     return running_time() if left_dark or right_dark else on_line
 
