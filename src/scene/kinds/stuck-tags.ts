@@ -46,7 +46,7 @@ export function carriedPose({ tag }: Carrier, { xMm, yMm, headingRad }: Pose): P
   };
 }
 
-/** Where the carried tags of a course are now, by their ids, from where the things are that have moved. */
+/** The places of the carried tags of a course now, by their ids, from where the things are that have moved. */
 export function movedTags(
   objects: readonly SceneObject[],
   moved: Readonly<Record<string, Pose>>,

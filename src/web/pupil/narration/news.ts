@@ -18,7 +18,7 @@ export type News = { readonly seen: Moment } & (
   | { readonly topic: 'line'; readonly names: readonly string[] }
   /** The colour that a colour sensor has come onto. */
   | { readonly topic: 'colour'; readonly side: ColourState['side']; readonly name: ColourState['name'] }
-  /** What a camera has in its picture: a line, or ids in their order; none: it has nothing any more. */
+  /** The sight of a camera: a line, or ids in their order; none: it has nothing any more. */
   | { readonly topic: 'camera'; readonly isLine: boolean; readonly ids: readonly number[] }
   /** `isClear`: nothing is ahead any more; else something has come nearer. */
   | { readonly topic: 'ahead'; readonly isClear: boolean }

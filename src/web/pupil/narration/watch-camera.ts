@@ -1,6 +1,6 @@
 import type { Watcher } from './news';
 
-/** What a camera has seen counts as in its picture for so long, in ms. Chosen as for the line: it may be lost for a moment. */
+/** A thing that a camera has seen counts as in its picture for so long, in ms. Chosen as for the line: it may be lost for a moment. */
 const GONE_AFTER_MS = 600;
 const LINE = 'line';
 

@@ -15,7 +15,7 @@ export function middleOf(object: Lamp | Barrier): Vec {
   return { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 };
 }
 
-/** What of a run changes its still picture: lamps and barriers that were switched, tags on what has moved. */
+/** The part of a run that changes its still picture: lamps and barriers that were switched, tags on what has moved. */
 export type StillState = Partial<Pick<Snapshot, 'switched' | 'blocks' | 'movers'>>;
 
 /**
