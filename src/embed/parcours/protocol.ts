@@ -151,13 +151,13 @@ export interface PlainRobot extends RobotReport {
   /** Depths of the lidar's 64 or 16 cells row by row from the upper left, in mm (`null`: nothing in range), or `null`: no lidar. */
   readonly lidarMm: readonly (number | null)[] | null;
   readonly lineSensors: readonly { readonly name: string; readonly bright: boolean; readonly reading?: number }[];
-  /** What its colour sensors see. Missing without any, and in pages up to 1.0.0. */
+  /** The sight of its colour sensors. Missing without any, and in pages up to 1.0.0. */
   readonly colours?: readonly Pick<ColourSeen, 'side' | 'raw' | 'hue' | 'name'>[];
-  /** What its camera looks for, and its last answer; `null`: the program has not asked within half a second. Missing without one, and in pages up to 1.0.0. */
+  /** The algorithm of its camera, and its last answer; `null`: the program has not asked within half a second. Missing without one, and in pages up to 1.0.0. */
   readonly camera?: Pick<NonNullable<RobotSnapshot['state']['camera']>, 'algorithm' | 'seen'>;
 }
 
-/** What a colour sensor sees. */
+/** The sight of a colour sensor. */
 type ColourSeen = NonNullable<RobotSnapshot['state']['colours']>[number];
 
 /** Red, green, blue, 0 … 255 each. */
