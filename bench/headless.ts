@@ -2,8 +2,9 @@ import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import type { OptionValues } from '#core/option';
 import { parseScene } from '#scene/parse';
-import { defaultScene, type Lamp, type Scene, type Stroke } from '#scene/scene';
+import { defaultScene, type Lamp, type Paper, type Scene, type Stroke } from '#scene/scene';
 import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { TapeBox } from '#web/session/run/worker/tape-box';
@@ -66,6 +67,11 @@ while True:
         rightArc(0.1)
     delay(20)
 `;
+/** The same, which also asks its colour sensor what lies under it. */
+const COLOUR_SEEKER = V3_SEEKER.replace('import display, i2c', 'import display, i2c\nimport colour').replace(
+  '    delay(20)',
+  '    colour.name()\n    delay(20)',
+);
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
 /** Line 6, in the midst of the loop, never begins. */
 const BRANCH =
@@ -98,6 +104,9 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   ),
   speed('headless, V3 seeking the light among ten lamps and walls', { atLeast: 150, of: 'real time' }, () =>
     bestOf(soloOf(V3_SEEKER, tenLamps(), 'maqueen-plus-v3'), 60),
+  ),
+  speed('headless, the same with a colour sensor over coloured sheets', { atLeast: 150, of: 'real time' }, () =>
+    bestOf(soloOf(COLOUR_SEEKER, onSheets(tenLamps()), 'maqueen-plus-v3', { colour: 'tcs34725' }), 60),
   ),
   speed('headless, four Maqueen Lite on four lines', { atLeast: 30, of: 'real time' }, () => bestOf(onLines(4), 60)),
   speed('headless, eight Maqueen Lite on eight lines', { atLeast: 15, of: 'real time' }, () => bestOf(onLines(8), 30)),
@@ -173,6 +182,23 @@ function tenLamps(): Scene {
   return { ...scene, ambient: 20, objects: [...scene.objects, ...lamps] };
 }
 
+/** The same with sheets of four colours side by side on the whole floor. */
+function onSheets(scene: Scene): Scene {
+  const [width, height] = scene.size;
+  const sheets = (['red', 'yellow', 'green', 'blue'] as const).map((color, n): Paper => {
+    const size = [Math.round(width / 4), height] as const;
+    return {
+      type: 'paper',
+      id: `sheet-${n}`,
+      at: [Math.round(((n + 0.5) * width) / 4), height / 2],
+      size,
+      angle: 0,
+      color,
+    };
+  });
+  return { ...scene, objects: [...sheets, ...scene.objects] };
+}
+
 /** Robots that each follow a line of their own. */
 function onLines(count: number): RunSetup {
   const [width, height] = [700, 500];
@@ -208,8 +234,8 @@ function bestFactor(program: string, scene: Scene, seconds: number): Promise<num
   return bestOf(soloOf(program, scene), seconds);
 }
 
-const soloOf = (program: string, scene: Scene, robot = 'auto'): RunSetup =>
-  soloRun({ scene, files: { 'main.py': program }, robot, board: 'auto', seed: 1, reality: 0 });
+const soloOf = (program: string, scene: Scene, robot = 'auto', robotOptions: OptionValues = {}): RunSetup =>
+  soloRun({ scene, files: { 'main.py': program }, robot, robotOptions, board: 'auto', seed: 1, reality: 0 });
 
 /** @param prepare what is done to the run before */
 async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: Simulation) => void): Promise<number> {

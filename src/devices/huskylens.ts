@@ -82,7 +82,7 @@ const AGREED: readonly number[] = [KNOCK, 0x2f, 0x30, 0x32, 0x33, 0x34, 0x35, 0x
 const PRO: readonly number[] = [7, 8];
 
 /** It takes 30 pictures a second. Maker's page. */
-const PICTURE_US = 33_333;
+export const HUSKYLENS_PICTURE_US = 33_333;
 /** Ids that it counts as known while it has not forgotten them, by what there is to know: docs/hardware/huskylens.md. */
 const KNOWN: Readonly<Record<HuskyAlgorithm, number>> = { face: 0, track: 0, object: 0, line: 1, colour: 7, tag: 99, classify: 0 }; // prettier-ignore
 
@@ -163,7 +163,7 @@ function createCamera(clock: Clock, look: HuskyLook, start: HuskyAlgorithm): Cam
   const memory = (): Memory => memories.get(algorithm) ?? 'given';
 
   const found = (): readonly HuskyResult[] => {
-    const number = Math.floor(clock.nowUs / PICTURE_US);
+    const number = Math.floor(clock.nowUs / HUSKYLENS_PICTURE_US);
     if (picture?.number !== number || picture.of !== algorithm) {
       picture = { number, of: algorithm, found: look(algorithm) };
     }
@@ -183,7 +183,7 @@ function createCamera(clock: Clock, look: HuskyLook, start: HuskyAlgorithm): Cam
     asked = { atUs: clock.nowUs, results: all };
     const ids = memory();
     const known = ids === 'given' ? KNOWN[algorithm] : ids.size;
-    const info = [all.length, known, Math.floor(clock.nowUs / PICTURE_US) & 0xffff, 0, 0];
+    const info = [all.length, known, Math.floor(clock.nowUs / HUSKYLENS_PICTURE_US) & 0xffff, 0, 0];
     return [{ command: INFO, data: wordsOf(info) }, ...all.map(toFrame)];
   };
   const answer: Answer = (command, data) => {

@@ -8,7 +8,7 @@ import type { CameraView } from '#world/probes/camera';
 import { colourBlocks, lineArrow, tagBlocks } from './camera-sight';
 import type { CameraChoice } from './camera-options';
 import { frontOf } from './colour-sensor';
-import type { CameraState, Robot, RobotContext, RobotType } from './robot';
+import type { CameraSight, CameraState, Robot, RobotContext, RobotType } from './robot';
 import { scaled } from './sonar';
 
 /** Its field of view across; upright it follows from the picture, 35°. Not published: docs/hardware/huskylens.md. */
@@ -48,11 +48,16 @@ export function withCamera(robot: Robot, type: RobotType, context: RobotContext)
   if (isTakenByLidar(options)) return robot;
   const atMm = scaled(frontOf(type), scale);
   const view = viewOf(TILT_DEG[choice]);
-  const lens = attachHuskyLens(clock, board.i2c, looksOf(context, atMm, view), choice === 'huskylens' ? 'tag' : 'line');
-  const sightMm = sightOf(view).map(({ x, y }) => ({ x: x + atMm.x, y: y + atMm.y }));
+  const look = looksOf(context, atMm, view);
+  const trembling: HuskyLook = (algorithm) => context.seen(look(algorithm));
+  const lens = attachHuskyLens(clock, board.i2c, trembling, choice === 'huskylens' ? 'tag' : 'line');
+  const sight = sightOf(view);
+  const slopes = slopesOf(sight);
   const camera = (): CameraState => ({
     fromMm: chassis.toWorld(atMm),
-    sightMm: sightMm.map((place) => chassis.toWorld(place)),
+    headingRad: chassis.pose().headingRad,
+    sight,
+    endsMm: context.camera(atMm, view).floorEnds(slopes, sight.farMm).map(Math.round), // prettier-ignore
     algorithm: lens.algorithm(),
     seen: lens.seenWithin(SHOWN_US),
   });
@@ -92,20 +97,21 @@ function once<T>(ask: (of: T) => number): (of: T) => number {
   };
 }
 
-/** The part of the floor that it sees, from the lens: near right, far right, far left, near left. */
-function sightOf({ heightMm, tiltRad, acrossTan, uprightTan }: CameraView): readonly Vec[] {
+/** The part of the floor that it sees, from the lens. */
+function sightOf({ heightMm, tiltRad, acrossTan, uprightTan }: CameraView): CameraSight {
   const [cos, sin] = [exactCos(tiltRad), exactSin(tiltRad)];
-  const edge = (v: number): { readonly x: number; readonly half: number } => {
+  const edge = (v: number): { readonly mm: number; readonly slope: number } => {
     const forward = cos + v * sin;
     const rise = (v * cos - sin) / forward;
-    const x = Math.min(rise < 0 ? heightMm / -rise : Infinity, SHOWN_MM);
-    return { x, half: (x * acrossTan) / forward };
+    return { mm: Math.min(rise < 0 ? heightMm / -rise : Infinity, SHOWN_MM), slope: acrossTan / forward };
   };
   const [near, far] = [edge(-uprightTan), edge(uprightTan)];
-  return [
-    { x: near.x, y: -near.half },
-    { x: far.x, y: -far.half },
-    { x: far.x, y: far.half },
-    { x: near.x, y: near.half },
-  ];
+  return { nearMm: near.mm, nearSlope: near.slope, farMm: far.mm, farSlope: far.slope };
 }
+
+/** How many parts of its view on the floor are shown: chosen, each is 18 mm wide at the end. */
+const SHOWN_PARTS = 32;
+
+/** The slopes at which its view on the floor may end, from the right to the left. */
+const slopesOf = ({ farSlope }: CameraSight): readonly number[] =>
+  Array.from({ length: SHOWN_PARTS + 1 }, (_, part) => farSlope * ((2 * part) / SHOWN_PARTS - 1));

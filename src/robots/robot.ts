@@ -153,6 +153,8 @@ export interface RobotContext {
   readonly lightAhead: (from: Vec, cone: Cone) => { readonly distanceMm: number; readonly light: Light } | null;
   /** The sight of a camera whose lens is at `from` (robot frame) and looks ahead. It costs nothing until it is asked. */
   readonly camera: (from: Vec, view: CameraView) => Camera;
+  /** The results of a camera as they come from a robot that was used: they tremble. */
+  readonly seen: (results: readonly HuskyResult[]) => readonly HuskyResult[];
   /** The number under which a camera knows a colour: 1 red, 2 yellow, 3 green, 4 blue, 5 orange, 6 purple, 7 brown; 0: none. */
   readonly colourNumber: (shares: Shares) => number;
   /**
@@ -270,11 +272,22 @@ export interface ColourState {
 export interface CameraState {
   /** Its lens, world frame. */
   readonly fromMm: Vec;
-  /** Corners of what it sees of the floor, world frame: near right, far right, far left, near left. */
-  readonly sightMm: readonly Vec[];
+  readonly headingRad: number;
+  /** The floor that it sees, ahead of its lens. Slopes are mm to the left per mm of depth. */
+  readonly sight: CameraSight;
+  /** How far the floor is in sight in even steps from the right to the left, in whole mm: a thing that hides the rest ends it. */
+  readonly endsMm: readonly number[];
   readonly algorithm: HuskyAlgorithm;
   /** The last answer to the program; `null`: it has not asked within the last half second. */
   readonly seen: readonly HuskyResult[] | null;
+}
+
+/** The part of an empty floor that a camera sees: between two depths, with the slopes of its left corners there. */
+export interface CameraSight {
+  readonly nearMm: number;
+  readonly nearSlope: number;
+  readonly farMm: number;
+  readonly farSlope: number;
 }
 
 /** A distance sensor's beam, world frame. */

@@ -86,6 +86,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       return hit && { distanceMm: hit.distanceMm, light: reality.light(litBy(hit.shares)) };
     },
     camera: (from, view) => world.camera(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
+    seen: (results) => reality.seen(results),
     colourNumber,
     lightLevel: robotLight(world, { chassis, sensors: place.board.sensors, nowUs: () => clock.nowUs }),
     miss: () => reality.miss(),

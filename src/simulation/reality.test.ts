@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { HuskyResult } from '#devices/huskylens';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 import { idealTraits } from '#robots/traits';
 import { createReality } from './reality';
@@ -21,6 +22,8 @@ describe('reality 0', () => {
     expect(reality.reflectance(0.3, spot)).toBe(0.3);
     expect(reality.echo(hit)).toBe(hit);
     expect(reality.miss()).toBe(0);
+    const seen: readonly HuskyResult[] = [{ kind: 'block', x: 160, y: 120, width: 75, height: 75, id: 5 }];
+    expect(reality.seen(seen)).toBe(seen);
   });
 
   it('leaves a robot that was measured its motors, its battery and its ultrasonic sensor', () => {
@@ -88,6 +91,40 @@ describe('reality 1', () => {
     expect(misses(1, 3)).toEqual(all);
     expect(misses(0.5, 3)).toEqual(all.map((miss) => miss / 2));
     expect(misses(1, 4).slice(0, 5)).not.toEqual(all.slice(0, 5));
+  });
+
+  it('lets what a camera finds tremble by 3 px at most, anew in each picture, and not within one', () => {
+    const { reality, time } = realityAt(1, 3);
+    const tag: HuskyResult = { kind: 'block', x: 160, y: 120, width: 75, height: 75, id: 5 };
+    const places = new Set<string>();
+    for (let picture = 0; picture < 60; picture++) {
+      time.us = picture * 33_333;
+      const [one] = reality.seen([tag]);
+      time.us += 30_000;
+      expect(reality.seen([tag])).toEqual([one]);
+      if (one?.kind !== 'block') throw new Error('a block stays one');
+      for (const [now, still] of [
+        [one.x, 160],
+        [one.y, 120],
+        [one.width, 75],
+        [one.height, 75],
+      ] as const)
+        // prettier-ignore
+        expect(Math.abs(now - still)).toBeLessThanOrEqual(3);
+      places.add([one.x, one.y, one.width, one.height].join());
+    }
+    expect(places.size).toBeGreaterThan(50);
+  });
+
+  it('keeps the ends of a line in the picture', () => {
+    const { reality, time } = realityAt(1, 3);
+    for (let picture = 0; picture < 60; picture++) {
+      time.us = picture * 33_333;
+      const [line] = reality.seen([{ kind: 'arrow', tail: [0, 239], head: [319, 0], id: 1 }]);
+      if (line?.kind !== 'arrow') throw new Error('an arrow stays one');
+      const [x, y] = [line.tail[0], line.head[0]];
+      expect([x >= 0, x <= 3, y >= 316, y <= 319, line.tail[1] <= 239, line.head[1] >= 0]).not.toContain(false);
+    }
   });
 
   it('misses about one echo in fifty, and the others are at most 7 mm wrong at 30 cm', () => {

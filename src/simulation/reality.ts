@@ -7,6 +7,7 @@
  *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
  *      ultrasonic   trembles and misses an echo now and then. From slanted walls it hears as the robot's option says
  *      lidar        trembles, far things more; now and then a cell loses a shiny floor
+ *      camera       the places and sizes of what it finds tremble by a few pixels, anew in each picture
  *      moves        those that a robot measures by itself end a little too early or too late
  *
  * A robot that was measured (`#robots/traits`) brings motors, battery and sensors of its own; chance then only lets its
@@ -16,6 +17,7 @@
  */
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
+import { HUSKYLENS_PICTURE, HUSKYLENS_PICTURE_US, type HuskyResult } from '#devices/huskylens';
 import { bodyWith, supplyOf, type MotorTraits, type Traits } from '#robots/traits';
 import type { ChassisType } from '#world/chassis';
 import type { DepthCell } from '#world/probes/depth-grid';
@@ -37,6 +39,8 @@ export interface Reality {
   depths(cells: readonly DepthCell[]): readonly DepthCell[];
   /** Distorts the light that a colour sensor gets. */
   light(seen: Shares): Shares;
+  /** Distorts what a camera found in its picture. */
+  seen(results: readonly HuskyResult[]): readonly HuskyResult[];
   /** How far a move that the robot measures by itself misses its end now, in standard deviations. */
   miss(): number;
 }
@@ -60,6 +64,8 @@ const DEPTH_NOISE = { leastMm: 7, share: 0.026 }; // largest; as a standard devi
 const MISSED_FLOOR = 0.4;
 const LIGHT_NOISE = 0.02; // largest; as a standard deviation about 1 %
 
+const PICTURE_NOISE_PX = 3; // largest, of 320: what stands still jumps by a pixel or two from picture to picture
+
 /** The robot as built. */
 const IDEAL: Reality = {
   body: (type) => type,
@@ -68,6 +74,7 @@ const IDEAL: Reality = {
   echo: (hit) => hit,
   depths: (cells) => cells,
   light: (seen) => seen,
+  seen: (results) => results,
   miss: () => 0,
 };
 
@@ -115,7 +122,7 @@ export function faultsOf(amount: number, seed: number): Faults {
 /** The share of the largest offset that the sensor of a channel has, −1 … 1. */
 const sideOf = (salt: number, channel: number): number => 2 * unitOf(salt, -1, channel) - 1;
 
-type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'light' | 'miss'>;
+type Senses = Pick<Reality, 'reflectance' | 'echo' | 'depths' | 'light' | 'seen' | 'miss'>;
 
 /** A measured robot whose sensors tremble like these. */
 function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
@@ -161,6 +168,16 @@ function trembling(amount: number, salt: number, nowUs: () => number, mostOffset
       const share = (i: number, value: number): number => value * (1 + amount * LIGHT_NOISE * tremble(LIGHT + i));
       return [share(0, seen[0]), share(1, seen[1]), share(2, seen[2])];
     },
+    seen: (results) => {
+      const picture = Math.floor(nowUs() / HUSKYLENS_PICTURE_US);
+      return results.map((one, place) => {
+        const off = (axis: number): number =>
+          Math.round(amount * PICTURE_NOISE_PX * tremble(SEEN + 4 * place + axis, picture));
+        if (one.kind === 'arrow') return { ...one, tail: moved(one.tail, [off(0), off(1)]), head: moved(one.head, [off(2), off(3)]) }; // prettier-ignore
+        const [x, y] = moved([one.x, one.y], [off(0), off(1)]);
+        return { ...one, x, y, width: Math.max(one.width + off(2), 1), height: Math.max(one.height + off(3), 1) };
+      });
+    },
     miss: () => amount * bellOf((draw) => unitOf(salt, moment(), MISS + draw)),
   };
 }
@@ -178,6 +195,16 @@ const BELL_DRAWS = 12;
 
 /** The first of those of colours, likewise. */
 const LIGHT = 0x60000000;
+
+/** The first of those of what a camera finds, likewise. */
+const SEEN = 0x70000000;
+
+/** A place in a camera's picture, moved, but not out of it. */
+const moved = ([x, y]: PicturePoint, [dx, dy]: PicturePoint): PicturePoint => [
+  Math.min(Math.max(x + dx, 0), HUSKYLENS_PICTURE.width - 1),
+  Math.min(Math.max(y + dy, 0), HUSKYLENS_PICTURE.height - 1),
+];
+type PicturePoint = readonly [x: number, y: number];
 
 /** A number with mean 0 and standard deviation 1, within ±6: the sum of twelve even ones (Irwin and Hall). */
 function bellOf(unit: (draw: number) => number): number {

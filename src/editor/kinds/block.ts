@@ -1,4 +1,5 @@
 import { heightProperty } from '#scene/kinds/heights';
+import { colorProperty } from '#scene/paint/paint';
 import type { Block, Spikes } from '#scene/scene';
 import { heightField, typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
@@ -23,10 +24,11 @@ const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => 
     heightField(box),
     ...(box.type === 'block' ? motionFields(box) : []),
   ],
-  made: (id, at, _scene, { blockSize, blockShape, blockHeight }) => ({
+  made: (id, at, _scene, { blockSize, blockShape, blockHeight, blockColor }) => ({
     ...{ type, id, at, size: blockSize, angle: 0 },
     ...bodyShape(blockShape),
     ...heightProperty(type, blockHeight),
+    ...(type !== 'spikes' && colorProperty(blockColor)),
   }),
 });
 

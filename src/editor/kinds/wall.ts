@@ -1,5 +1,6 @@
 import { wallOutline } from '#scene/kinds/wall';
 import { heightProperty } from '#scene/kinds/heights';
+import { colorProperty } from '#scene/paint/paint';
 import { sceneLimits, type Wall } from '#scene/scene';
 import { endFields, heightField, lengthField } from '../object-fields';
 import { hitWithin, type EditorKind } from './kind';
@@ -25,8 +26,13 @@ export const wall: EditorKind<Wall> = {
   }),
 };
 
-/** Thickness and height of the walls that the tools draw. */
-export const newWallLook = ({ wallThickness, wallHeight }: ToolOptions): Pick<Wall, 'thickness' | 'height'> => ({
+/** Thickness, height and colour of the walls that the tools draw. */
+export const newWallLook = ({
+  wallThickness,
+  wallHeight,
+  wallColor,
+}: ToolOptions): Pick<Wall, 'thickness' | 'height' | 'color'> => ({
   thickness: wallThickness,
   ...heightProperty('wall', wallHeight),
+  ...colorProperty(wallColor),
 });

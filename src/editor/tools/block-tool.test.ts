@@ -39,6 +39,14 @@ describe('block', () => {
     expect('height' in (put(drag([300, 300]), { block: 'spikes', blockHeight: 50 })[0] ?? {})).toBe(false);
   });
 
+  it('has the colour that the tool is set to, if its kind may have one', () => {
+    expect(put(drag([300, 300]), { blockColor: 'red' })).toMatchObject([{ type: 'block', color: 'red' }]);
+    expect(put(drag([300, 300]), { block: 'fixed-block', blockColor: 'red' })).toMatchObject([{ color: 'red' }]);
+    for (const block of ['spikes', 'mover'] as const)
+      expect('color' in (put(drag([300, 300]), { block, blockColor: 'red' })[0] ?? {})).toBe(false);
+    expect('color' in (put(drag([300, 300]))[0] ?? {})).toBe(false);
+  });
+
   it('may be fixed or have spikes', () => {
     expect(put(drag([300, 300]), { block: 'fixed-block' })).toMatchObject([
       { type: 'fixed-block', id: 'fixed-block-1' },

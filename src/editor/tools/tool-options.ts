@@ -12,6 +12,7 @@ export const usualToolOptions: ToolOptions = {
   blockShape: 'rectangle',
   blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it
   blockHeight: null,
+  blockColor: null,
   moverWay: 'to-and-fro',
   moverSpeed: sceneDefaults.speed,
   moverWait: 0,
@@ -19,6 +20,7 @@ export const usualToolOptions: ToolOptions = {
   moverSpiked: sceneDefaults.spiked,
   wallThickness: sceneDefaults.thickness,
   wallHeight: null,
+  wallColor: null,
   wallSnaps: true,
   mazeCell: 150, // chosen: all robots turn round in it, and the usual arena is 8 × 6 such cells
   zone: 'target',

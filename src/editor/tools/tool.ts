@@ -67,6 +67,8 @@ export interface ToolOptions {
   readonly blockSize: Point;
   /** Height of a new block, fixed block, mover or of new spikes, in mm; `null`: usual for its kind. */
   readonly blockHeight: number | null;
+  /** Colour of a new block or fixed block; `null`: none. */
+  readonly blockColor: PaintColor | null;
   /** The movement of a new mover. */
   readonly moverWay: MoverWay;
   readonly moverSpeed: number;
@@ -78,6 +80,8 @@ export interface ToolOptions {
   readonly wallThickness: number;
   /** In mm; `null`: the usual one. */
   readonly wallHeight: number | null;
+  /** Colour of a new wall; `null`: none. */
+  readonly wallColor: PaintColor | null;
   /** Walls snap to 45° and to ends of other walls. */
   readonly wallSnaps: boolean;
   /** Side of a cell of the maze's grid in mm. */

@@ -26,6 +26,11 @@ describe('wall', () => {
     expect(drawn(path, course(), { wallHeight: 250 })).toEqual([wall('wall-1', ...path)]);
   });
 
+  it('has the colour that the tool is set to', () => {
+    const path = [[100, 100], [400, 100]] as const; // prettier-ignore
+    expect(drawn(path, course(), { wallColor: 'blue' })).toEqual([{ ...wall('wall-1', ...path), color: 'blue' }]);
+  });
+
   it('lies level when it is drawn 10° askew', () => {
     expect(
       drawn([

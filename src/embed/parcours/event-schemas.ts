@@ -27,6 +27,24 @@ const atMs = numberOf('Simulated time of the run, in ms.');
 const colour = v.strictTuple([v.number(), v.number(), v.number()]);
 const colours = (about: string) => pipe(v.array(colour), description(about));
 
+const ALGORITHMS = ['face', 'track', 'object', 'line', 'colour', 'tag', 'classify'] as const;
+const COLOUR_NAMES = ['red', 'orange', 'yellow', 'green', 'blue', 'purple', 'brown', 'white', 'gray', 'black'] as const;
+const place = v.strictTuple([v.number(), v.number()]);
+const box = { x: v.number(), y: v.number(), width: v.number(), height: v.number() };
+const inPicture = v.variant('kind', [
+  v.strictObject({ kind: v.literal('block'), ...box, id: v.number() }),
+  v.strictObject({ kind: v.literal('arrow'), tail: place, head: place, id: v.number() }),
+]);
+const colourSensor = v.strictObject({
+  side: v.picklist(['down', 'ahead']),
+  raw: pipe(v.strictTuple([v.number(), v.number(), v.number(), v.number()]), description('Clear, red, green and blue at gain 4 and 24 ms.')), // prettier-ignore
+  hue: numberOf('Whole degrees, white-balanced.'),
+  name: v.picklist(COLOUR_NAMES),
+});
+const camera = v.strictObject({
+  algorithm: v.picklist(ALGORITHMS),
+  seen: pipe(v.nullable(v.array(inPicture)), description('Its last answer, in px of its picture of 320 × 240; `null`: the program has not asked within half a second.')), // prettier-ignore
+});
 const display = text('Digits 0 … 9 per LED of the display, rows separated by colons.');
 const robot = pipe(
   v.nullable(
@@ -46,6 +64,10 @@ const robot = pipe(
       lineSensors: v.array(
         v.strictObject({ name: v.string(), bright: v.boolean(), reading: v.exactOptional(v.number()) }),
       ),
+      colours: v.exactOptional(
+        pipe(v.array(colourSensor), description('What its colour sensors see. Missing without any.')),
+      ),
+      camera: v.exactOptional(pipe(camera, description('What its camera finds. Missing without one.'))),
     }),
   ),
   description('`null` for the bare board.'),

@@ -31,13 +31,15 @@ function plainDevice(device: DeviceSnapshot): Omit<PlainDevice, 'name'> {
 
 /** The robot's data, as the command line reports them, and its sensor readings. */
 export function plainRobot(robot: RobotSnapshot): PlainRobot {
-  const { duty, ultrasonic, lidar, lineSensors } = robot.state;
+  const { duty, ultrasonic, lidar, lineSensors, colours, camera } = robot.state;
   const distanceMm = ultrasonic?.distanceMm ?? null;
   return {
     ...robotReport(robot),
     motors: { left: duty.left, right: duty.right },
     distanceMm: distanceMm === null ? null : rounded(distanceMm),
     lidarMm: lidar?.depthMm ?? null,
+    ...(colours && { colours: colours.map(({ side, raw, hue, name }) => ({ side, raw, hue, name })) }),
+    ...(camera && { camera: { algorithm: camera.algorithm, seen: camera.seen } }),
     lineSensors: lineSensors.map(({ name, bright, reading }) =>
       reading === undefined ? { name, bright } : { name, bright, reading },
     ),

@@ -13,6 +13,7 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { PlacedPose } from '#simulation/input';
 import type { RunPhase, Speed } from '#simulation/pace';
+import type { RobotSnapshot } from '#simulation/snapshot';
 import type { EndedWord, PacketReport, RobotReport } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/task/verdict';
@@ -150,7 +151,14 @@ export interface PlainRobot extends RobotReport {
   /** Depths of the lidar's 64 or 16 cells row by row from the upper left, in mm (`null`: nothing in range), or `null`: no lidar. */
   readonly lidarMm: readonly (number | null)[] | null;
   readonly lineSensors: readonly { readonly name: string; readonly bright: boolean; readonly reading?: number }[];
+  /** The sight of its colour sensors. Missing without any, and in pages up to 1.0.0. */
+  readonly colours?: readonly Pick<ColourSeen, 'side' | 'raw' | 'hue' | 'name'>[];
+  /** The algorithm of its camera, and its last answer; `null`: the program has not asked within half a second. Missing without one, and in pages up to 1.0.0. */
+  readonly camera?: Pick<NonNullable<RobotSnapshot['state']['camera']>, 'algorithm' | 'seen'>;
 }
+
+/** The sight of a colour sensor. */
+type ColourSeen = NonNullable<RobotSnapshot['state']['colours']>[number];
 
 /** Red, green, blue, 0 … 255 each. */
 export type Colour = Rgb;

@@ -21,3 +21,6 @@ export interface Painted {
 /** True if files before version 8 can say a colour. */
 export const isFirstColor = (color: PaintColor): color is (typeof firstColors)[number] =>
   firstColors.some((one) => one === color);
+
+/** The property that gives a thing a colour; `null`: left out. */
+export const colorProperty = (color: PaintColor | null): Pick<Painted, 'color'> => (color === null ? {} : { color });

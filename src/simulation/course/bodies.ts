@@ -53,6 +53,8 @@ type Build<O extends AnyObject> = (object: O, world: World, around: Around) => B
 export interface Around {
   /** The zone of this id as the course has it now. */
   readonly zone: (id: string) => Zone | undefined;
+  /** The place of a tag on what carries it now; `null`: nothing does. */
+  readonly carried: (tag: Tag) => Pose | null;
 }
 
 type BoxObject = Block | Spikes | Mover;
@@ -138,10 +140,11 @@ function tunnelBody(tunnel: Tunnel, world: World): Body {
   return { remove: world.light.addTunnel(shapeParts(tunnel)) };
 }
 
-function tagBody(tag: Tag, world: World): Body {
+function tagBody(tag: Tag, world: World, { carried }: Around): Body {
   const { at, number, side, flat } = tag;
-  const shape = { number, atMm: vec(at), angleRad: rotationRad(tag.angle), sideMm: side, rimMm: tagRimMm(side) };
-  return { remove: world.addTag({ ...shape, isFlat: flat === true }) };
+  const own: Pose = { xMm: at[0], yMm: at[1], headingRad: rotationRad(tag.angle) };
+  const shape = { number, sideMm: side, rimMm: tagRimMm(side), isFlat: flat === true };
+  return { remove: world.addTag({ ...shape, pose: () => carried(tag) ?? own }) };
 }
 
 function moverBody(object: Mover, world: World, { zone }: Around): Body {

@@ -152,3 +152,33 @@ describe('heights of things', () => {
     expect(robot.pose().xMm).toBeLessThan(300 - 59 + 1);
   });
 });
+
+describe('a tag that is stuck to a block', () => {
+  const VIEW = { heightMm: 90, tiltRad: 0.26, acrossTan: 0.42, uprightTan: 0.32, columns: 8, rows: 6, rangeMm: 3000 };
+  const block: SceneObject = { type: 'block', id: 'block', at: [700, 450], size: [60, 60], angle: 0 };
+  const tag: SceneObject = { type: 'tag', id: 'tag', at: [670, 450], number: 9, side: 60, angle: 180 };
+  const course = (...objects: readonly SceneObject[]): Scene => ({ ...defaultScene(), size: [2000, 900], objects });
+  /** The tag in the picture of a camera at (400 | 450): the middle of it, in shares; `null`: it sees none. */
+  const middle = (arena: CourseWorld): number | null => {
+    const [one] = arena.world.camera({ x: 400, y: 450 }, 0, VIEW).tags();
+    return one === undefined ? null : one.corners.reduce((sum, { x }) => sum + x / 4, 0);
+  };
+
+  it('goes along with it, and stays behind when the block is taken away', () => {
+    const arena = new CourseWorld(course(tag, block));
+    expect(middle(arena)).toBeCloseTo(0.5, 9);
+    arena.block('block')?.place({ xMm: 760, yMm: 500, headingRad: 0 });
+    expect(middle(arena)).toBeLessThan(0.4);
+    arena.block('block')?.place({ xMm: 760, yMm: 450, headingRad: Math.PI });
+    expect(middle(arena)).toBeNull();
+    arena.take(course(tag));
+    expect(middle(arena)).toBeCloseTo(0.5, 9);
+  });
+
+  it('stands where it is put in a run, alone again', () => {
+    const arena = new CourseWorld(course(block, tag));
+    arena.take(course(block, { ...tag, at: [600, 450] }));
+    arena.block('block')?.place({ xMm: 760, yMm: 500, headingRad: 0 });
+    expect(middle(arena)).toBeCloseTo(0.5, 9);
+  });
+});

@@ -1,9 +1,10 @@
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { BRIGHTEST_LEVEL, unpackLevels } from '#scene/background';
+import { carriedPose, carriersOf } from '#scene/kinds/stuck-tags';
 import { isZone } from '#scene/kinds/zone';
 import type { Outline } from '#scene/outline';
-import type { Background, Point, Scene, SceneObject, Zone } from '#scene/scene';
+import type { Background, Point, Scene, SceneObject, Tag, Zone } from '#scene/scene';
 import { ownOutline } from '#scene/shape/shape';
 import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
 import { ROOM_LX } from '#world/light/light';
@@ -113,12 +114,21 @@ export class CourseWorld {
   }
 
   private add(object: SceneObject): void {
-    const body = bodyOf(object, this.world, { zone: (id) => this.zones.get(id) });
+    const body = bodyOf(object, this.world, {
+      zone: (id) => this.zones.get(id),
+      carried: (tag) => this.carried(tag),
+    });
     if (body && !isLasting(object)) this.following.set(object.id, { object, body });
     if (body?.block) this.blocks.set(object.id, body.block);
     else this.blocks.delete(object.id);
     if (body?.mover) this.movers.set(object.id, body.mover);
     this.setSwitched(object.id, body?.switched);
+  }
+
+  private carried({ id }: Tag): Pose | null {
+    const carrier = carriersOf(this.now.objects).get(id);
+    const thing = carrier && (this.blocks.get(carrier.id) ?? this.movers.get(carrier.id));
+    return carrier && thing ? carriedPose(carrier, thing.pose()) : null;
   }
 
   private setSwitched(id: string, switched: Switchable | undefined): void {

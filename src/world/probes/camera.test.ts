@@ -12,9 +12,15 @@ const VIEW: CameraView = {
   ...{ acrossTan: tan(23), uprightTan: 0.75 * tan(23) },
 };
 const FROM: Vec = { x: 500, y: 500 };
-const tag = (more: Partial<TagShape>): TagShape => ({
-  ...{ number: 5, atMm: { x: 800, y: 500 }, angleRad: Math.PI, sideMm: 60, rimMm: 7.5, isFlat: false, ...more },
+const tag = ({ atMm = { x: 800, y: 500 }, angleRad = Math.PI, isFlat = false }: Partial<TagAt> = {}): TagShape => ({
+  ...{ number: 5, sideMm: 60, rimMm: 7.5, isFlat },
+  pose: () => ({ xMm: atMm.x, yMm: atMm.y, headingRad: angleRad }),
 });
+interface TagAt {
+  readonly atMm: Vec;
+  readonly angleRad: number;
+  readonly isFlat: boolean;
+}
 const world = () => createWorld({ widthMm: 2000, heightMm: 1000 });
 
 /** The cells as letters: `.` floor, `r` red floor, `R` red thing, `#` thing without a colour, a space nothing. */
@@ -59,6 +65,29 @@ describe('the picture of a camera', () => {
 
   it('looks only through the rows that are asked for', () => {
     expect(world().camera(FROM, 0, VIEW).picture([5]).length).toBe(1);
+  });
+});
+
+describe('the floor that a camera sees', () => {
+  const SLOPES = [-0.3, 0, 0.3];
+  const ends = (of: ReturnType<typeof world>): number[] =>
+    of.camera(FROM, 0, VIEW).floorEnds(SLOPES, 700).map(Math.round); // prettier-ignore
+
+  it('ends at a wall, and goes on beside it', () => {
+    const of = world();
+    expect(ends(of)).toEqual([700, 700, 700]);
+    of.addWall({ fromMm: { x: 800, y: 500 }, toMm: { x: 800, y: 900 }, thicknessMm: 10, heightMm: 250 });
+    expect(ends(of)).toEqual([700, 295, 295]);
+  });
+
+  it('goes over a low block whose shadow ends before, and ends at one that hides its end', () => {
+    const block = { angleRad: 0, fixed: true, sizeMm: { x: 40, y: 40 }, heightMm: 40 };
+    const near = world();
+    near.addBlock({ ...block, atMm: { x: 700, y: 500 } });
+    expect(ends(near)[1]).toBe(700);
+    const far = world();
+    far.addBlock({ ...block, atMm: { x: 1100, y: 500 } });
+    expect(ends(far)[1]).toBe(580);
   });
 });
 

@@ -1,5 +1,5 @@
 import { exactCos, exactSin } from '#core/exact-math';
-import type { Vec } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import type { Shares } from '../shapes';
 import type { Obstacle } from './distance-cone';
 
@@ -37,10 +37,11 @@ export interface PicturePlace {
 /** A tag, a printed pattern that cameras recognise. */
 export interface TagShape {
   readonly number: number;
-  /** The middle of its lower edge if it stands; its middle if it lies. */
-  readonly atMm: Vec;
-  /** The direction of its printed side if it stands; its turn if it lies. */
-  readonly angleRad: number;
+  /**
+   * Its place now: the middle of its lower edge and the direction of its printed side if it stands, its middle and its turn
+   * if it lies.
+   */
+  readonly pose: () => Pose;
   /** Side of its black square. */
   readonly sideMm: number;
   /** Width of the white rim around it. */
@@ -97,6 +98,11 @@ export interface Camera {
   picture(rows?: readonly number[]): readonly (readonly CameraCell[])[];
   /** The tags that it recognises. */
   tags(): readonly SeenTag[];
+  /**
+   * For each of these slopes (mm to the left per mm of depth) the depth up to which the floor is in sight, at most `toMm`: a
+   * thing that hides the place there ends it.
+   */
+  floorEnds(slopes: readonly number[], toMm: number): readonly number[];
 }
 
 /** A camera whose lens is above `from` and looks along `headingRad`. */
@@ -140,11 +146,16 @@ export function cameraAt(from: Vec, headingRad: number, view: CameraView, sights
     picture: (rows) => (rows ?? Array.from({ length: view.rows }, (_, number) => number)).map(row),
     tags: () =>
       [...sights.tags].flatMap((tag) => {
-        const spots = spotsOf(tag, into(tag.atMm), tag.angleRad - headingRad, view);
+        const pose = tag.pose();
+        const spots = spotsOf(tag, into({ x: pose.xMm, y: pose.yMm }), pose.headingRad - headingRad, view);
         const corners = spots.map((spot) => project(spot, view, tilt)).filter((place) => place !== null);
         const isSeen = corners.length === 4 && isLargeEnough(corners, view) && !spots.some(isHidden);
         return isSeen ? [{ number: tag.number, corners }] : [];
       }),
+    floorEnds: (slopes, toMm) =>
+      slopes.map((slope) =>
+        Math.min(toMm, ...things.map((thing) => meets(thing, slope, view.heightMm / -toMm, view.heightMm))),
+      ),
   };
 }
 

@@ -185,6 +185,19 @@ describe('the options of a tool', () => {
     expect(set().blockHeight).toBe(5);
   });
 
+  it.each([
+    ['block', 'blockColor'],
+    ['wall', 'wallColor'],
+  ] as const)('set the colour of the next %s, or none', async (tool, color) => {
+    const { set } = await optionsOf(tool);
+    await openCard('Farbe: Keine Farbe');
+    await pick('Rot');
+    expect(set()[color]).toBe('red');
+    await openCard('Farbe: Rot');
+    await press('Keine Farbe');
+    expect(set()[color]).toBeNull();
+  });
+
   it('set how thick a wall is', async () => {
     const { set } = await optionsOf('wall');
     await openCard('Dicke: 10 mm dick');

@@ -1,6 +1,7 @@
 import { radOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { RobotType } from '#robots/robot';
+import { movedTags } from '#scene/kinds/stuck-tags';
 import type { Scene } from '#scene/scene';
 
 import type { RunParts } from '../../session/run/parts';
@@ -37,13 +38,14 @@ function askedOf({ run, hand, scene, robot, crosshair }: Explored): Asked {
   const { at, heading, scale } = course.robot;
   const snapshot = run.shown.value;
   const start: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
+  const inRun: Readonly<Record<string, Pose>> = { ...snapshot?.blocks, ...snapshot?.movers };
   const inHand = Object.entries(hand.blocks.value).map(([id, { xMm, yMm, headingDeg }]): [string, Pose] => [
     id,
     { xMm, yMm, headingRad: radOf(headingDeg) },
   ]);
   return {
     scene: course,
-    moved: snapshot === null ? Object.fromEntries(inHand) : { ...snapshot.blocks, ...snapshot.movers },
+    moved: snapshot === null ? Object.fromEntries(inHand) : { ...inRun, ...movedTags(course.objects, inRun) },
     robot: type === null ? null : (snapshot?.robot?.pose ?? start),
     body: (type?.body.outlineMm ?? []).map((part) => part.map(({ x, y }) => ({ x: x * scale, y: y * scale }))),
     crosshair: crosshair(),

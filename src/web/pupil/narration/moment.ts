@@ -1,6 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import { nearestOfFan } from '#robots/lidar-fan';
-import type { RobotState } from '#robots/robot';
+import type { ColourState, RobotState } from '#robots/robot';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 
@@ -16,6 +16,10 @@ export interface Moment {
   readonly ahead: { readonly mm: number; readonly hitMm: Vec | null } | null | undefined;
   /** From left to right. */
   readonly lineSensors: readonly { readonly name: string; readonly isDark: boolean }[];
+  /** The names of what its colour sensors see. */
+  readonly colours: readonly Pick<ColourState, 'side' | 'name'>[];
+  /** The last answer of its camera; `null`: the program has not asked lately, or there is none. */
+  readonly inPicture: readonly { readonly isLine: boolean; readonly id: number }[] | null;
   /** Number of touches of the robot since the start. */
   readonly touches: number;
   readonly verdict: Verdict | null;
@@ -27,7 +31,7 @@ export interface Moment {
 export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
   const { robot, verdict, blocks, movers } = snapshot;
   if (robot === null) return null;
-  const { lineSensors } = robot.state;
+  const { lineSensors, colours = [], camera } = robot.state;
   return {
     atMs,
     pose: robot.pose,
@@ -37,6 +41,8 @@ export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
     lineSensors: [...lineSensors]
       .sort((one, other) => other.atMm.y - one.atMm.y)
       .map(({ name, bright }) => ({ name, isDark: !bright })),
+    colours: colours.map(({ side, name }) => ({ side, name })),
+    inPicture: camera?.seen?.map(({ kind, id }) => ({ isLine: kind === 'arrow', id })) ?? null,
     touches: robot.collisions,
     verdict,
     moved: Object.keys(movers).length === 0 ? blocks : { ...blocks, ...movers },

@@ -55,6 +55,34 @@ describe('what is told of a drive', () => {
     ]);
   });
 
+  it('tells the colour that a colour sensor has come onto, and not what shows for a moment on the border', () => {
+    const drive: (readonly [number, Changes])[] = [
+      [0, { colour: 'white' }],
+      [3000, { colour: 'gray' }],
+      [3100, { colour: 'red' }],
+      [6000, { colour: 'white' }],
+    ];
+    expect(told(courseWith(), drive, 7000)).toEqual([START, '3400 Farbsensor: Rot.', '6300 Farbsensor: Weiss.']);
+  });
+
+  it('tells what a camera finds, once, and that it finds nothing any more', () => {
+    const drive: (readonly [number, Changes])[] = [
+      [0, { camera: [] }],
+      [3000, { camera: [5] }],
+      [3500, { camera: [] }],
+      [3800, { camera: [7, 5] }],
+      [12_000, { camera: ['line'] }],
+      [18_000, { camera: [] }],
+    ];
+    expect(told(courseWith(), drive, 20_000)).toEqual([
+      START,
+      '3000 Kamera: ID 5.',
+      '7000 Kamera: ID 5, 7.',
+      '12000 Kamera: eine Linie.',
+      '18500 Kamera: nichts mehr.',
+    ]);
+  });
+
   it('names what is ahead as the course does, the edge of the arena too', () => {
     const course = courseWith({ ...samples.block, at: [500, 450] });
     expect(told(course, [[0, {}], [2500, { aheadMm: 220 }]], 3000)).toEqual([START, '2500 Block 22 cm voraus.']); // prettier-ignore

@@ -5,6 +5,8 @@ import type { Watcher } from './news';
 import { createPacer } from './pacer';
 import { sentence, type Surroundings } from './sentences';
 import { watchAhead } from './watch-ahead';
+import { watchCamera } from './watch-camera';
+import { watchColour } from './watch-colour';
 import { watchLine } from './watch-line';
 import { watchRest } from './watch-rest';
 import { isDecided, watchTask } from './watch-task';
@@ -40,7 +42,7 @@ export function createNarrator(around: () => Surroundings): Narrator {
   const pacer = createPacer();
   const watchers: readonly Watcher[] = [
     watchTask(() => checkpointsOf(around())),
-    ...[watchLine(), watchAhead(), watchTurn(), watchRest()],
+    ...[watchLine(), watchColour(), watchCamera(), watchAhead(), watchTurn(), watchRest()],
   ];
   let now: Moment | null = null;
   return {

@@ -6,14 +6,26 @@ import type { News, Topic } from './news';
 export const GAP_MS = 2000;
 
 /** The most important first. */
-const ORDER: readonly Topic[] = ['touch', 'target', 'checkpoint', 'block', 'start', 'line', 'ahead', 'turn', 'rest'];
+const ORDER: readonly Topic[] = [
+  'touch',
+  'target',
+  'checkpoint',
+  'block',
+  'start',
+  'line',
+  'colour',
+  'camera',
+  'ahead',
+  'turn',
+  'rest',
+];
 
 /**
  * After so long in the queue an event is no news any more, in ms. A state (line, ahead) is announced as it is by then.
  */
 const STALE_MS: Readonly<Record<Topic, number>> = {
   ...{ touch: 5000, target: 10_000, checkpoint: 10_000, block: 10_000, start: 5000 },
-  ...{ line: Infinity, ahead: Infinity, turn: 5000, rest: 6000 },
+  ...{ line: Infinity, colour: 4000, camera: Infinity, ahead: Infinity, turn: 5000, rest: 6000 },
 };
 
 /**
@@ -21,7 +33,7 @@ const STALE_MS: Readonly<Record<Topic, number>> = {
  */
 const REST_MS: Readonly<Record<Topic, number>> = {
   ...{ touch: 4000, target: 0, checkpoint: 0, block: 0, start: 0 },
-  ...{ line: 4000, ahead: 0, turn: 0, rest: 4000 },
+  ...{ line: 4000, colour: 0, camera: 4000, ahead: 0, turn: 0, rest: 4000 },
 };
 
 /** Lets news out one by one, at a pace that can be followed. Times by the clock on the wall, in ms. */
@@ -53,7 +65,7 @@ export function createPacer(): Pacer {
    */
   function before(topic: Topic): string | null {
     if (topic === 'rest') return last;
-    return topic === 'line' ? (told.get(topic)?.words ?? null) : null;
+    return topic === 'line' || topic === 'camera' ? (told.get(topic)?.words ?? null) : null;
   }
 
   /** The words of a topic, if they are new. */

@@ -3,6 +3,7 @@ import type { Scene } from '#scene/scene';
 import type { Outline } from '#scene/outline';
 
 import kindNames from '../../course/editor/words/kinds';
+import { valueText } from '../../course/editor/words/value-text';
 import { t } from '../../kit/i18n';
 import type { Moment } from './moment';
 import words from './words';
@@ -42,6 +43,11 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
       return t(news.of === 1 ? words[news.topic] : words[`${news.topic}s`], { done: news.done, of: news.of });
     case 'line':
       return lineText(news.names, now, scene);
+    case 'colour':
+      return t(words.colour[news.side], { name: valueText(news.name) });
+    case 'camera':
+      if (news.isLine) return t(words.camera.line);
+      return news.ids.length === 0 ? t(words.camera.none) : t(words.camera.things, { ids: news.ids.join(', ') });
     case 'ahead':
       if (news.isClear) return isNear(now) ? null : t(words.clear);
       return isNear(now) ? aheadText(now, scene) : null;

@@ -56,7 +56,7 @@ export function useStillLayer(sources: StillSources): StillLayer {
   );
   const keep = useKeptPicture(() => draw());
   const all = computed(() => withoutHidden(sources.live().scene, sources.hidden()));
-  const shown = computed(() => kinds.value?.switched(all.value, sources.newest()?.switched) ?? all.value);
+  const shown = computed(() => kinds.value?.inRun(all.value, sources.newest()) ?? all.value);
   const verdict = (): Verdict | null => sources.newest()?.verdict ?? null;
   const progress = computed(() => progressOf(verdict()));
   const draw = useLayer({

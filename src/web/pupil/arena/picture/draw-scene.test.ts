@@ -16,7 +16,7 @@ describe('what stands still', () => {
       background: told('background'),
       signs: told('words'),
       spikes: told('spikes'),
-      switched: (scene) => scene,
+      inRun: (scene) => scene,
       mover: told('mover'),
       waiting: told('waiting'),
     };

@@ -7,7 +7,7 @@ import { kindOf } from '#picture/kinds/index';
 import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
 import { createBackgroundShelf, drawBackground } from './draw-background';
 import { drawStanding } from './draw-bodies';
-import { createSwitchedScene } from './switched';
+import { createStillScene, type StillState } from './switched';
 import { drawMover } from './draw-object';
 import { drawShapes, lookOf } from './draw-shapes';
 import { drawWaiting, type Waiting } from './draw-waiting';
@@ -19,8 +19,8 @@ export interface SceneKinds {
   background(context: CanvasRenderingContext2D, view: View, background: Background): void;
   /** Words and the ways of moving obstacles, over zones and lines. */
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
-  /** The course with its lamps and barriers as a run has them; the same one as long as nothing was switched. */
-  switched(scene: Scene, states: Readonly<Record<string, boolean>> | undefined): Scene;
+  /** The course with its lamps, barriers and carried tags as a run has them; the same one as long as none of them changes. */
+  inRun(scene: Scene, state: StillState | null): Scene;
   /** Spikes and barriers, which stand like walls, tags and lamps. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
   mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
@@ -38,7 +38,7 @@ const STANDING: readonly SceneObject['type'][] = ['spikes', 'barrier', 'tag', 'l
  */
 export function createSceneKinds(ready: () => void): SceneKinds {
   const shelf = createBackgroundShelf(ready);
-  const switched = createSwitchedScene();
+  const inRun = createStillScene();
   return {
     background: (context, view, background) => drawBackground(context, view, background, shelf),
     signs(context, view, objects, palette) {
@@ -49,7 +49,7 @@ export function createSceneKinds(ready: () => void): SceneKinds {
       for (const object of objects)
         if (STANDING.includes(object.type)) drawStanding(context, view, kindOf(object), object, palette);
     },
-    switched,
+    inRun,
     mover: drawMover,
     waiting: drawWaiting,
   };

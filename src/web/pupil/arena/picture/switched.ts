@@ -1,6 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { Switched } from '#picture/kinds/lamp';
+import { movedTags } from '#scene/kinds/stuck-tags';
 import type { Barrier, Lamp, Scene, SceneObject } from '#scene/scene';
+import type { Snapshot } from '#simulation/snapshot';
 
 /** True if a lamp or a barrier is switched by hand. */
 export const isByHand = (object: SceneObject): object is Lamp | Barrier =>
@@ -13,18 +15,26 @@ export function middleOf(object: Lamp | Barrier): Vec {
   return { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 };
 }
 
+/** The part of a run that changes its still picture: lamps and barriers that were switched, tags on what has moved. */
+export type StillState = Partial<Pick<Snapshot, 'switched' | 'blocks' | 'movers'>>;
+
 /**
- * Makes a function that shows the lamps and barriers of a course as a run has them, by object id. It gives the same
- * course again as long as nothing was switched: a run has a new state with each picture.
+ * Makes a function that shows the lamps, barriers and carried tags of a course as a run has them. It gives the same course
+ * again as long as none of them has changed: a run has a new state with each picture.
  */
-export function createSwitchedScene(): (scene: Scene, states: Readonly<Record<string, boolean>> | undefined) => Scene {
+export function createStillScene(): (scene: Scene, state: StillState | null) => Scene {
   let before: { readonly scene: Scene; readonly key: string; readonly shown: Scene } | null = null;
-  return (scene, states) => {
-    if (states === undefined) return scene;
-    const key = JSON.stringify(states);
+  return (scene, state) => {
+    if (state === null) return scene;
+    const { switched = {}, blocks, movers } = state;
+    const tags = movedTags(scene.objects, { ...blocks, ...movers });
+    const key = JSON.stringify([switched, tags]);
+    if (key === '[{},{}]') return scene;
     if (before?.scene === scene && before.key === key) return before.shown;
     const objects = scene.objects.map((object): SceneObject & Switched => {
-      const isOn = states[object.id];
+      const [isOn, pose] = [switched[object.id], tags[object.id]];
+      if (pose !== undefined && object.type === 'tag')
+        return { ...object, at: [pose.xMm, pose.yMm], angle: (pose.headingRad * 180) / Math.PI };
       return isOn === undefined ? object : { ...object, isOn };
     });
     before = { scene, key, shown: { ...scene, objects } };

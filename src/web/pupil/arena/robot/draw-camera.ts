@@ -1,3 +1,4 @@
+import type { Vec } from '#core/geometry';
 import type { CameraState } from '#robots/robot';
 import type { Palette } from '../model/palette';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
@@ -5,25 +6,38 @@ import { toPx, type View } from '../view/view-transform';
 import { withAlpha } from './draw-cone';
 
 /** The area of what a camera sees of the floor, in CSS px. */
-export const sightBox = ({ sightMm, fromMm }: CameraState, view: View): PxBox =>
-  unionOf([fromMm, ...sightMm].map((place) => boxAround(toPx(view, place), 3)));
+export const sightBox = (camera: CameraState, view: View): PxBox =>
+  unionOf([camera.fromMm, ...sightOutline(camera)].map((place) => boxAround(toPx(view, place), 3)));
+
+/** The outline of the floor that a camera sees, in the world: near right, the ends from right to left, near left. */
+export function sightOutline({ fromMm, headingRad, sight, endsMm }: CameraState): readonly Vec[] {
+  const { nearMm, nearSlope, farSlope } = sight;
+  const [cos, sin] = [Math.cos(headingRad), Math.sin(headingRad)];
+  const at = (x: number, y: number): Vec => ({
+    x: fromMm.x + x * cos - y * sin,
+    y: fromMm.y + x * sin + y * cos,
+  });
+  const last = endsMm.length - 1;
+  const ends = endsMm.map((end, part) => at(end, end * farSlope * ((2 * part) / last - 1)));
+  const near = (side: 1 | -1, end = 0): Vec => {
+    const x = Math.min(nearMm, end);
+    return at(x, side * x * nearSlope);
+  };
+  return [near(-1, endsMm[0]), ...ends, near(1, endsMm[last])];
+}
 
 /** Draws what a camera sees of the floor, and dashed edges from its lens to there; under the robot. */
-export function drawSight(
-  context: CanvasRenderingContext2D,
-  { sightMm, fromMm }: CameraState,
-  view: View,
-  palette: Palette,
-): void {
-  const [nearRight, farRight, farLeft, nearLeft] = sightMm.map((place) => toPx(view, place));
-  const from = toPx(view, fromMm);
-  if (!nearRight || !farRight || !farLeft || !nearLeft) return;
+export function drawSight(context: CanvasRenderingContext2D, camera: CameraState, view: View, palette: Palette): void {
+  const [nearRight, ...others] = sightOutline(camera).map((place) => toPx(view, place));
+  const nearLeft = others[others.length - 1];
+  const from = toPx(view, camera.fromMm);
+  if (!nearRight || !nearLeft) return;
   context.fillStyle = withAlpha(palette.cone, 0.13);
   context.strokeStyle = palette.cone;
   context.lineWidth = 1.8;
   context.beginPath();
   context.moveTo(nearRight.x, nearRight.y);
-  for (const { x, y } of [farRight, farLeft, nearLeft]) context.lineTo(x, y);
+  for (const { x, y } of others) context.lineTo(x, y);
   context.closePath();
   context.fill();
   context.stroke();

@@ -6,6 +6,7 @@ import { remoteKeys } from '#devices/nec-remote';
 import { mountOn } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
 import HandPanel from './HandPanel.vue';
+import StickPad from './StickPad.vue';
 
 describe('the panel of what is in the hand', () => {
   it('has the 21 keys of the remote control in their order, each with its code', () => {
@@ -34,5 +35,12 @@ describe('the panel of what is in the hand', () => {
   it('has no gamepad for a board that is on a robot', () => {
     const mounted = mountOn(createPage(), HandPanel);
     expect(mounted.find('[data-testid=plug-gamepad]').exists()).toBe(false);
+  });
+
+  it('has a picture of the vibration, which is told as well, while the motor hums', () => {
+    const waves = (vibrates: boolean) =>
+      mountOn(createPage(), StickPad, { stick: { x: 0, y: 0 }, pressed: false, vibrates }).get('.waves');
+    expect(waves(false).attributes('aria-hidden')).toBe('true');
+    expect(waves(true).attributes()).toMatchObject({ 'aria-hidden': 'false', 'aria-label': 'Das Gamepad vibriert' });
   });
 });

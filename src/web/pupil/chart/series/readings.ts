@@ -1,6 +1,6 @@
 import type { BoardSnapshot, DeviceSnapshot } from '#simulation/snapshot';
 import { eyeLevelCells } from '#robots/lidar-fan';
-import type { LidarState, RobotType } from '#robots/robot';
+import type { ColourState, LidarState, RobotType } from '#robots/robot';
 import type { Key, Leaf } from '#tape/rows/leaves';
 
 import { t } from '../../../kit/i18n';
@@ -75,6 +75,8 @@ function robotReadings({ robot }: DeviceSnapshot, type: RobotType): readonly Rea
           lidarLeast(t('arena.lidar'), LIDAR_ID, at('lidar'), (size) => eyeLevelCells(size)),
           lidarLeast(t(words.lidarMiddle), `${LIDAR_ID}/middle`, at('lidar'), middleCells),
         ]),
+    ...(state.colours ?? []).flatMap(({ side }, place) => colourReadings(side, at('colours', place))),
+    ...(state.camera === undefined ? [] : cameraReadings(at('camera', 'seen', 0))),
     ...state.lineSensors.flatMap(({ name, reading }, place) => [
       onOff(t(words.line, { name: sideName(name) }), at('lineSensors', place, 'bright')),
       ...(reading === undefined
@@ -128,6 +130,28 @@ function lidarLeast(
       return seen.length === 0 ? null : Math.min(...seen) / 10;
     },
   };
+}
+
+/** The figures of a colour sensor: hue, and what a program reads at gain 4 and 24 ms. */
+function colourReadings(side: ColourState['side'], path: readonly Key[]): readonly Reading[] {
+  const name = (value: string): string => t(side === 'down' ? words.colour : words.colourAhead, { value });
+  const raw = ['C', 'R', 'G', 'B'].map((letter, i) => of(name(letter), [...path, 'raw', i]));
+  return [of(name(t(words.hue)), [...path, 'hue'], { unit: '°' }), ...raw];
+}
+
+/** The first thing in the last answer of a camera; of a line the far end. */
+function cameraReadings(first: readonly Key[]): readonly Reading[] {
+  const width = of(t(words.cameraWidth), [...first, 'width'], { unit: 'px' });
+  const id = { ...of(t(words.cameraId), [...first, 'id']), isStepped: true };
+  const x: Reading = {
+    ...of(t(words.cameraX), [...first, 'x'], { unit: 'px' }),
+    paths: [
+      [...first, 'x'],
+      [...first, 'head', 0],
+    ],
+    value: ([block, arrow]) => numberOf(block) ?? numberOf(arrow),
+  };
+  return [x, width, id];
 }
 
 /** A colour light, by the brightest of its three colours in per cent. */

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { byId, tap } from '../../../app/testing/find';
@@ -34,6 +34,14 @@ describe('the missions', () => {
     await gallery();
     expect(names()).toEqual(ladderOf('maqueen-lite').map(({ texts }) => texts.de.name));
     expect(document.querySelectorAll('.mission button:disabled').length).toBe(0);
+  });
+
+  it('are followed by courses with colour and light', async () => {
+    await gallery();
+    await vi.waitFor(() => expect(byId('after-missions')).not.toBeNull());
+    const after = [...byId('after-missions').querySelectorAll('h3')].map(textOf);
+    expect(after).toEqual(['Zwei Ampeln', 'Zum Licht', 'Der Tunnel', 'Nach Farben sortieren']);
+    expect(names().length).toBe(12);
   });
 
   it('change to another robot, which the address then names', async () => {

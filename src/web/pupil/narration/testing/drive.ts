@@ -1,7 +1,8 @@
 import type { RobotSnapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
-import { bareState } from '#robots/robot';
+import type { HuskyResult } from '#devices/huskylens';
+import { bareState, type CameraState, type ColourState } from '#robots/robot';
 import { lidarOf } from '#robots/testing/lidar-of';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 
@@ -21,6 +22,10 @@ export interface Changes {
   readonly lidarMm?: readonly (number | null)[];
   /** Its line sensors from left to right, 1 = dark. */
   readonly line?: readonly (0 | 1)[];
+  /** The colour under a colour sensor that it has besides. */
+  readonly colour?: ColourState['name'];
+  /** The answer of a camera that it has besides: ids of blocks; `line`. */
+  readonly camera?: readonly (number | 'line')[];
   readonly touches?: number;
   readonly verdict?: Partial<Verdict>;
   readonly timeUs?: number;
@@ -35,6 +40,17 @@ const open: Verdict = {
 };
 
 const NAMES: Readonly<Record<number, readonly string[]>> = { 2: ['left', 'right'], 5: ['L2', 'L1', 'M', 'R1', 'R2'] };
+
+const PAPER = { side: 'down', atMm: { x: 0, y: 0 }, raw: [0, 0, 0, 0], color: [0, 0, 0], hue: 0 } as const;
+const CAMERA: CameraState = {
+  ...{ fromMm: { x: 0, y: 0 }, headingRad: 0, endsMm: [], seen: null },
+  algorithm: 'tag',
+  sight: { nearMm: 0, nearSlope: 0, farMm: 0, farSlope: 0 },
+};
+const resultOf = (id: number | 'line'): HuskyResult =>
+  id === 'line'
+    ? { kind: 'arrow', tail: [160, 230], head: [160, 20], id: 1 }
+    : { kind: 'block', x: 160, y: 120, width: 40, height: 40, id };
 
 /** A robot as a run shows it. */
 export function robotOf(changes: Changes): RobotSnapshot {
@@ -56,6 +72,8 @@ export function robotOf(changes: Changes): RobotSnapshot {
         bright: dark === 0,
       })),
       ultrasonic,
+      ...(changes.colour && { colours: [{ ...PAPER, name: changes.colour }] }),
+      ...(changes.camera && { camera: { ...CAMERA, seen: changes.camera.map(resultOf) } }),
       lidar: lidarMm === undefined ? null : { ...lidarOf({ row: lidarMm, headingRad }), fromMm: beam.fromMm },
     },
   };

@@ -115,10 +115,10 @@ function createPainter(
   const kinds = createSceneKinds(came);
   let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task and each switching of a lamp or a barrier. */
-  function stillAt({ verdict, switched }: Snapshot): HTMLCanvasElement {
+  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a tag. */
+  function stillAt({ verdict, ...moment }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
-    const shown = kinds.switched(scene, switched);
+    const shown = kinds.inRun(scene, moment);
     const look = [checkpoints?.passed, targets?.reached, blocks?.delivered].join();
     if (still?.look === look && still.shown === shown) return still.canvas;
     const painted = emptyCanvas(size.widthPx, size.heightPx);

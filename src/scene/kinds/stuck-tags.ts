@@ -1,0 +1,60 @@
+/** Standing tags that are stuck to what moves: a block that can be pushed, or a moving obstacle. They go along with it. */
+import { rotationRad } from '#core/angle';
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Pose } from '#core/geometry';
+import { memoOf } from '#core/memo';
+import type { Block, Mover, SceneObject } from '../scene';
+import { outlineHolds, shapeOutline, toOwnFrame } from '../shape/shape';
+
+/** The thing that carries a tag. */
+export interface Carrier {
+  readonly id: string;
+  /** The tag in its frame. */
+  readonly tag: Pose;
+}
+
+/** A tag may stand so far from its thing, in mm. Chosen: half of a thick wall, as cameras see it before what it is stuck to. */
+const STUCK_MM = 15;
+
+const moves = (object: SceneObject): object is Block | Mover => object.type === 'block' || object.type === 'mover';
+
+/** The carriers of the tags of a course, by the tag's id. Tags that lie on the floor have none. */
+export const carriersOf = memoOf((objects: readonly SceneObject[]): ReadonlyMap<string, Carrier> => {
+  const movable = objects.filter(moves);
+  const found = new Map<string, Carrier>();
+  for (const tag of objects) {
+    if (tag.type !== 'tag' || tag.flat === true) continue;
+    const at = { x: tag.at[0], y: tag.at[1] };
+    const thing = movable.find((one) => outlineHolds(shapeOutline(one), at, STUCK_MM));
+    if (thing === undefined) continue;
+    const { x, y } = toOwnFrame(thing, at);
+    found.set(tag.id, {
+      id: thing.id,
+      tag: { xMm: x, yMm: y, headingRad: rotationRad(tag.angle) - rotationRad(thing.angle) },
+    });
+  }
+  return found;
+});
+
+/** The place of a carried tag while its carrier is there. */
+export function carriedPose({ tag }: Carrier, { xMm, yMm, headingRad }: Pose): Pose {
+  const [cos, sin] = [exactCos(headingRad), exactSin(headingRad)];
+  return {
+    xMm: xMm + tag.xMm * cos - tag.yMm * sin,
+    yMm: yMm + tag.xMm * sin + tag.yMm * cos,
+    headingRad: headingRad + tag.headingRad,
+  };
+}
+
+/** The places of the carried tags of a course now, by their ids, from where the things are that have moved. */
+export function movedTags(
+  objects: readonly SceneObject[],
+  moved: Readonly<Record<string, Pose>>,
+): Readonly<Record<string, Pose>> {
+  const poses: Record<string, Pose> = {};
+  for (const [id, carrier] of carriersOf(objects)) {
+    const pose = moved[carrier.id];
+    if (pose !== undefined) poses[id] = carriedPose(carrier, pose);
+  }
+  return poses;
+}
