@@ -30,7 +30,7 @@ describe('randomly changed project files and levels', () => {
       const several = JSON.parse(projectToText(devicesProject())) as unknown;
       const ofClass = { ...classProject(), ...handedInProject() };
       const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks], several, JSON.parse(projectToText(ofClass))]; // prettier-ignore
-      const counts = { project: 0, course: 0, unreadable: 0, series: 0, recording: 0 };
+      const counts = { project: 0, course: 0, unreadable: 0, series: 0, recording: 0, tournament: 0 };
       for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const value = values[seed % 3 === 0 ? 1 + (seed % 2) : seed % 3 === 1 ? (seed % 2) * 4 : 3];
