@@ -195,7 +195,7 @@ const commonPlugins = (): PluginOption[] => [
 /** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
 const treeshake = { propertyReadSideEffects: false } as const;
 
-/** What the page calls a robot's options: to a worker they are values. */
+/** The folders whose words name a robot's options on the page; to a worker they are values. */
 const UNTOLD_BY_WORKERS = /\/src\/(robots|attachments)\//;
 
 /** The plugins of the worker in both builds, made anew for each. */

@@ -1,7 +1,7 @@
 /** Leaves the parts of the physics engine out that no course needs: joints, edges and chains, and its own files. */
 import type { Plugin } from 'vite';
 
-/** What the engine does as it is loaded, and its replacement. Each has to be found this often. */
+/** Pieces of the engine that run as it is loaded, their replacements, and how often each has to be found. */
 const REPLACED: readonly (readonly [RegExp, string, number])[] = [
   // TypeScript's mark of a class that it made a function, which no bundler reads.
   [/\/\*\* @class \*\//g, '/* @__PURE__ */', 68],
