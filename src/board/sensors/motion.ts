@@ -7,11 +7,19 @@ const HISTORY = 16; // microbit_accelerometer.c: GESTURE_LIST_SIZE 8, two gestur
 const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
 /** The largest range that a program can set for the accelerometer, in g. */
 export const WIDEST_G = RANGES_G[2];
-const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
+/** The sensors that make an acceleration: they change with most steps of the world. */
+const AXES = new Map([
+  ['accelerometerX', 'x'],
+  ['accelerometerY', 'y'],
+  ['accelerometerZ', 'z'],
+] as const);
+
+/** The axis that a sensor measures, if it is one of the accelerometer's. */
+const axisOf = (id: string): 'x' | 'y' | 'z' | undefined => (AXES as ReadonlyMap<string, 'x' | 'y' | 'z'>).get(id);
 
 /** Sets the range of the accelerometer's sensors to ± this value. */
 export function limitReach(sensors: Sensors, mg: number): void {
-  for (const id of Object.keys(AXES)) sensors.limit(id, -mg, mg);
+  for (const id of AXES.keys()) sensors.limit(id, -mg, mg);
 }
 
 /**
@@ -114,21 +122,22 @@ export class Motion {
   }
 
   private hear(id: string): void {
-    if (id === 'gesture') {
+    const axis = axisOf(id);
+    if (axis !== undefined) {
+      // A value set before anything has run is the board's posture at the start.
+      if (this.clock.nowUs === 0) return this.lie();
+      this.catchUp();
+      this.raw[axis] = Math.trunc(this.sensors.get(id));
+    } else if (id === 'gesture') {
       this.catchUp();
       const gesture = this.sensors.get('gesture');
       if (gesture === 'none') this.lastGesture = this.recogniser.current;
       else this.note(gesture as Gesture);
-    } else if (Object.hasOwn(AXES, id)) {
-      // A value set before anything has run is the board's posture at the start.
-      if (this.clock.nowUs === 0) return this.lie();
-      this.catchUp();
-      this.readSensors();
     }
   }
 
   private readSensors(): void {
-    for (const [id, axis] of Object.entries(AXES)) this.raw[axis] = Math.trunc(this.sensors.get(id));
+    for (const [id, axis] of AXES) this.raw[axis] = Math.trunc(this.sensors.get(id));
   }
 
   /** Catches up on the samples since the last call: they were all equal. */
