@@ -78,10 +78,13 @@ export function squaredDistance(place: Vec, from: Vec, to: Vec): number {
 
 /** Distance of a place from the edge of an outline in mm. */
 export function distanceToEdge(outline: Outline, place: Vec): number {
-  const squared = outline.map((from, index) =>
-    squaredDistance(place, from, outline[(index + 1) % outline.length] ?? from),
-  );
-  return Math.sqrt(Math.min(...squared));
+  let squared = Infinity;
+  let from = outline[outline.length - 1];
+  for (const to of outline) {
+    squared = Math.min(squared, squaredDistance(place, from ?? to, to));
+    from = to;
+  }
+  return Math.sqrt(squared);
 }
 
 /** Distance of a place from a convex outline in mm; 0 inside. */

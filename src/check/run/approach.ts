@@ -1,3 +1,4 @@
+import type { Vec } from '#core/geometry';
 import { zoneHolds } from '#scene/kinds/zone';
 import { distanceToEdge, type Outline } from '#scene/outline';
 import type { Scene, Zone } from '#scene/scene';
@@ -17,6 +18,8 @@ export class Approach {
   private next: readonly Zone[] = [];
   private outlines: readonly Outline[] = [];
   private nearest: number | null = null;
+  /** The last place at which it was measured, and how far from there the robot cannot be nearer than it ever was. */
+  private measured = { x: 0, y: 0, roomMm: -1 };
 
   constructor(course: Scene) {
     this.line = new LineWatch(course);
@@ -44,11 +47,21 @@ export class Approach {
       this.next = next;
       this.outlines = next.map(shapeOutline);
       this.nearest = null;
+      this.measured.roomMm = -1;
     }
-    for (const [place, zone] of next.entries()) {
+    const { x, y, roomMm } = this.measured;
+    const moved = Math.sqrt((at.x - x) * (at.x - x) + (at.y - y) * (at.y - y));
+    if (moved >= roomMm) this.measure(at);
+  }
+
+  private measure(at: Vec): void {
+    let least = Infinity;
+    for (const [place, zone] of this.next.entries()) {
       const outline = this.outlines[place];
       const distance = outline === undefined || zoneHolds(zone, at) ? 0 : distanceToEdge(outline, at);
-      this.nearest = Math.min(this.nearest ?? Infinity, distance);
+      least = Math.min(least, distance);
     }
+    if (this.next.length > 0) this.nearest = Math.min(this.nearest ?? Infinity, least);
+    this.measured = { ...at, roomMm: least - (this.nearest ?? Infinity) };
   }
 }
