@@ -195,12 +195,15 @@ const commonPlugins = (): PluginOption[] => [
 /** Reading a property does nothing else, in none of the libraries: what is read and not used can go. */
 const treeshake = { propertyReadSideEffects: false } as const;
 
-/** The folders whose words name a robot's options on the page; to a worker they are values. */
-const UNTOLD_BY_WORKERS = /\/src\/(robots|attachments)\//;
+/** Whether a folder's words name a robot's options on the page: to a worker they are values. */
+const isUntoldByWorkers = (folder: string): boolean =>
+  ['src/robots/', 'src/attachments/'].some((place) =>
+    folder.replaceAll('\\', '/').startsWith(here(place).replaceAll('\\', '/')),
+  );
 
 /** The plugins of the worker in both builds, made anew for each. */
 const workerPlugins = (): PluginOption[] => [
-  ...[programs(), words(UNTOLD_BY_WORKERS), physicsLighter(), runsInTheOldest(), collectModules()],
+  ...[programs(), words(isUntoldByWorkers), physicsLighter(), runsInTheOldest(), collectModules()],
 ];
 
 /** The worker as one classic script. */

@@ -1,7 +1,7 @@
 /** Which modules share a file, and how the files are called. */
 
 /** The late parts that everybody waits for. */
-const FIRST_PARTS = /\/(CodeEditor|MicrobitView|NextStepBar|WelcomeCard)-[^/]*\.js$/;
+const FIRST_PARTS = /\/(CodeEditor|MicrobitView|next-step)-[^/]*\.js$/;
 
 /**
  * Which of the files that a late part imports are asked for together with it, instead of after it. The lists of those

@@ -32,5 +32,9 @@ export function lightened(engine: string): string {
 export const physicsLighter = (): Plugin => ({
   name: 'physics-lighter',
   enforce: 'pre',
-  transform: (code, id) => (/\/planck\/dist\/planck\.mjs$/.test(id) ? { code: lightened(code), map: null } : null),
+  transform: (code, id) => {
+    if (/\/planck\/dist\/planck\.mjs$/.test(id)) return { code: lightened(code), map: null };
+    if (/\/planck\/.*\.m?js/.test(id)) throw new Error(`The physics engine lies in another file: ${id}.`);
+    return null;
+  },
 });

@@ -6,7 +6,7 @@ import { PLACES } from './watch';
 import { memoryUse, noteVms, type MemoryUse } from './worker-memory';
 
 const RESTARTS = 100;
-/** Eight devices have eight virtual machines of 16 MB, most of it never touched. */
+/** Eight devices have eight virtual machines of 4 MB, half of it never touched. */
 const BUDGETS_MB = { one: 80, eight: 160 };
 /** Number of memory measurements on the way; the first one is after the warm-up. */
 const LOOKS = 4;

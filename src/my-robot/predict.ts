@@ -82,7 +82,9 @@ async function posesOf(
       throw new Error(`The program ${step} has ended: ${simulation.ended?.exception?.message ?? ''}`);
     return robot.pose;
   };
-  return times.map(({ fromMs, toMs }) => [poseAt(fromMs), poseAt(toMs)]);
+  const poses = times.map(({ fromMs, toMs }) => [poseAt(fromMs), poseAt(toMs)]);
+  simulation.dispose();
+  return poses;
 }
 
 function setupOf(step: Step, pressesMs: readonly number[], { type, traits, reality = 0, seed = 1 }: Driving) {

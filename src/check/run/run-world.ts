@@ -79,8 +79,9 @@ export async function runWorld(
     (check, failedUs) => reasonByEnd(end, check, failedUs),
     isCut ? { limit: limitUs / 1_000_000 } : {},
   );
+  const hash = simulation.traceHash;
   simulation.dispose();
-  return { id, hidden, ...outcome, hash: simulation.traceHash, ...trail.way() };
+  return { id, hidden, ...outcome, hash, ...trail.way() };
 }
 
 /** The result of a world in which nothing could run. */

@@ -71,6 +71,7 @@ export class Engine implements Machine {
   private stretchUs = 0;
   private limitUs = 0;
   private suspended = false;
+  private running = false;
   private waiting: Wait | null = null;
   /** Time that printing took and that has not passed yet. */
   private owedUs = 0;
@@ -180,11 +181,21 @@ export class Engine implements Machine {
     if (this.suspended) this.rewind();
     else this.refill();
     this.suspended = false;
-    enter();
+    this.running = true;
+    try {
+      enter();
+    } finally {
+      this.running = false;
+    }
     if (this.firmware.asyncify_get_state() !== UNWINDING) return true;
     this.firmware.asyncify_stop_unwind();
     this.suspended = true;
     return this.ending;
+  }
+
+  /** True within `run`. */
+  get isRunning(): boolean {
+    return this.running;
   }
 
   /** Raises KeyboardInterrupt at the program's next jump. */

@@ -125,14 +125,15 @@ export interface Instantiated {
   readonly firmware: Firmware;
   readonly memory: Memory;
   readonly flow: Flow;
-  /** Names the host and the files that can be imported; both are made of the firmware, or for the one who runs it. */
+  /** Tells it its host and its files. Call it before anything runs. */
   readonly serve: (host: FirmwareHost, lookup: FileLookup) => void;
+  /** Forgets both: they know all of a run. */
+  readonly release: () => void;
 }
 
 /**
  * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
- * for host objects and its file system are not used, so the host is out of reach and copies share nothing. Call its
- * `serve` before anything runs.
+ * for host objects and its file system are not used, so the host is out of reach and copies share nothing.
  */
 export function instantiateFirmware(module: WebAssembly.Module): Instantiated {
   const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost; lookup?: FileLookup } = {};
@@ -159,10 +160,14 @@ export function instantiateFirmware(module: WebAssembly.Module): Instantiated {
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
   const serve = (given: FirmwareHost, lookup: FileLookup): void => {
-    files.closeAll();
     Object.assign(loaded, { host: given, lookup });
   };
-  return { firmware, memory, flow, serve };
+  const release = (): void => {
+    files.closeAll();
+    delete loaded.host;
+    delete loaded.lookup;
+  };
+  return { firmware, memory, flow, serve, release };
 }
 
 /** Decimal numbers as the board writes and reads them; the build step puts these in place of the published ones. */

@@ -8,12 +8,13 @@ const [ofBoard] = type.firmwares;
 
 const on = (program: string): Made => made(type, ofBoard, { 'main.py': program }, false);
 
-/** Programs that leave a VM in many states: ended, in a call, in a `try`, deep in calls, with a full heap, reset. */
+/** Programs that leave a VM in many states: ended, in a call, in a `try`, deep in calls, with a full heap, reset, with things going on. */
 const LEFT = [
   'print("here")',
   'from microbit import *\nwhile True:\n    try:\n        sleep(7)\n    finally:\n        pass\n',
   'def deep(n):\n    return deep(n + 1)\ntry:\n    deep(0)\nexcept RuntimeError as error:\n    print(error)\nwhile True: pass\n',
   'kept = []\nwhile True: kept.append(bytearray(100))\n',
+  'import machine\nmachine.reset()\n',
   'import radio, music\nradio.on()\nmusic.play(music.NYAN, wait=False, loop=True)\nwhile True: radio.receive()\n',
 ];
 
@@ -38,6 +39,19 @@ describe('a VM in memory that another one has used', () => {
     expectSame(after, fresh);
     expect(played(after)).toBe(played(fresh));
     expectSame(after, fresh);
+  });
+
+  it('begins as one in new memory, after an error of ours in the midst of a call', () => {
+    const fresh = on(TO_SEE);
+    const before = on('from microbit import *\nfor n in range(9): display.show(n)\n');
+    before.clock.advanceTo = () => {
+      throw new Error('ours');
+    };
+    expect(before.session.run(300_000)).toBe('ended');
+    before.session.dispose();
+    const after = on(TO_SEE);
+    expectSame(after, fresh);
+    expect(played(after)).toBe(played(fresh));
   });
 
   it('does not go on once its memory was given back, and gives it back once', () => {

@@ -32,8 +32,9 @@ export function lendFirmware(module: WebAssembly.Module): Instantiated {
   return made;
 }
 
-/** Gives a copy back, which its borrower uses no more. */
+/** Gives a copy back that its borrower no longer uses, and in which nothing runs. */
 export function giveBack(module: WebAssembly.Module, copy: Instantiated): void {
+  copy.release();
   const copies = spares.get(module)?.copies;
   // One that was in the midst of being suspended, by a fault, is not used again.
   const isWhole = copy.firmware.asyncify_get_state() === 0 && !copy.flow.isRewinding;

@@ -119,7 +119,7 @@ export class Session {
 
   /** Raises KeyboardInterrupt at the program's next jump. */
   interrupt(): void {
-    this.engine.interrupt();
+    if (!this.isGivenBack) this.engine.interrupt();
   }
 
   /** When the board was last switched on or reset. */
@@ -133,7 +133,7 @@ export class Session {
     this.isGivenBack = true;
     this.engine.dispose();
     this.ports.port.onInterrupt = () => undefined;
-    giveBack(this.setup.firmware, this.lent);
+    if (!this.engine.isRunning) giveBack(this.setup.firmware, this.lent);
   }
 
   /** Free bytes of the program's part of the heap, counted in the collector's table without running anything. */

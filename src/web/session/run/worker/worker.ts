@@ -7,19 +7,17 @@ import '../../../kit/oldest/fill';
 
 import { Simulation } from '#simulation/simulation';
 
-import type { createFilmMaker, ToFilm } from './film';
+import type { FromFilm, ToFilm } from './film';
 import type { FitAnswer, FitRequest } from './fit';
 import type { HexAnswer, HexRequest } from './hex';
-import type { Looker } from './look/looker';
 import type { FromLooker, ToLooker } from './look/protocol';
 import type { RepeatAnswer, RepeatRequest } from './look/repeat';
-import type { Reader, ToReader } from './reader';
+import type { ToReader } from './reader';
 import { sealSandbox } from './sandbox';
 import { packPictures } from './pictures';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
 import type { FromServer, ToServer } from './serve/protocol';
-import type { Server } from './serve/server';
 
 sealSandbox(globalThis);
 
@@ -48,36 +46,27 @@ const runner = new Runner({
   create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
 });
 
-/** Loaded on demand: no run needs the code that looks into a past one. */
-let looker: Promise<Looker> | null = null;
-const loadLooker = (): Promise<Looker> =>
-  (looker ??= import('./look/looker').then(
-    (late) =>
-      new late.Looker({
-        post: (message) => postMessage(message),
-        nowMs: () => performance.now(),
-        rest: () => new Promise((resolve) => soon(resolve)),
-      }),
-  ));
+/** A part that no run needs, loaded when it is first asked for. One that did not come is fetched again the next time. */
+function late<Part>(load: () => Promise<Part>): () => Promise<Part> {
+  let part: Promise<Part> | null = null;
+  return () =>
+    (part ??= load().catch((error: unknown) => {
+      part = null;
+      throw error;
+    }));
+}
 
-/** Loaded on demand, too: the code that serves beside a run. */
-let server: Promise<Server> | null = null;
-const loadServer = (): Promise<Server> =>
-  (server ??= import('./serve/server').then(
-    (late) => new late.Server({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
-  ));
+const post = (message: unknown): void => postMessage(message);
+const nowMs = (): number => performance.now();
+const rest = (): Promise<void> => new Promise((resolve) => soon(resolve));
+
+const loadLooker = late(() => import('./look/looker').then(({ Looker }) => new Looker({ post, nowMs, rest })));
+const loadServer = late(() => import('./serve/server').then(({ Server }) => new Server({ post, nowMs })));
+const loadReader = late(() => import('./reader').then(({ Reader }) => new Reader()));
+const loadFilmMaker = late(() => import('./film').then(({ createFilmMaker }) => createFilmMaker(post)));
 
 const isForLooker = (data: Asked): data is ToLooker =>
   data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
-
-/** Loaded on demand as well. */
-let reader: Promise<Reader> | null = null;
-const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
-
-/** Loaded on demand, as the others. */
-let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
-const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
-  (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
 
 type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToServer | ToReader | ToFilm;
 
@@ -116,6 +105,9 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
       .then((it) => it.answer(data))
       .then((answer) => postMessage(answer));
   else if (data.type === 'film-begin' || data.type === 'film-picture' || data.type === 'film-end')
-    void loadFilmMaker().then((tell) => tell(data));
+    void loadFilmMaker().then(
+      (tell) => tell(data),
+      (error: unknown) => postMessage({ type: 'film-failed', message: String(error) } satisfies FromFilm),
+    );
   else runner.receive(data);
 });

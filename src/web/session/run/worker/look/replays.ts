@@ -3,7 +3,7 @@ import { Causes } from '#simulation/causes/causes';
 import { Simulation } from '#simulation/simulation';
 import type { Instant } from './protocol';
 
-/** Number of parked runs to continue from; each takes 17 MB. Chosen: one near the shown moment, one before it. */
+/** Number of parked runs to continue from; each takes 4 MB and its world. Chosen: one near the shown moment, one before it. */
 const MOST_PARKED = 2;
 /** Longest stretch without looking at messages, in ms of wall time. */
 const SLICE_MS = 12;
