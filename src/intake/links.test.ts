@@ -58,3 +58,37 @@ describe('a megabyte of anything', () => {
       expect(linksInFile(kind, `${much}x\nAnna ${LINK}\n${much}${LINK}${much}x`)).toBeInstanceOf(Array);
   });
 });
+
+describe('the single link in a mail', () => {
+  const nameAfter = (before: string): string | undefined =>
+    linksInFile('a.eml', `From: Ida Sutter <ida@example.org>\n\n${before}: ${LINK}\n`)[0]?.name;
+
+  it.each([
+    ...[
+      'Hier',
+      'Hier ist mein Link',
+      'Der Link',
+      'Das ist mein Programm',
+      'Anbei der Link',
+      'Guten Tag, hier mein Link',
+    ],
+    ...[
+      'Voici',
+      'Voici mon lien',
+      "C'est mon lien",
+      'Ecco il link',
+      'Questo è il mio programma',
+      'The link',
+      'My program',
+    ],
+  ])('is its sender’s after “%s:”', (before) => {
+    expect(nameAfter(before)).toBe('Ida Sutter');
+  });
+
+  it.each(['Zoë', 'My Nguyen', 'Qui Tran', 'Mia Link', 'Dies Irae'])(
+    'is that of %s, who is named before it',
+    (name) => {
+      expect(nameAfter(name)).toBe(name);
+    },
+  );
+});

@@ -92,11 +92,29 @@ function linksInMail(source: string): readonly NamedLink[] {
   if (only === undefined || another !== undefined || from === '') return links;
   const before = text.slice(0, text.indexOf(only.address)).split('\n').at(-1)?.trimEnd() ?? '';
   const name = before.endsWith(':') ? nameIn(before) : '';
-  return [{ ...only, name: name === '' || POINTS_TO.test(name) ? from : name }];
+  return [{ ...only, name: name === '' || isPointing(name) ? from : name }];
 }
 
-/** Words that point to a link in a letter. */
-const POINTS_TO = /^(hier|meine?|voici|voilà|ici|mon|qui|ecco|here|this|my|(il )?link|(le )?lien)(?![\p{L}\p{N}])/iu;
+const wordSet = (text: string): ReadonlySet<string> => new Set(text.split(' '));
+/** Words that point to a link by themselves, as in “Here:”. */
+const ALONE = wordSet('hier hiermit anbei voici voilà ici qui ecco here this');
+/** Names of a link, and the words that may stand before it, as in “Das ist mein Programm:”. */
+const THINGS = wordSet(
+  'link lien programm program programma programme lösung solution soluzione abgabe travail compito',
+);
+const BEFORE_THINGS = wordSet(
+  'hier hiermit anbei da das dies der die mein meine unser unsere ist guten tag hallo voici voilà ici le la ma mon notre c’est bonjour qui ecco questo questa è il mio nostro buongiorno ciao here here’s this the my our is hello',
+);
+
+/** Whether the words before a link in a letter are no name, such as “Hier ist mein Link”. */
+function isPointing(name: string): boolean {
+  const words = name
+    .toLowerCase()
+    .replaceAll("'", '’')
+    .split(/[\s,]+/);
+  const last = words.pop() ?? '';
+  return THINGS.has(last) ? words.every((word) => BEFORE_THINGS.has(word)) : words.length === 0 && ALONE.has(last);
+}
 
 /** The links of a table, such as the answers to a form: the name is in the last cell before the link that is not empty. */
 function linksInTable(text: string): readonly NamedLink[] {
