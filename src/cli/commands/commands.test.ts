@@ -47,7 +47,7 @@ function sampleOf({ value = '', choices }: OptionAbout): string {
     'FILE:LINE': 'main.py:3',
   };
   if (choices !== undefined)
-    return valuesOf(choices, listsWith(['slalom'])).find((one) => !['en', 'league'].includes(one)) ?? '';
+    return valuesOf(choices, listsWith(['slalom'])).find((one) => !['en', 'league', 'point'].includes(one)) ?? '';
   return said[value] ?? (value.includes('=') ? 'two=b.py' : 'x.json');
 }
 

@@ -19,7 +19,7 @@ const mine: MyRobot = {
   used: true,
   measured: nothingMeasured,
   traits: {
-    motors: { difference: 0.05, charge: 1, sag: 0, friction: 1 },
+    motors: { difference: 0.05, charge: 1, sag: 0, friction: 0.01 },
     ultrasonic: { offsetMm: 3, scale: 1 },
     line: {},
   },
