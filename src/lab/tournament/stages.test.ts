@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { parseSceneValue } from '#scene/parse';
 
 import { comparison, differences, parseTournament, tournamentFile, type Entry } from './file';
+import { looksLikeTournament } from './format';
 import { inRounds, leaguePairings } from './league';
 import type { MatchResult, Pairing } from './match';
 import type { Draw } from './play';
@@ -111,6 +112,46 @@ describe('the file of a tournament', () => {
   ])('%s is refused with the reason', (text, reason) => {
     const read = parseTournament(text);
     expect('problem' in read && read.problem).toContain(reason);
+  });
+
+  it('keeps of what it tells plain values alone, and what is no list of matches is refused', async () => {
+    const deep = (depth: number): string => '['.repeat(depth) + ']'.repeat(depth);
+    const text = tournamentFile(entry, await stagesOf(draw));
+    const read = parseTournament(text.replace('"winner":"b"', `"winner":${deep(20_000)},"more":1`));
+    if ('problem' in read) throw new Error(read.problem);
+    const [first] = read.tournament.told[0]?.matches ?? [];
+    expect([first?.['winner'], first?.['seed'], first && 'more' in first]).toEqual([null, 1, false]);
+    for (const stages of [deep(20_000), '[{"matches":{},"table":[]}]', `[{"matches":[${deep(20_000)}],"table":[]}]`])
+      expect(
+        parseTournament(tournamentFile(entry, []).replace(/"stages": \[\s*\]/, `"stages": ${stages}`)),
+      ).toMatchObject({
+        problem: expect.stringMatching(/^stages/),
+      });
+  });
+
+  const many = (count: number, more: Partial<Entry>): string =>
+    tournamentFile({ ...entry, ...more, programs: Array.from({ length: count }, (_, at) => ({ name: `p${at}`, files: { 'main.py': '' } })) }, []); // prettier-ignore
+  it('holds as many matches as are really played, and no more', () => {
+    expect(parseTournament(many(200, { seeds: [1] }))).toHaveProperty('tournament');
+    expect(parseTournament(many(200, { mode: 'knockout', seeds: [1, 2, 3, 4, 5] }))).toHaveProperty('tournament');
+    expect(parseTournament(many(200, { seeds: [1, 2] }))).toEqual({
+      problem: '79614 matches are too many, at most 50000.',
+    });
+    expect(parseTournament(many(201, { seeds: [1] }))).toHaveProperty('problem');
+  });
+
+  it('is known by its format alone', () => {
+    expect(looksLikeTournament(tournamentFile(entry, []))).toBe(true);
+    expect(looksLikeTournament('{"name":"parcours-tournament","format":"parcours-project"}')).toBe(false);
+  });
+
+  it('without a task that anybody could win is refused', () => {
+    const { scene } = entry;
+    const empty = parseSceneValue({ format: 'parcours-scene', version: 4, size: [900, 900] });
+    const without = 'scene' in empty ? empty.scene : scene;
+    expect(parseTournament(tournamentFile({ ...entry, scene: without }, []))).toMatchObject({ problem: expect.stringContaining('no task') }); // prettier-ignore
+    const together = { ...scene, task: { ...scene.task, robots: 'together' } } as Entry['scene'];
+    expect(parseTournament(tournamentFile({ ...entry, scene: together }, []))).toMatchObject({ problem: expect.stringContaining('together') }); // prettier-ignore
   });
 
   it('with brackets in a course for one is refused: there nobody meets', () => {

@@ -37,7 +37,19 @@ describe('the page of a tournament', () => {
 
   it('plays one again that is pasted where links are added', async () => {
     const model = tournamentOf(page);
-    expect(await addText(page, model, text)).toBe(true);
+    expect(await addText(page, model, text, () => undefined)).toBe(true);
     expect(model.told.value).toEqual([]);
+  });
+
+  it('says what is wrong with one that is pasted and cannot be read', async () => {
+    mountOn(page, TournamentPage);
+    const field = document.querySelector<HTMLTextAreaElement>('[data-testid=class-links]')!;
+    field.value = text.replace('"version": 1', '"version": 9');
+    field.dispatchEvent(new Event('input'));
+    field.form?.dispatchEvent(new Event('submit'));
+    await nextTick();
+    expect([...document.querySelectorAll('[role=alert]')].map((one) => one.textContent)).toEqual([
+      expect.stringContaining('newer'),
+    ]);
   });
 });
