@@ -1,13 +1,16 @@
 import { describe, expect, it } from 'vitest';
 
+import { LANGUAGES } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
 
-import { comparison, differences, parseTournament, tournamentFile, type Entry } from './file';
+import { comparedSum } from './compared-texts';
+import { comparison, differences, parseTournament, tournamentFile, type Compared, type Entry } from './file';
 import { looksLikeTournament } from './format';
 import { inRounds, leaguePairings } from './league';
 import type { MatchResult, Pairing } from './match';
 import type { Draw } from './play';
 import { finalistsOf, playedStages, type Stage } from './stages';
+import { playedText } from './texts';
 
 const names = ['a', 'b', 'c', 'd', 'e'];
 const draw: Draw = { mode: 'league', names, seeds: [1, 2], isAlone: false };
@@ -90,6 +93,15 @@ describe('the file of a tournament', () => {
     expect(compared.matches.filter(({ isSame }) => !isSame)).toMatchObject([
       { stage: 0, now: { a: 'a', b: 'b', winner: 'b' }, told: { a: 'a', b: 'b', winner: 'a' } },
     ]);
+  });
+  it('says in words how many matches are unlike, one or several', () => {
+    const match = (isSame: boolean): Compared => ({ stage: 0, now: {}, told: {}, isSame });
+    const sum = (...all: readonly boolean[]): readonly string[] =>
+      LANGUAGES.map((language) => comparedSum({ matches: all.map(match), areTablesSame: true }, language));
+    expect(sum(false, true)[0]).toBe('1 von 2 Kämpfen ist anders ausgegangen, als es in der Datei steht.');
+    expect(sum(false, false)[0]).toBe('2 von 2 Kämpfen sind anders ausgegangen, als es in der Datei steht.');
+    expect(sum(true)[0]).toBe('Der eine Kampf ist ausgegangen, wie es in der Datei steht.');
+    expect(LANGUAGES.map((language) => playedText(1, language))).toEqual(['1 Kampf', '1 combat', '1 incontro', '1 match']); // prettier-ignore
   });
   it('tells of a table that does not come of its matches', async () => {
     const stages = await stagesOf(draw);
