@@ -52,4 +52,20 @@ describe('the page of a tournament', () => {
       expect.stringContaining('newer'),
     ]);
   });
+
+  it('takes no more programs than its file can have', async () => {
+    mountOn(page, TournamentPage);
+    const model = tournamentOf(page);
+    const programs = (count: number) =>
+      Array.from({ length: count }, (_, at) => ({ name: `${at}`, shown: `${at}`, files: {}, problem: null }));
+    const said = async (count: number): Promise<string | null | undefined> => {
+      model.programs.value = programs(count);
+      await nextTick();
+      return document.querySelector('[data-testid=tournament-set-up] [role=status]')?.textContent;
+    };
+    expect(await said(200)).toBe('Programs: 200 · Matches: 39800');
+    expect(await said(201)).toBe('Too many programs: at most 200.');
+    model.setTurns(2);
+    expect(await said(200)).toBe('Too many matches: at most 50000.');
+  });
 });
