@@ -119,7 +119,10 @@ export class Asker<Request, Result> {
     this.end?.({ reason: { code, params }, world: this.thread?.pulse().world ?? 0 });
   }
 
-  /** Gives up a thread without a sign of life for `STUCK_MS`, or slower with a world than the real robot would be. */
+  /**
+   * Gives up a thread without a sign of life, before its first for `startMs`, then for `STUCK_MS`, or slower with a world than
+   * `mostMs`.
+   */
   private watch(thread: Thread<Request>): () => void {
     const { mostMs, startMs } = this;
     let { beat, world } = thread.pulse();

@@ -16,7 +16,7 @@ export const hintText = (hint: Hint, level: HintLevel, language: Language): stri
 export function hintTexts(hint: Hint, level: HintLevel, language: Language): readonly string[] {
   const { change, happened } = hint;
   const said = [whereText(hint, language) + happenedText(happened, level, language)];
-  if (level > 1) said.push(...(change === null ? [nothingText(hint, language)] : changeTexts(hint, change, level, language))); // prettier-ignore
+  if (level > 1) said.push(...(change === null ? [nothingText(hint, language)] : changeTexts(hint.program, change, level, language))); // prettier-ignore
   return said;
 }
 
@@ -73,8 +73,11 @@ const reasonSaid = (reason: Reason, level: HintLevel, language: Language): strin
     ? filledIn(words.happened.delay[language], reason.params)
     : reasonText(reason, language);
 
-/** The lines, or the kind, or also the change itself. */
-function changeTexts({ program }: Hint, change: Change, level: HintLevel, language: Language): readonly string[] {
+/** The sentences about a change of a program in one text: the lines, or the kind, or also the change itself. */
+export const changeText = (program: string, change: Change, level: HintLevel, language: Language): string =>
+  changeTexts(program, change, level, language).join(' ');
+
+function changeTexts(program: string, change: Change, level: HintLevel, language: Language): readonly string[] {
   const lines = linesToSee(change, program);
   const [first, last] = [lines[0] ?? 1, lines.at(-1) ?? 1];
   const values = { line: change.line, first, last };

@@ -81,12 +81,11 @@ const bySuspicion = <T extends { readonly line: number }>(
 /** Statements that only show something: the robot drives the same with and without them. */
 const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech)/;
 
-const numbersInOrder = (program: Program, suspects: readonly number[]): readonly NumberPlace[] =>
-  bySuspicion(
-    numbersOf(program).filter(({ from }) => !digitsIn(program).has(from)),
-    program,
-    suspects,
-  );
+function numbersInOrder(program: Program, suspects: readonly number[]): readonly NumberPlace[] {
+  const digits = digitsIn(program);
+  const numbers = numbersOf(program).filter(({ from }) => !digits.has(from));
+  return bySuspicion(numbers, program, suspects);
+}
 
 /** Tries other values of the numbers of a program: coarse steps first, then halving between them. */
 class NumberSearch {

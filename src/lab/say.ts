@@ -22,8 +22,9 @@ export function runText(run: SweepRun, varied: readonly string[], language: Lang
 /** The result of a sweep in a sentence. */
 export function sumText(result: SweepResult, language: Language): string {
   const hasTask = result.runs.some(({ passed }) => passed !== null);
-  const text = words[hasTask ? 'sum' : 'ran'][language];
-  return filledIn(text, { passed: passedOf(result), of: result.runs.length });
+  const of = result.runs.length;
+  const text = words[hasTask ? 'sum' : of === 1 ? 'ranOne' : 'ran'][language];
+  return filledIn(text, { passed: passedOf(result), of });
 }
 
 /** How much is done. */

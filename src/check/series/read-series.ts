@@ -35,7 +35,8 @@ export type ReadSeries =
 export const isSeriesFile = (value: unknown): value is Fields => formatOf(value) === SERIES_FORMAT;
 
 /** True if a text seems to be the file of a series: only then it is worth parsing. */
-export const looksLikeSeries = (text: string): boolean => /^\ufeff?\s*\{[^{[]*"parcours-series"/.test(text);
+export const looksLikeSeries = (text: string): boolean =>
+  /^\ufeff?\s*\{[^{[]*"format"\s*:\s*"parcours-series"/.test(text);
 
 /** Reads the file of a series. Never throws. @param courses the ready courses, for links that name one */
 export function parseSeries(text: string, courses: ReadyCourses): ReadSeries {

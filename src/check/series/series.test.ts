@@ -98,6 +98,7 @@ describe('what is no series', () => {
 
   it('has the word somewhere else', () => {
     expect(looksLikeSeries('{"format":"parcours-project","files":[{"text":"\\"parcours-series\\""}]}')).toBe(false);
+    expect(looksLikeSeries('{"name":"parcours-series","format":"parcours-project"}')).toBe(false);
     expect(looksLikeSeries('')).toBe(false);
   });
 });

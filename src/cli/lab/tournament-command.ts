@@ -2,7 +2,7 @@ import { resolve } from 'node:path';
 import { progressText } from '#lab/say';
 import { isForOne, type Files } from '#lab/tournament/match-setup';
 import { programNames } from '#lab/tournament/names';
-import { leagueCount, matchCount, played, type Draw, type Tournament } from '#lab/tournament/play';
+import { matchCount, played, type Draw, type Tournament } from '#lab/tournament/play';
 import { firstStage } from '#lab/tournament/stages';
 import { playedText, rowText, tournamentCsv, tournamentHtml, tournamentJson } from '#lab/tournament/texts';
 import { MOST_RUNS } from '#lab/values';
@@ -84,9 +84,8 @@ function drawProblem(draw: Draw, course: string): string | null {
   if (draw.isAlone && draw.mode === 'knockout')
     return `--mode knockout: ${shortened(course)} is a course for one robot, in which nobody meets. Leave it out.`;
   if (!draw.isAlone && draw.names.length < 2) return 'One program has nobody to meet. Name another one.';
-  return leagueCount(draw) > MOST_RUNS && draw.mode === 'league'
-    ? `${leagueCount(draw)} matches are too many, at most ${MOST_RUNS}.`
-    : null;
+  const count = matchCount(draw);
+  return count > MOST_RUNS ? `${count} matches are too many, at most ${MOST_RUNS}.` : null;
 }
 
 async function playAll(

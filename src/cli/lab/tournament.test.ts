@@ -91,6 +91,17 @@ describe('parcours tournament', { timeout: 120_000 }, () => {
     expect(forged.out).toContain('1 of 2 matches came out otherwise than the file says.');
   });
 
+  it('refuses a file whose matches are lists within lists', () => {
+    const scene = parseScene(readFileSync(ring, 'utf8'));
+    if ('problem' in scene) throw new Error(scene.problem);
+    const programs = ['a', 'b'].map((name) => ({ name, files: { 'main.py': '' } }));
+    const text = tournamentFile({ name: 'Ring', scene: scene.scene, programs, mode: 'league', seeds: [1] }, []);
+    const deep = `[{"matches":[${'['.repeat(20_000)}${']'.repeat(20_000)}],"table":[]}]`;
+    const path = file('deep.json', text.replace(/"stages": \[[^\]]*\]/, `"stages": ${deep}`));
+    const { code, err } = parcours('tournament', '--verify', path, '--json');
+    expect([code, err]).toEqual([2, expect.stringContaining('stages[0].matches[0]: must be an object')]);
+  });
+
   it.each([
     [[ring, stays], 'has nobody to meet'],
     [['slalom', stays, leaves, '--mode', 'knockout'], 'a course for one robot'],

@@ -2,7 +2,9 @@ import { check } from '#check/check';
 import type { HandIn } from '#check/hand-in/hand-in';
 import { visibleTask } from '#check/task/visible';
 import type { ClassTask } from '#check/task/task';
+import { numbersIn, withNumber } from '#python/numbers';
 import { linesOf, withChange, type Change } from '../changes/change';
+import { changedNumber } from '../changes/number-to-try';
 import { hintFor, type Hint, type Hinter } from '../hint';
 import { mainOf, withMain } from '../trials';
 
@@ -61,13 +63,13 @@ async function changeOf(
 
 /**
  * The same change at the places of another program that look like that of the first: those nearest to the same line come first.
- * Numbers that are changed may be other ones there.
+ * Numbers may be other ones there: only the one that is changed becomes that of the change.
  */
 export function likewise(change: Change, program: string, other: string): readonly Change[] {
   const [own, lines] = [linesOf(program), linesOf(other)];
   const plain = (line = ''): string => {
     const code = line.replace(/\s*#.*$/, '').trim();
-    return change.kind === 'number' ? code.replace(/\d+(\.\d+)?/g, '0') : code;
+    return change.kind === 'number' ? code.replace(/(?<![\p{L}\p{N}_])\d+(\.\d+)?/gu, '0') : code;
   };
   const isInsertion = change.before.length === 0;
   const wanted = isInsertion ? [own[change.line - 2], own[change.line - 1]] : change.before;
@@ -76,17 +78,31 @@ export function likewise(change: Change, program: string, other: string): readon
     wanted.every((line, place) => plain(lines[at + place - shift]) === plain(line)) ? [at] : [],
   );
   const from = change.line - 1;
-  return places
-    .toSorted((one, another) => Math.abs(one - from) - Math.abs(another - from) || one - another)
-    .map((at) => {
-      const indent = indentOf(lines[at]) - indentOf(own[from]);
-      return {
-        ...change,
-        line: at + 1,
-        before: lines.slice(at, at + change.before.length),
-        after: change.after.map((line) => moved(line, indent)),
-      };
-    });
+  const inOrder = places.toSorted((one, another) => Math.abs(one - from) - Math.abs(another - from) || one - another);
+  if (change.kind === 'number') return withNumberOf(change, program, other, inOrder);
+  return inOrder.map((at) => {
+    const indent = indentOf(lines[at]) - indentOf(own[from]);
+    return {
+      ...change,
+      line: at + 1,
+      before: lines.slice(at, at + change.before.length),
+      after: change.after.map((line) => moved(line, indent)),
+    };
+  });
+}
+
+/** The changes of one number of another program's lines to that of a change: greater or less as seen from the one there. */
+function withNumberOf(change: Change, program: string, other: string, places: readonly number[]): readonly Change[] {
+  const turned = changedNumber(change, program);
+  const numbers = turned === null ? [] : numbersIn(other);
+  return places.flatMap((at): readonly Change[] => {
+    const here = numbers.filter(({ line }) => line === at + 1);
+    const number = turned === null || here.length !== turned.of ? undefined : here[turned.place];
+    if (turned === null || number === undefined || turned.value === number.value) return [];
+    const after = linesOf(withNumber(other, number, turned.value))[at] ?? '';
+    const direction = turned.value > number.value ? 'more' : 'less';
+    return [{ ...change, line: at + 1, before: linesOf(other).slice(at, at + 1), after: [after], direction }];
+  });
 }
 
 const indentOf = (line = ''): number => /^ */.exec(line)?.[0].length ?? 0;

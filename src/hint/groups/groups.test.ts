@@ -164,8 +164,29 @@ describe('the same change in another program', () => {
 
   it('stands where the line is the same but for its numbers and its indentation', () => {
     expect(likewise(change, 'x()\n    turn(0.4)\n', 'a()\nb()\nturn(0.35)  # bend\n')).toEqual([
-      { ...change, line: 3, before: ['turn(0.35)  # bend'], after: ['turn(0.1)'] },
+      { ...change, line: 3, before: ['turn(0.35)  # bend'], after: ['turn(0.1)  # bend'] },
     ]);
     expect(likewise(change, 'x()\n    turn(0.4)\n', 'spin(0.4)\n')).toEqual([]);
+  });
+
+  const number = (line: string, after: string, direction: 'more' | 'less') =>
+    ({ kind: 'number', line: 1, before: [line], after: [after], direction }) as const;
+
+  it('changes the one number alone that the change is about, and keeps the others as they are there', () => {
+    const faster = number('drive(400, 20)', 'drive(800, 20)', 'more');
+    expect(likewise(faster, 'drive(400, 20)\n', 'drive(500, 55)\n')).toEqual([
+      number('drive(500, 55)', 'drive(800, 55)', 'more'),
+    ]);
+  });
+
+  it('says whether the number becomes greater or less there, not in the example', () => {
+    const longer = number('delay(2000)', 'delay(2300)', 'more');
+    expect(likewise(longer, 'delay(2000)\n', 'delay(2600)\n')).toEqual([number('delay(2600)', 'delay(2300)', 'less')]);
+    expect(likewise(longer, 'delay(2000)\n', 'delay(-5)\ndelay(2300)\n')).toEqual([]);
+  });
+
+  it('takes no name for another because of its number', () => {
+    const faster = number('motor1(40)', 'motor1(80)', 'more');
+    expect(likewise(faster, 'motor1(40)\n', 'motor2(40)\n')).toEqual([]);
   });
 });

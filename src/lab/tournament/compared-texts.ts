@@ -40,8 +40,10 @@ export function comparedText({ now, told, isSame }: Compared, language: Language
 export function comparedSum(compared: Comparison, language: Language): string {
   const { matches, areTablesSame } = compared;
   const [of, count] = [matches.length, matches.filter(({ isSame }) => !isSame).length];
-  if (count > 0) return filledIn(say.someUnlike[language], { count, of });
-  return areTablesSame ? filledIn(say.allSame[language], { of }) : say.otherTable[language];
+  if (count > 0) return filledIn(say[count === 1 ? 'someUnlikeOne' : 'someUnlike'][language], { count, of });
+  return areTablesSame
+    ? filledIn(say[of === 1 ? 'allSameOne' : 'allSame'][language], { of })
+    : say.otherTable[language];
 }
 
 /** Text of a value of a file, which may be anything. */

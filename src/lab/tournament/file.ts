@@ -10,10 +10,13 @@ import { versionProblem } from '#scene/problem';
 import { Reader } from '#scene/reader';
 import type { Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
+import { hasTask } from '#simulation/task/task-brief';
 import { isForOne, type Files } from './match-setup';
 import { TOURNAMENT_FORMAT } from './format';
-import { leagueCount, modes, type Draw, type Mode } from './play';
-import type { Stage } from './stages';
+import { tournamentLimits } from './limits';
+import { modes, type Draw, type Mode } from './play';
+import { readToldStage, type ToldStage } from './read-told';
+import { wholeCount, type Stage } from './stages';
 
 const VERSION = 1;
 
@@ -21,14 +24,13 @@ const VERSION = 1;
 const limits = {
   /** As many as any file of JSON may have that is opened. */
   characters: 16 * 1024 * 1024,
-  programs: { min: 1, max: 100 },
   nameCharacters: 200,
   files: 20,
   fileCharacters: 262_144,
   seeds: { min: 1, max: 20 },
   seed: { min: 1, max: 1_000_000 },
   stages: { min: 0, max: 2 },
-  matches: 20_000,
+  ...tournamentLimits,
 } as const;
 
 /** Course, programs and kind of a tournament: with them it is played again. */
@@ -50,7 +52,7 @@ export const drawOf = ({ scene, programs, mode, seeds }: Entry): Draw => ({
 
 /** A tournament of a file: `told` is what the file says has come of it, for `differences`. */
 export interface ToldTournament extends Entry {
-  readonly told: readonly unknown[];
+  readonly told: readonly ToldStage[];
 }
 
 /** A stage for a file: its matches with the names of their programs, and the fingerprints of their runs. */
@@ -96,17 +98,16 @@ export interface Comparison {
 }
 
 /** Compares a tournament that was played again with what its file tells. */
-export function comparison(stages: readonly Stage[], told: readonly unknown[]): Comparison {
+export function comparison(stages: readonly Stage[], told: readonly ToldStage[]): Comparison {
   const matches: Compared[] = [];
   let areTablesSame = true;
   for (let stage = 0; stage < Math.max(stages.length, told.length); stage++) {
     const [played, other] = [stages[stage], told[stage]];
     const here = played === undefined ? {} : dataOf(played);
-    const there = isRecord(other) ? other : {};
-    const [now, before] = [listIn(here), listIn(there)];
+    const [now, before] = [listIn(here), other?.matches ?? []];
     for (let match = 0; match < Math.max(now.length, before.length); match++)
       matches.push({ stage, now: now[match], told: before[match], isSame: isSame(now[match], before[match]) });
-    areTablesSame &&= isSame(here['table'], there['table']);
+    areTablesSame &&= isSame(here['table'], other?.table);
   }
   return { matches, areTablesSame };
 }
@@ -143,7 +144,9 @@ function readTournament(value: unknown): ReturnType<typeof parseTournament> {
   const programs = reader
     .list(fields['programs'], 'programs', limits.programs)
     .map((program, place) => readProgram(program, `programs[${place}]`, reader));
-  const told = reader.list(fields['stages'], 'stages', limits.stages);
+  const told = reader
+    .list(fields['stages'], 'stages', limits.stages)
+    .map((stage, place) => readToldStage(stage, `stages[${place}]`, reader));
   if (new Set(programs.map((one) => one.name)).size < programs.length)
     reader.report('unknown-value', 'programs', undefined, 'two programs have the same name.');
   const [first] = reader.problems;
@@ -151,14 +154,19 @@ function readTournament(value: unknown): ReturnType<typeof parseTournament> {
   const course = parseSceneValue(fields['course']);
   if ('problems' in course) return { problem: summaryOf(course.problems) };
   const tournament = { name, scene: course.scene, programs, mode, seeds, told };
-  const draw = drawOf(tournament);
-  if (draw.isAlone && mode === 'knockout')
-    return { problem: 'In a course for one nobody meets: "mode" must be league.' };
-  return !draw.isAlone && programs.length < 2
-    ? { problem: 'One program has nobody to meet.' }
-    : leagueCount(draw) > limits.matches
-      ? { problem: `${leagueCount(draw)} matches are too many, at most ${limits.matches}.` }
-      : { tournament };
+  const problem = problemOf(tournament);
+  return problem === null ? { tournament } : { problem };
+}
+
+/** Why a tournament cannot be played; `null`: it can. */
+function problemOf(entry: Entry): string | null {
+  const draw = drawOf(entry);
+  const count = wholeCount(draw);
+  if (!hasTask(entry.scene)) return 'The course has no task that anybody could win.';
+  if (entry.scene.task.robots === 'together') return 'In this course the robots work together: nobody could win.';
+  if (draw.isAlone && draw.mode === 'knockout') return 'In a course for one nobody meets: "mode" must be league.';
+  if (!draw.isAlone && draw.names.length < 2) return 'One program has nobody to meet.';
+  return count > limits.matches ? `${count} matches are too many, at most ${limits.matches}.` : null;
 }
 
 function readProgram(value: unknown, path: string, reader: Reader): Entry['programs'][number] {

@@ -61,8 +61,7 @@ async function playedOf(pairings: readonly Pairing[], play: Play): Promise<reado
   );
 }
 
-/** Most matches of a tournament; of a knockout fewer are played. */
-export const leagueCount = ({ names: { length }, seeds, isAlone }: Draw): number =>
+const leagueCount = ({ names: { length }, seeds, isAlone }: Draw): number =>
   seeds.length * (isAlone ? length : length * (length - 1));
 
 /** Number of matches. */

@@ -1,12 +1,16 @@
 import { describe, expect, it } from 'vitest';
 
+import { LANGUAGES } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
 
-import { comparison, differences, parseTournament, tournamentFile, type Entry } from './file';
+import { comparedSum } from './compared-texts';
+import { comparison, differences, parseTournament, tournamentFile, type Compared, type Entry } from './file';
+import { looksLikeTournament } from './format';
 import { inRounds, leaguePairings } from './league';
 import type { MatchResult, Pairing } from './match';
 import type { Draw } from './play';
 import { finalistsOf, playedStages, type Stage } from './stages';
+import { playedText } from './texts';
 
 const names = ['a', 'b', 'c', 'd', 'e'];
 const draw: Draw = { mode: 'league', names, seeds: [1, 2], isAlone: false };
@@ -90,6 +94,15 @@ describe('the file of a tournament', () => {
       { stage: 0, now: { a: 'a', b: 'b', winner: 'b' }, told: { a: 'a', b: 'b', winner: 'a' } },
     ]);
   });
+  it('says in words how many matches are unlike, one or several', () => {
+    const match = (isSame: boolean): Compared => ({ stage: 0, now: {}, told: {}, isSame });
+    const sum = (...all: readonly boolean[]): readonly string[] =>
+      LANGUAGES.map((language) => comparedSum({ matches: all.map(match), areTablesSame: true }, language));
+    expect(sum(false, true)[0]).toBe('1 von 2 Kämpfen ist anders ausgegangen, als es in der Datei steht.');
+    expect(sum(false, false)[0]).toBe('2 von 2 Kämpfen sind anders ausgegangen, als es in der Datei steht.');
+    expect(sum(true)[0]).toBe('Der eine Kampf ist ausgegangen, wie es in der Datei steht.');
+    expect(LANGUAGES.map((language) => playedText(1, language))).toEqual(['1 Kampf', '1 combat', '1 incontro', '1 match']); // prettier-ignore
+  });
   it('tells of a table that does not come of its matches', async () => {
     const stages = await stagesOf(draw);
     const read = parseTournament(tournamentFile(entry, stages).replaceAll('"points":24', '"points":25'));
@@ -111,6 +124,46 @@ describe('the file of a tournament', () => {
   ])('%s is refused with the reason', (text, reason) => {
     const read = parseTournament(text);
     expect('problem' in read && read.problem).toContain(reason);
+  });
+
+  it('keeps of what it tells plain values alone, and what is no list of matches is refused', async () => {
+    const deep = (depth: number): string => '['.repeat(depth) + ']'.repeat(depth);
+    const text = tournamentFile(entry, await stagesOf(draw));
+    const read = parseTournament(text.replace('"winner":"b"', `"winner":${deep(20_000)},"more":1`));
+    if ('problem' in read) throw new Error(read.problem);
+    const [first] = read.tournament.told[0]?.matches ?? [];
+    expect([first?.['winner'], first?.['seed'], first && 'more' in first]).toEqual([null, 1, false]);
+    for (const stages of [deep(20_000), '[{"matches":{},"table":[]}]', `[{"matches":[${deep(20_000)}],"table":[]}]`])
+      expect(
+        parseTournament(tournamentFile(entry, []).replace(/"stages": \[\s*\]/, `"stages": ${stages}`)),
+      ).toMatchObject({
+        problem: expect.stringMatching(/^stages/),
+      });
+  });
+
+  const many = (count: number, more: Partial<Entry>): string =>
+    tournamentFile({ ...entry, ...more, programs: Array.from({ length: count }, (_, at) => ({ name: `p${at}`, files: { 'main.py': '' } })) }, []); // prettier-ignore
+  it('holds as many matches as are really played, and no more', () => {
+    expect(parseTournament(many(200, { seeds: [1] }))).toHaveProperty('tournament');
+    expect(parseTournament(many(200, { mode: 'knockout', seeds: [1, 2, 3, 4, 5] }))).toHaveProperty('tournament');
+    expect(parseTournament(many(200, { seeds: [1, 2] }))).toEqual({
+      problem: '79614 matches are too many, at most 50000.',
+    });
+    expect(parseTournament(many(201, { seeds: [1] }))).toHaveProperty('problem');
+  });
+
+  it('is known by its format alone', () => {
+    expect(looksLikeTournament(tournamentFile(entry, []))).toBe(true);
+    expect(looksLikeTournament('{"name":"parcours-tournament","format":"parcours-project"}')).toBe(false);
+  });
+
+  it('without a task that anybody could win is refused', () => {
+    const { scene } = entry;
+    const empty = parseSceneValue({ format: 'parcours-scene', version: 4, size: [900, 900] });
+    const without = 'scene' in empty ? empty.scene : scene;
+    expect(parseTournament(tournamentFile({ ...entry, scene: without }, []))).toMatchObject({ problem: expect.stringContaining('no task') }); // prettier-ignore
+    const together = { ...scene, task: { ...scene.task, robots: 'together' } } as Entry['scene'];
+    expect(parseTournament(tournamentFile({ ...entry, scene: together }, []))).toMatchObject({ problem: expect.stringContaining('together') }); // prettier-ignore
   });
 
   it('with brackets in a course for one is refused: there nobody meets', () => {

@@ -37,7 +37,7 @@ export const rowText = ({ name, points, won, drawn, lost }: Row, place: number):
 
 /** The number of matches in words. */
 export const playedText = (of: number, language: Language): string =>
-  filledIn(words.tournament.played[language], { of });
+  filledIn(words.tournament[of === 1 ? 'playedOne' : 'played'][language], { of });
 
 /** The report of a tournament as one HTML file: the table, and each match. */
 export function tournamentHtml(found: Tournament, course: string, language: Language): string {

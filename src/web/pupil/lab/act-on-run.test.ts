@@ -74,6 +74,15 @@ describe('chance alone', () => {
     expect(page.settings.current.value).toMatchObject({ reality: 1, seed: 3 });
     expect(isStale(lab)).toBe(false);
   });
+
+  it('is not taken over where the settings have no such number', async () => {
+    const { page, lab } = await series({}, chance);
+    page.settings.change({ reality: 1 });
+    const { seed } = page.settings.current.value;
+    await Promise.race([lab.begin({ kind: 'ranges', ranges: [{ name: 'seed', from: 0, to: 20_000, step: 4_000 }] }), Promise.resolve()]); // prettier-ignore
+    expect([0, 1, 2, 3, 5].map((place) => canTake(page, lab, place))).toEqual([false, true, true, false, false]);
+    expect([takeOver(page, lab, 5), page.settings.current.value.seed]).toEqual([null, seed]);
+  });
 });
 
 describe('a series', () => {

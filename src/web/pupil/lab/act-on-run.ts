@@ -14,7 +14,7 @@ import { examOf } from '../../session/task/exam/exam-model';
 import { seedOf } from '../../session/work/hardware/hardware';
 import type { Workplace } from '../../session/work/model/parts';
 import { consoleOf } from '../console/parts';
-import type { Settings } from '../../session/work/settings/settings';
+import { isSeed, type Settings } from '../../session/work/settings/settings';
 import type { LabModel, Series } from './model/lab-model';
 
 type App = Workplace & WithLate;
@@ -98,7 +98,7 @@ interface Change {
   readonly start: SceneEdit | null;
   /** `null`: the robot stays as it is. */
   readonly robot: Partial<Pick<Settings, 'reality' | 'seed'>> | null;
-  /** True: the chance of a new robot is another one, which the page does not have. */
+  /** True: the page has no such chance: of a new robot it is always the first, of a used one it has an upper limit. */
   readonly isElsewhere: boolean;
 }
 
@@ -120,7 +120,7 @@ function changeTo({ work }: Pick<App, 'work'>, lab: LabModel, place: number): Ch
     files,
     start: isThere ? null : { type: 'robot', robot: { at, heading } },
     robot: varies ? (reality > 0 ? { reality, seed } : { reality }) : null,
-    isElsewhere: seedOf({ reality, seed }) !== seed,
+    isElsewhere: seedOf({ reality, seed }) !== seed || (reality > 0 && !isSeed(seed)),
   };
 }
 

@@ -41,8 +41,8 @@ function faultText(fault: Fault): string {
   switch (fault.kind) {
     case 'pulls':
       return t(pulls[fault.isHard ? 'hard' : 'little'][fault.to]);
-    case 'slower':
-      return t(words.faults.slower, fault);
+    case 'weaker':
+      return t(words.faults.weaker, fault);
     case 'sees':
       return t(sees[fault.isLighter ? 'lighter' : 'darker'][fault.side]);
     case 'trembles':

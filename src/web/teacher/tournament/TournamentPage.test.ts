@@ -37,7 +37,35 @@ describe('the page of a tournament', () => {
 
   it('plays one again that is pasted where links are added', async () => {
     const model = tournamentOf(page);
-    expect(await addText(page, model, text)).toBe(true);
+    expect(await addText(page, model, text, () => undefined)).toBe(true);
     expect(model.told.value).toEqual([]);
+  });
+
+  it('says what is wrong with one that is pasted and cannot be read', async () => {
+    mountOn(page, TournamentPage);
+    const field = document.querySelector<HTMLTextAreaElement>('[data-testid=class-links]')!;
+    field.value = text.replace('"version": 1', '"version": 9');
+    field.dispatchEvent(new Event('input'));
+    field.form?.dispatchEvent(new Event('submit'));
+    await nextTick();
+    expect([...document.querySelectorAll('[role=alert]')].map((one) => one.textContent)).toEqual([
+      expect.stringContaining('newer'),
+    ]);
+  });
+
+  it('takes no more programs than its file can have', async () => {
+    mountOn(page, TournamentPage);
+    const model = tournamentOf(page);
+    const programs = (count: number) =>
+      Array.from({ length: count }, (_, at) => ({ name: `${at}`, shown: `${at}`, files: {}, problem: null }));
+    const said = async (count: number): Promise<string | null | undefined> => {
+      model.programs.value = programs(count);
+      await nextTick();
+      return document.querySelector('[data-testid=tournament-set-up] [role=status]')?.textContent;
+    };
+    expect(await said(200)).toBe('Programs: 200 · Matches: 39800');
+    expect(await said(201)).toBe('Too many programs: at most 200.');
+    model.setTurns(2);
+    expect(await said(200)).toBe('Too many matches: at most 50000.');
   });
 });

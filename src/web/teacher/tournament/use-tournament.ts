@@ -121,9 +121,22 @@ export function openAgain(
   return null;
 }
 
-/** Adds the programs behind the links in a text, or opens the tournament that it is. @returns false if it is neither */
-export function addText(app: Pick<PageParts, 'dialogs'>, model: TournamentModel, text: string): Promise<boolean> {
-  if (looksLikeTournament(text)) return Promise.resolve(openAgain(app, model, text) === null);
+/**
+ * Adds the programs behind the links in a text, or opens the tournament that it is.
+ *
+ * @param tell is told why the tournament cannot be read; `null`: it can
+ * @returns false if it is neither
+ */
+export function addText(
+  app: Pick<PageParts, 'dialogs'>,
+  model: TournamentModel,
+  text: string,
+  tell: (problem: string | null) => void,
+): Promise<boolean> {
+  if (looksLikeTournament(text)) {
+    tell(openAgain(app, model, text));
+    return Promise.resolve(true);
+  }
   const sources = listSources(text, readyScene);
   if (sources.length > 0) void model.add(sources);
   return Promise.resolve(sources.length > 0);

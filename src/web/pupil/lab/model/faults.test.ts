@@ -17,9 +17,9 @@ describe('what is different about a used robot', () => {
       ...{ kind: 'pulls', to: motors.difference > 0 ? 'right' : 'left' },
       isHard: Math.abs(motors.difference) > 0.045,
     });
-    const slower = faults.find((one) => one.kind === 'slower');
+    const weaker = faults.find((one) => one.kind === 'weaker');
     const percent = Math.round(100 * (1 - motors.charge));
-    expect(slower?.percent ?? 0).toBe(percent < 2 ? 0 : percent);
+    expect(weaker?.percent ?? 0).toBe(percent < 2 ? 0 : percent);
     const [left, right] = drive.lineMm.map(lighter);
     const sees = faults.find((one) => one.kind === 'sees');
     const most = Math.max(Math.abs(left ?? 0), Math.abs(right ?? 0));

@@ -5,7 +5,7 @@ import type { LabRun } from './lab-model';
 /** A lasting difference of a used robot, for its words. */
 export type Fault =
   | { readonly kind: 'pulls'; readonly to: 'left' | 'right'; readonly isHard: boolean }
-  | { readonly kind: 'slower'; readonly percent: number }
+  | { readonly kind: 'weaker'; readonly percent: number }
   /** A line sensor sees the floor otherwise than it is. */
   | { readonly kind: 'sees'; readonly side: 'left' | 'middle' | 'right'; readonly isLighter: boolean }
   /** A robot that was measured is always the same one: only chance differs. */
@@ -34,7 +34,7 @@ export function faultsIn({ setup, drive }: { readonly setup: RunSetup } & Pick<L
   return [
     // The stronger motor drives its side ahead: the robot turns to the other one.
     { kind: 'pulls', to: difference > 0 ? 'right' : 'left', isHard: Math.abs(difference) > reality * HARD },
-    ...(percent < WEAK ? [] : [{ kind: 'slower', percent } as const]),
+    ...(percent < WEAK ? [] : [{ kind: 'weaker', percent } as const]),
     ...(worst === undefined || Math.abs(worst.by) < reality * WORTH
       ? []
       : [{ kind: 'sees', side: sideOf(worst.y), isLighter: worst.by > 0 } as const]),

@@ -21,9 +21,9 @@ const group: Group = {
 beforeAll(() => loadTexts('de'));
 
 /** A group with a hint that holds for two of its three programs. */
-function view() {
+function view(ofB = '') {
   const row = (name: string, note = ''): Row => ({ name, shown: name, handIn: null, result: null, note });
-  const rows = shallowRef<readonly Row[]>([row('a', 'Schöne Idee.'), row('b'), row('c')]);
+  const rows = shallowRef<readonly Row[]>([row('a', 'Schöne Idee.'), row('b', ofB), row('c')]);
   const write = (name: string, note: string): void =>
     void (rows.value = rows.value.map((one) => (one.name === name ? { ...one, note } : one)));
   const model = { rows, write } as unknown as ClassModel;
@@ -47,5 +47,16 @@ describe('the hint to a group', () => {
     expect([tell.text(), tell.element.disabled]).toEqual(['Der Tipp steht in 2 Notizen.', true]);
     page.notices.current.value?.action?.run();
     expect(notes()).toEqual(['Schöne Idee.', '', '']);
+  });
+
+  it('is left out of a note that would be longer than a feedback takes, and it is said', async () => {
+    const long = 'x'.repeat(490);
+    const { page, rows, shown } = view(long);
+    expect(shown.get('[data-testid=group-left-out]').text()).toBe('1 Notiz würde zu lang und bleibt, wie sie ist.');
+    await shown.get('[data-testid=group-tell]').trigger('click');
+    expect(rows.value.map(({ note }) => note)).toEqual(['Schöne Idee. Zeile 3 ist zu viel.', long, '']);
+    expect(page.notices.current.value?.values).toEqual({
+      text: 'Der Tipp steht in der Notiz. 1 Notiz würde zu lang und bleibt, wie sie ist.',
+    });
   });
 });

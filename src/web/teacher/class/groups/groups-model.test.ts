@@ -21,7 +21,7 @@ const row = (name: string, passed: boolean): Row => {
 };
 
 /** Groups whose workers answer at once, and the names of the programs they were asked about. */
-function groupsWith(rows: readonly Row[]) {
+function groupsWith(rows: readonly Row[], others: GroupHint['changes'] = [null]) {
   const [looked, searched]: [string[], string[][]] = [[], []];
   const thread =
     <Request, Result>(answer: (request: Request) => Result): Start<Request, Result> =>
@@ -35,7 +35,7 @@ function groupsWith(rows: readonly Row[]) {
   const change = { kind: 'number', line: 1, before: ['b'], after: ['d'], direction: 'more' } as const;
   const hint = {
     ...{ hint: { world: null, happened: { fact: 'unmoved' } }, holds: 1, of: 2 },
-    changes: [change, null],
+    changes: [change, ...others],
   } as unknown as GroupHint;
   const model = {
     task: shallowRef({ name: 'corners', from: 'corners', task: taskWith(readyScene('corners')) }),
@@ -79,6 +79,16 @@ describe('the groups of the class on the page', () => {
     await groups.search(group!);
     const told = [...groups.hintsInWords(group!, 'en')];
     expect(told).toEqual([[group!.example, expect.stringMatching(/^The robot never moved\. .*line 1 is too small/)]]);
+  });
+
+  it('say to others than the example only what was tried out in their own programs', async () => {
+    const less = { kind: 'number', line: 1, before: ['9'], after: ['5'], direction: 'less' } as const;
+    const { groups } = groupsWith([row('b', false), row('c', false)], [less]);
+    await groups.look();
+    const [group] = groups.groups.value;
+    await groups.search(group!);
+    const other = group!.members.find((name) => name !== group!.example);
+    expect(groups.hintsInWords(group!, 'en').get(other!)).toMatch(/^A number in line 1 is too big\. .*a smaller one/);
   });
 
   it('end a search with the group that is closed, and begin it anew', async () => {

@@ -7,7 +7,7 @@ import type { GroupHint } from '#hint/groups/group-hint';
 import { groupsOf, type Group } from '#hint/groups/groups';
 import { needsRun, type RunFacts } from '#hint/groups/run-facts';
 import { isHidden } from '#hint/groups/say';
-import { hintText } from '#hint/say';
+import { changeText, hintText } from '#hint/say';
 import { mainOf } from '#hint/trials';
 import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 
@@ -142,16 +142,17 @@ export class GroupsModel {
 
   /**
    * The hint in words to each hand-in of a group whose program passes with it, with its own lines, by their names. It tells
-   * no change itself.
+   * no change itself; what happened it tells of the example alone, whose run was seen to its end.
    */
   hintsInWords(group: Group, language: Language): ReadonlyMap<string, string> {
     const found = this.hintOf(group);
     if (typeof found !== 'object') return new Map();
-    const told = this.rowsOf(group).flatMap(({ name, handIn, result }, place): readonly [string, string][] => {
+    const told = this.rowsOf(group).flatMap(({ name, handIn }, place): readonly [string, string][] => {
       const change = found.changes[place] ?? null;
       if (handIn === null || change === null) return [];
-      const happened = (place > 0 && result && this.facts.value.get(result)?.happened) || found.hint.happened;
-      return [[name, hintText({ ...found.hint, happened, change, program: mainOf(handIn) }, 3, language)]];
+      const program = mainOf(handIn);
+      const isExample = place === 0;
+      return [[name, isExample ? hintText({ ...found.hint, change, program }, 3, language) : changeText(program, change, 3, language)]]; // prettier-ignore
     });
     return new Map(told);
   }

@@ -25,7 +25,7 @@ export interface Course {
   readonly name: string;
   /** Its name in a list, if that is another one. */
   readonly label?: string;
-  /** Its source: `OPEN`, `FILE` (`use-tournament.ts`), or the id of a ready course. */
+  /** Its source: `OPEN` (`use-tournament.ts`), `file`, or the id of a ready course. */
   readonly from: string;
   readonly scene: Scene;
 }
@@ -80,7 +80,7 @@ export class TournamentModel {
   /** Number of tournaments that there were here: another one has other matches under the same names. */
   readonly count = shallowRef(0);
   /** The results that its file tells; `null`: it is from no file. */
-  readonly told: ShallowRef<readonly unknown[] | null> = shallowRef(null);
+  readonly told: ShallowRef<ToldTournament['told'] | null> = shallowRef(null);
   /** Number of matches that have come out otherwise than the file says; `null`: from no file, or not over yet. */
   readonly differing = computed(() =>
     this.told.value === null || this.phase.value !== 'over'
