@@ -115,7 +115,7 @@ function createPainter(
   const kinds = createSceneKinds(came);
   let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a tag. */
+  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a block with a tag. */
   function stillAt({ verdict, ...moment }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
     const shown = kinds.inRun(scene, moment);
@@ -149,6 +149,8 @@ function createPainter(
         for (const place of robots.keys())
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
       for (const mover of moversOf(scene)) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
+      for (const one of kinds.carried(scene.objects))
+        kinds.carriedTag(context, view, one, moment.movers[one.carrier.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
       marks?.under(context, view, moment);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
