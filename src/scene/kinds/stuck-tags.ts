@@ -74,8 +74,11 @@ export function movedTags(
 /** The places of the tags at blocks that are shown elsewhere than the course has them, by the tags' ids. */
 export function shiftedTags(objects: readonly (SceneObject & Shifted)[]): Readonly<Record<string, Pose>> {
   const moved: Record<string, Pose> = {};
-  for (const { type, id, at, angle, lay } of objects)
-    if (type === 'block' && lay !== undefined) moved[id] = { xMm: at[0], yMm: at[1], headingRad: rotationRad(angle) };
+  for (const object of objects) {
+    if (object.type !== 'block' || object.lay === undefined) continue;
+    const { id, at, angle } = object;
+    moved[id] = { xMm: at[0], yMm: at[1], headingRad: rotationRad(angle) };
+  }
   return Object.keys(moved).length === 0
     ? {}
     : movedTags(

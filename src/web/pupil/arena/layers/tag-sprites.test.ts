@@ -10,7 +10,7 @@ it('paints a tag on a moving obstacle again only where that has moved, and takes
   const tag: SceneObject = { type: 'tag', id: 'tag', at: [880, 400], number: 7, side: 40, angle: 180 };
   const host = document.body.appendChild(document.createElement('div'));
   const context = new Proxy({}, { get: () => () => undefined }) as CanvasRenderingContext2D;
-  vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue(context as never);
+  vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue(context);
   const carriedTag = vi.fn();
   const view = { pxPerMm: 0.5, leftPx: 0, bottomPx: 450 };
   const frame = { ...{ view, ratio: 1, palette: lightPalette }, sight: { left: 0, top: 0, width: 600, height: 450 }, kinds: { carriedTag } }; // prettier-ignore
