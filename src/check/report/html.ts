@@ -19,6 +19,8 @@ interface ReportExtras {
   readonly codeOf?: (one: NamedResult) => string;
   /** The grade for what a hand-in counts, by the scale of its class; empty: none. */
   readonly gradeOf?: (one: NamedResult) => string;
+  /** The name of that class. */
+  readonly className?: string;
 }
 
 /**
@@ -31,12 +33,12 @@ export function htmlOf(
   found: ClassResult,
   task: ClassTask,
   language: Language,
-  { codeOf = () => '', gradeOf = () => '' }: ReportExtras = {},
+  { codeOf = () => '', gradeOf = () => '', className = '' }: ReportExtras = {},
 ): string {
   const { handIns } = found;
   const drawings = new Drawings(task);
   const title = escaped(found.task);
-  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language, gradeOf });
+  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language, gradeOf }, className);
   const sheets = handIns
     .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one), gradeOf }))
     .join('\n');
@@ -48,12 +50,13 @@ ${sheets}
 }
 
 /** The table of a class, a row for each hand-in. */
-function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet): string {
+function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet, className: string): string {
   const { handIns, task } = found;
   const words = reportWords.report;
   const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
   const hasStars = handIns.some(({ result }) => result.stars !== null);
   const hasGrades = handIns.some((one) => gradeOf(one) !== '');
+  const scale = hasGrades && className !== '' ? [filledIn(words.gradesOf[language], { name: className })] : [];
   const columns = ['way', 'name', 'result', 'points', ...(hasGrades ? (['grade'] as const) : []), ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
   const head = columns
     .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
@@ -63,7 +66,7 @@ function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet): st
     .join('\n');
   return `
 <h1>${escaped(task)}</h1>
-<p class="summary">${[handIns.length === 0 ? words.nobody[language] : summary, ...otherTaskTexts(found, language)].map(escaped).join('<br>')}</p>
+<p class="summary">${[handIns.length === 0 ? words.nobody[language] : summary, ...scale, ...otherTaskTexts(found, language)].map(escaped).join('<br>')}</p>
 <table>
 <thead><tr>${head}</tr></thead>
 <tbody>

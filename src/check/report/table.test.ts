@@ -67,7 +67,12 @@ describe('the table of a class for a spreadsheet', () => {
       ['1,5', '4', '4,5'],
       ['', '', ''],
     ]);
-    const report = htmlOf(found, task, 'de', { gradeOf: ({ name }) => (name === 'Bérard' ? '4.5' : '1.0') });
+    const [named] = cellsOf(tableOf(found, task, 'de', { gradeOf: () => 4.5, className: '8b' }), ';');
+    expect(named?.[4]).toBe('Note (8b)');
+    const gradeOf = ({ name }: { readonly name: string }): string => (name === 'Bérard' ? '4.5' : '1.0');
+    const report = htmlOf(found, task, 'de', { gradeOf, className: '8b' });
+    expect(report).toContain('Noten nach der Skala von «8b»');
+    expect(htmlOf(found, task, 'de', { className: '8b' })).not.toContain('Skala');
     expect(report).toContain('<td class="number grade" data-of="Note">4.5</td>');
     expect(report.match(/ · Note: /g)).toHaveLength(2);
   });

@@ -16,6 +16,8 @@ interface TableExtras {
   readonly linkOf?: (handIn: NamedResult) => string | null;
   /** The grade for what a hand-in counts, by the scale of its class; left out: there is no column for it. */
   readonly gradeOf?: (handIn: NamedResult) => number | null;
+  /** The name of that class. */
+  readonly className?: string;
 }
 
 /**
@@ -26,7 +28,7 @@ export function tableOf(
   { handIns }: ClassResult,
   task: ClassTask,
   language: Language,
-  { form = usualForm(language), linkOf, gradeOf }: TableExtras = {},
+  { form = usualForm(language), linkOf, gradeOf, className = '' }: TableExtras = {},
 ): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
@@ -44,7 +46,7 @@ export function tableOf(
       say('points'),
       say('most'),
       ...(hasMarks ? [say('byHand')] : []),
-      ...(gradeOf === undefined ? [] : [say('grade')]),
+      ...(gradeOf === undefined ? [] : [className === '' ? say('grade') : `${say('grade')} (${className})`]),
     ],
     ...(task.stars === null ? [] : [say('stars')]),
     ...task.checks.map((check) => checkText(check, language)),

@@ -1,9 +1,9 @@
 /** Standing tags that are stuck to what moves: a block that can be pushed, or a moving obstacle. They go along with it. */
-import { rotationRad } from '#core/angle';
+import { degOf, rotationRad } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose } from '#core/geometry';
 import { memoOf } from '#core/memo';
-import type { Block, Mover, SceneObject } from '../scene';
+import type { Block, Mover, SceneObject, Tag } from '../scene';
 import { outlineHolds, shapeOutline, toOwnFrame } from '../shape/shape';
 
 /** The thing that carries a tag. */
@@ -11,6 +11,18 @@ export interface Carrier {
   readonly id: string;
   /** The tag in its frame. */
   readonly tag: Pose;
+}
+
+/** A block that is shown elsewhere than the course has it. */
+export interface Shifted {
+  /** The block of the course; left out: it is that one. */
+  readonly lay?: Block;
+}
+
+/** A tag of the course with its carrier. */
+export interface CarriedTag {
+  readonly tag: Tag;
+  readonly carrier: Carrier;
 }
 
 /** A tag may stand so far from its thing, in mm. Chosen: half of a thick wall, as cameras see it before what it is stuck to. */
@@ -58,3 +70,41 @@ export function movedTags(
   }
   return poses;
 }
+
+/** The places of the tags at blocks that are shown elsewhere than the course has them, by the tags' ids. */
+export function shiftedTags(objects: readonly (SceneObject & Shifted)[]): Readonly<Record<string, Pose>> {
+  const moved: Record<string, Pose> = {};
+  for (const object of objects) {
+    if (object.type !== 'block' || object.lay === undefined) continue;
+    const { id, at, angle } = object;
+    moved[id] = { xMm: at[0], yMm: at[1], headingRad: rotationRad(angle) };
+  }
+  return Object.keys(moved).length === 0
+    ? {}
+    : movedTags(
+        objects.map((object) => object.lay ?? object),
+        moved,
+      );
+}
+
+/** The tags on moving obstacles: they go as long as a run goes. */
+export const tagsOnMovers = memoOf((objects: readonly SceneObject[]): readonly CarriedTag[] => {
+  const movers = new Set(objects.filter(({ type }) => type === 'mover').map(({ id }) => id));
+  if (movers.size === 0) return [];
+  return objects.flatMap((tag) => {
+    const carrier = tag.type === 'tag' ? carriersOf(objects).get(tag.id) : undefined;
+    return tag.type !== 'tag' || carrier === undefined || !movers.has(carrier.id) ? [] : [{ tag, carrier }];
+  });
+});
+
+/** A carried tag with its carrier at a pose; `null`: where the course has it. */
+export function tagAt({ tag, carrier }: CarriedTag, pose: Pose | null): Tag {
+  return pose === null ? tag : placedTag(tag, carriedPose(carrier, pose));
+}
+
+/** A tag as one that lies at a pose. */
+export const placedTag = (tag: Tag, { xMm, yMm, headingRad }: Pose): Tag => ({
+  ...tag,
+  at: [xMm, yMm],
+  angle: degOf(headingRad),
+});

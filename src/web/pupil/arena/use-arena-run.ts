@@ -1,5 +1,6 @@
 import { computed, shallowRef, type ShallowRef } from 'vue';
 
+import type { Shifted } from '#scene/kinds/stuck-tags';
 import type { Scene, SceneObject } from '#scene/scene';
 import type { PlacedPose } from '#simulation/input';
 
@@ -25,10 +26,10 @@ export function useArenaRun(
   });
 
   /** Puts a block where the hand has put it, only for showing: poses of the hand are finer than those of a course. */
-  function inHand(object: SceneObject): SceneObject {
+  function inHand(object: SceneObject): SceneObject & Shifted {
     const pose = object.type === 'block' ? hand.blocks.value[object.id] : undefined;
     if (object.type !== 'block' || pose === undefined) return object;
-    return { ...object, at: [pose.xMm, pose.yMm], angle: pose.headingDeg };
+    return { ...object, at: [pose.xMm, pose.yMm], angle: pose.headingDeg, lay: object };
   }
 
   /** Resets a stopped run: its last picture would hide the hand's changes. */

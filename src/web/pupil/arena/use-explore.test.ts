@@ -4,20 +4,24 @@ import { describe, expect, it } from 'vitest';
 
 import type { Vec } from '#core/geometry';
 import { maqueenLite } from '#robots/maqueen-lite/type';
+import type { SceneObject } from '#scene/scene';
 
 import { editingPage, samples } from '../../app/testing/editing';
 import '../../app/testing/mount-on';
 import { show, startRun } from '../../app/testing/run';
 import { robotOf } from '../narration/testing/drive';
+import { useArenaRun } from './use-arena-run';
 import { useExplore } from './use-explore';
 
 /** The arena's keyboard over a course with a checkpoint and a block; the robot starts in the middle. */
-async function arena() {
-  const page = await editingPage([samples.checkpoint, samples.block]);
+async function arena(objects: readonly SceneObject[] = [samples.checkpoint, samples.block]) {
+  const page = await editingPage(objects);
   const shown: Vec[] = [];
   let crosshair: Vec | null = null;
-  const { told, keydown } = useExplore({ ...page, robot: () => maqueenLite, crosshair: () => crosshair }, (at) =>
-    shown.push(at),
+  const { shownScene } = useArenaRun(page);
+  const { told, keydown } = useExplore(
+    { ...page, scene: () => shownScene.value, robot: () => maqueenLite, crosshair: () => crosshair },
+    (at) => shown.push(at),
   );
   /** Presses a key and returns the text that the arena announces. */
   const press = async (key: string, more: KeyboardEventInit = {}): Promise<string> => {
@@ -67,6 +71,14 @@ describe('the keys that explore the course', () => {
     expect(page.told.value.words).toContain('Der Roboter ist bei x 40, y 45 cm');
     await page.press('N', { shiftKey: true });
     expect(page.told.value.words).toBe('Block 1, 5 mal 5 cm: 20 cm links.');
+  });
+
+  it('tell of a tag at a block where the hand has put that', async () => {
+    const tag: SceneObject = { type: 'tag', id: 'tag', at: [375, 200], number: 7, side: 60, angle: 180 };
+    const page = await arena([samples.block, tag]);
+    page.hand.blocks.value = { block: { xMm: 700, yMm: 450, headingDeg: 0 } };
+    await page.press('N', { shiftKey: true });
+    expect(page.shown.at(-1)).toEqual({ x: 675, y: 450 });
   });
 
   it('are left to the browser with Ctrl or Alt', async () => {

@@ -1,7 +1,7 @@
 import { radOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { RobotType } from '#robots/robot';
-import { movedTags } from '#scene/kinds/stuck-tags';
+import { movedTags, shiftedTags } from '#scene/kinds/stuck-tags';
 import type { Scene } from '#scene/scene';
 
 import type { RunParts } from '../../session/run/parts';
@@ -45,7 +45,10 @@ function askedOf({ run, hand, scene, robot, crosshair }: Explored): Asked {
   ]);
   return {
     scene: course,
-    moved: snapshot === null ? Object.fromEntries(inHand) : { ...inRun, ...movedTags(course.objects, inRun) },
+    moved:
+      snapshot === null
+        ? { ...Object.fromEntries(inHand), ...shiftedTags(course.objects) }
+        : { ...inRun, ...movedTags(course.objects, inRun) },
     robot: type === null ? null : (snapshot?.robot?.pose ?? start),
     body: (type?.body.outlineMm ?? []).map((part) => part.map(({ x, y }) => ({ x: x * scale, y: y * scale }))),
     crosshair: crosshair(),

@@ -46,3 +46,16 @@ describe('a class that the browser stores', () => {
     expect([book.isUnsaved.value, writes.length]).toEqual([false, 2]);
   });
 });
+
+describe('the class that is meant', () => {
+  it('is the only one, or the one that was chosen: the first of several is only in sight', () => {
+    const { book } = slowBook();
+    const stored = ['8a', '8b'].map((name) => ({ key: name, schoolClass: named(name), isKept: true, stored: null, inFile: null })); // prettier-ignore
+    book.classes.value = stored.slice(0, 1);
+    expect(book.certain.value?.key).toBe('8a');
+    book.classes.value = stored;
+    expect([book.chosen.value?.key, book.certain.value]).toEqual(['8a', null]);
+    book.choose('8b');
+    expect([book.chosen.value?.key, book.certain.value?.key]).toEqual(['8b', '8b']);
+  });
+});

@@ -32,19 +32,25 @@ export class ClassBook {
   /** True if the browser could not store a class. */
   readonly hasFailed = shallowRef(false);
   private readonly chosenKey = shallowRef('');
+  /** The class that was chosen since the page was opened, or the only one; `null`: it is not certain which one is meant. */
+  readonly certain = computed(() => {
+    const all = this.classes.value;
+    return all.find(({ key }) => key === this.chosenKey.value) ?? (all.length === 1 ? all[0] : undefined) ?? null;
+  });
   /** The class in sight; `null`: there is none. */
-  readonly chosen = computed(
-    () => this.classes.value.find(({ key }) => key === this.chosenKey.value) ?? this.classes.value[0] ?? null,
-  );
+  readonly chosen = computed(() => this.certain.value ?? this.classes.value[0] ?? null);
   /** True if a change would be lost with the page. */
   readonly isUnsaved = computed(() =>
     this.classes.value.some(({ isKept, stored, inFile, schoolClass }) => (isKept ? stored : inFile) !== schoolClass),
   );
-  private working: Promise<void> = Promise.resolve();
+  /** Ends once the stored classes are there. */
+  readonly ready: Promise<void>;
+  private working: Promise<void>;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly kept: KeptClasses) {
-    this.working = this.bringBack();
+    this.ready = this.bringBack();
+    this.working = this.ready;
     watch(this.classes, () => {
       clearTimeout(this.timer);
       this.timer = setTimeout(() => void this.store(), QUIET_MS);

@@ -17,6 +17,8 @@ describe('what stands still', () => {
       signs: told('words'),
       spikes: told('spikes'),
       inRun: (scene) => scene,
+      carried: () => [],
+      carriedTag: told('carried tag'),
       mover: told('mover'),
       waiting: told('waiting'),
     };

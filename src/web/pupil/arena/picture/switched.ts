@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Switched } from '#picture/kinds/lamp';
-import { movedTags } from '#scene/kinds/stuck-tags';
+import { movedTags, placedTag, shiftedTags, tagsOnMovers } from '#scene/kinds/stuck-tags';
 import type { Barrier, Lamp, Scene, SceneObject } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 
@@ -15,26 +15,28 @@ export function middleOf(object: Lamp | Barrier): Vec {
   return { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 };
 }
 
-/** The part of a run that changes its still picture: lamps and barriers that were switched, tags on what has moved. */
-export type StillState = Partial<Pick<Snapshot, 'switched' | 'blocks' | 'movers'>>;
+/** The part of a run that changes its still picture: lamps and barriers that were switched, tags on blocks that were moved. */
+export type StillState = Partial<Pick<Snapshot, 'switched' | 'blocks'>>;
 
 /**
- * Makes a function that shows the lamps, barriers and carried tags of a course as a run has them. It gives the same course
- * again as long as none of them has changed: a run has a new state with each picture.
+ * Makes a function that shows the lamps, barriers and carried tags of a course as a run, or the hand before it, has them; but
+ * for tags on moving obstacles, which are drawn with those. It gives the same course again as long as none of them has
+ * changed: a run has a new state with each picture.
  */
 export function createStillScene(): (scene: Scene, state: StillState | null) => Scene {
   let before: { readonly scene: Scene; readonly key: string; readonly shown: Scene } | null = null;
   return (scene, state) => {
-    if (state === null) return scene;
-    const { switched = {}, blocks, movers } = state;
-    const tags = movedTags(scene.objects, { ...blocks, ...movers });
+    const onMovers = tagsOnMovers(scene.objects);
+    const { switched = {}, blocks = {} } = state ?? {};
+    const tags = state === null ? shiftedTags(scene.objects) : movedTags(scene.objects, blocks);
     const key = JSON.stringify([switched, tags]);
-    if (key === '[{},{}]') return scene;
+    if (key === '[{},{}]' && onMovers.length === 0) return scene;
     if (before?.scene === scene && before.key === key) return before.shown;
-    const objects = scene.objects.map((object): SceneObject & Switched => {
+    const going = new Set(onMovers.map(({ tag }) => tag.id));
+    const standing = scene.objects.filter(({ id }) => !going.has(id));
+    const objects = standing.map((object): SceneObject & Switched => {
       const [isOn, pose] = [switched[object.id], tags[object.id]];
-      if (pose !== undefined && object.type === 'tag')
-        return { ...object, at: [pose.xMm, pose.yMm], angle: (pose.headingRad * 180) / Math.PI };
+      if (pose !== undefined && object.type === 'tag') return placedTag(object, pose);
       return isOn === undefined ? object : { ...object, isOn };
     });
     before = { scene, key, shown: { ...scene, objects } };

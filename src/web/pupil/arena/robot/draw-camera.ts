@@ -9,7 +9,10 @@ import { withAlpha } from './draw-cone';
 export const sightBox = (camera: CameraState, view: View): PxBox =>
   unionOf([camera.fromMm, ...sightOutline(camera)].map((place) => boxAround(toPx(view, place), 3)));
 
-/** The outline of the floor that a camera sees, in the world: near right, the ends from right to left, near left. */
+/**
+ * The outline of the floor that a camera sees, in the world: near right, the ends from right to left, near left. Where a thing
+ * is nearer than the floor that it sees first, the outline has no depth there; with things all over, its line is at them.
+ */
 export function sightOutline({ fromMm, headingRad, sight, endsMm }: CameraState): readonly Vec[] {
   const { nearMm, nearSlope, farSlope } = sight;
   const [cos, sin] = [Math.cos(headingRad), Math.sin(headingRad)];
@@ -18,12 +21,12 @@ export function sightOutline({ fromMm, headingRad, sight, endsMm }: CameraState)
     y: fromMm.y + x * sin + y * cos,
   });
   const last = endsMm.length - 1;
-  const ends = endsMm.map((end, part) => at(end, end * farSlope * ((2 * part) / last - 1)));
-  const near = (side: 1 | -1, end = 0): Vec => {
-    const x = Math.min(nearMm, end);
-    return at(x, side * x * nearSlope);
-  };
-  return [near(-1, endsMm[0]), ...ends, near(1, endsMm[last])];
+  const firstMm = Math.min(nearMm, Math.max(0, ...endsMm));
+  const ends = endsMm.map((end, part) => {
+    const x = Math.max(firstMm, end);
+    return at(x, x * farSlope * ((2 * part) / last - 1));
+  });
+  return [at(firstMm, -firstMm * nearSlope), ...ends, at(firstMm, firstMm * nearSlope)];
 }
 
 /** Draws what a camera sees of the floor, and dashed edges from its lens to there; under the robot. */

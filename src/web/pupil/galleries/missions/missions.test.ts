@@ -42,6 +42,9 @@ describe('the missions', () => {
     const after = [...byId('after-missions').querySelectorAll('h3')].map(textOf);
     expect(after).toEqual(['Zwei Ampeln', 'Zum Licht', 'Der Tunnel', 'Nach Farben sortieren']);
     expect(names().length).toBe(12);
+    // They come later: the button before them stays where it is.
+    const order = byId('mission-next').compareDocumentPosition(byId('after-missions'));
+    expect(order & Node.DOCUMENT_POSITION_FOLLOWING).not.toBe(0);
   });
 
   it('change to another robot, which the address then names', async () => {

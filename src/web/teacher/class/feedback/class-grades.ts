@@ -20,10 +20,13 @@ export interface ClassGrades {
   readonly text: (handIn: Counted) => string;
 }
 
-/** The grades for a task by the scale of the class that is open on the page of classes; `null`: it has none. */
+/**
+ * The grades for a task by the scale of the class that was chosen on the page of classes since it was opened, or of the only
+ * one; `null`: it has no scale, or of several none was chosen.
+ */
 export const gradesOf = (app: WithLate, task: () => ClassTask): ComputedRef<ClassGrades | null> =>
   computed(() => {
-    const { name, scale = null } = classBookOf(app).chosen.value?.schoolClass ?? { name: '' };
+    const { name, scale = null } = classBookOf(app).certain.value?.schoolClass ?? { name: '' };
     if (scale === null) return null;
     const of = (one: Counted): number | null =>
       isUnread(one.result) ? null : gradeOf(scale, countedPoints(one), mostPoints(task()));

@@ -11,7 +11,7 @@ import { drawPill } from '../../../pupil/arena/picture/draw-pill';
 import { drawScene } from '../../../pupil/arena/picture/draw-scene';
 import * as zones from '../../../pupil/arena/picture/draw-zones';
 import * as sheets from '../../../pupil/arena/picture/sheets';
-import { createSceneKinds } from '../../../pupil/arena/picture/scene-kinds';
+import { createSceneKinds, type SceneKinds } from '../../../pupil/arena/picture/scene-kinds';
 import { drawTrail } from '../../../pupil/arena/robot/draw-trail';
 import { readRobotDrawing } from '../../../pupil/arena/robot/robot-drawing';
 import type { RobotPainting } from '../../../pupil/arena/robot/robot-painting';
@@ -115,7 +115,7 @@ function createPainter(
   const kinds = createSceneKinds(came);
   let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a tag. */
+  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a block with a tag. */
   function stillAt({ verdict, ...moment }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
     const shown = kinds.inRun(scene, moment);
@@ -148,7 +148,7 @@ function createPainter(
       if (trails !== null)
         for (const place of robots.keys())
           paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
-      for (const mover of moversOf(scene)) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
+      drawMovers(context, view, kinds, scene, moment);
       drawBlocks(context, view, blocks, palette);
       marks?.under(context, view, moment);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
@@ -157,6 +157,19 @@ function createPainter(
       return canvas;
     },
   };
+}
+
+/** Draws the moving obstacles with the tags on them. */
+function drawMovers(
+  context: CanvasRenderingContext2D,
+  view: View,
+  kinds: SceneKinds,
+  scene: Scene,
+  { movers }: Snapshot,
+): void {
+  for (const mover of moversOf(scene)) kinds.mover(context, view, mover, movers[mover.id] ?? null, palette);
+  for (const one of kinds.carried(scene.objects))
+    kinds.carriedTag(context, view, one, movers[one.carrier.id] ?? null, palette);
 }
 
 const moversOf = ({ objects }: Scene): readonly Mover[] =>

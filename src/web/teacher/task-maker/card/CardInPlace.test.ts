@@ -68,6 +68,71 @@ describe('the text of a card', () => {
     expect(box()).toBeNull();
     vi.useRealTimers();
   });
+
+  const type = async (text: string): Promise<void> => {
+    document.querySelector<HTMLElement>('[data-testid=maker-text]')!.click();
+    await nextTick();
+    await nextTick();
+    box()!.value = text;
+    box()!.dispatchEvent(new Event('input'));
+  };
+  const point = (type: string): boolean => document.body.dispatchEvent(new Event(type, { bubbles: true }));
+
+  it('is not written into the language that is pressed while it is a box', async () => {
+    const { work } = cardPage();
+    document.querySelector<HTMLElement>('[data-testid=maker-more-languages]')!.click();
+    await nextTick();
+    vi.useFakeTimers({ toFake: ['setTimeout'] });
+    await type('Fahr los.');
+    point('pointerdown');
+    box()!.blur();
+    point('pointerup');
+    document.querySelector<HTMLElement>('[data-testid=card-language-fr]')!.click();
+    await nextTick();
+    vi.runAllTimers();
+    await nextTick();
+    vi.useRealTimers();
+    expect(work.scene.value.description).toBe('Fahr los.');
+    expect(work.scene.value.task.card?.translations ?? []).toEqual([]);
+    expect(document.querySelector('[data-testid=maker-text]')!.textContent).not.toContain('Fahr los.');
+  });
+
+  it('closes when the pointer comes back that was let go outside of the window, and is not kept again', async () => {
+    vi.useFakeTimers({ toFake: ['setTimeout'] });
+    const { work } = cardPage();
+    await type('Fahr los.');
+    point('pointerdown');
+    box()!.blur();
+    work.edit({ type: 'course', changes: { description: 'Halt an.' } });
+    document.body.dispatchEvent(Object.assign(new Event('pointermove', { bubbles: true }), { buttons: 0 }));
+    vi.runAllTimers();
+    await nextTick();
+    vi.useRealTimers();
+    expect(box()).toBeNull();
+    expect(work.scene.value.description).toBe('Halt an.');
+  });
+
+  it('of a teacher is not selected as a whole in a translation, as that of a ready course is', async () => {
+    cardPage();
+    document.querySelector<HTMLElement>('[data-testid=maker-text]')!.click();
+    await nextTick();
+    await nextTick();
+    expect(box()!.selectionEnd).toBeGreaterThan(box()!.selectionStart);
+    box()!.blur();
+    await nextTick();
+    document.querySelector<HTMLElement>('[data-testid=maker-more-languages]')!.click();
+    await nextTick();
+    document.querySelector<HTMLElement>('[data-testid=card-language-fr]')!.click();
+    await nextTick();
+    await type('Roule.');
+    box()!.blur();
+    await nextTick();
+    document.querySelector<HTMLElement>('[data-testid=maker-text]')!.click();
+    await nextTick();
+    await nextTick();
+    expect(box()!.value).toBe('Roule.');
+    expect(box()!.selectionEnd).toBe(box()!.selectionStart);
+  });
 });
 
 describe('a card in several languages', () => {
@@ -88,6 +153,19 @@ describe('a card in several languages', () => {
     await press('card-language-en');
     await press('card-language-fr');
     expect(document.querySelector<HTMLInputElement>('[data-testid=maker-title]')!.value).toBe('Au garage');
+    await entitle('');
+    expect(work.scene.value.task.card?.translations ?? []).toEqual([]);
+  });
+
+  it('has the keyboard at the first language once it has languages, and at the picture once that is removed', async () => {
+    const { work } = cardPage();
+    await press('maker-more-languages');
+    await nextTick();
+    expect(document.activeElement?.getAttribute('data-testid')).toBe('card-language-de');
+    work.edit({ type: 'course', changes: { task: { ...work.scene.value.task, card: { ...sceneDefaults.card, picture: 'data:image/png;base64,AA==' } } } }); // prettier-ignore
+    await nextTick();
+    await press('card-picture-remove');
+    expect(document.activeElement?.getAttribute('data-testid')).toBe('card-picture');
   });
 
   it('has a picture that can be removed', async () => {
