@@ -15,7 +15,7 @@ describe('the still picture of a run', () => {
   it('is the course itself while nothing of it has changed', () => {
     const shown = createStillScene();
     expect(shown(scene, null)).toBe(scene);
-    expect(shown(scene, { blocks: {}, movers: {} })).toBe(scene);
+    expect(shown(scene, { blocks: {} })).toBe(scene);
   });
 
   it('has a lamp as it is switched, and a tag where its block is; the same one until that changes', () => {
