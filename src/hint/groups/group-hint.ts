@@ -69,7 +69,9 @@ export function likewise(change: Change, program: string, other: string): readon
   const [own, lines] = [linesOf(program), linesOf(other)];
   const plain = (line = ''): string => {
     const code = line.replace(/\s*#.*$/, '').trim();
-    return change.kind === 'number' ? code.replace(/(?<![\p{L}\p{N}_])\d+(\.\d+)?/gu, '0') : code;
+    if (change.kind !== 'number') return code;
+    // Names are taken whole: the digits in them are no numbers.
+    return code.replace(/[\p{L}_][\p{L}\p{N}_]*|\d+(\.\d+)?/gu, (found) => (/^\d/.test(found) ? '0' : found));
   };
   const isInsertion = change.before.length === 0;
   const wanted = isInsertion ? [own[change.line - 2], own[change.line - 1]] : change.before;
