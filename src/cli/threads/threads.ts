@@ -17,7 +17,7 @@ const YOUNG_MB = 8;
  * Old objects before they are collected for the first time, in MB. A collection throws away the machine code that knew an
  * object of a run that is over, and the next runs are slow until it is made anew. Chosen: see decision 0112.
  */
-const OLD_MB = 64;
+const OLD_MB = 32;
 
 /** Index of the shared word that a thread counts up while time passes. */
 export const BEAT = 0;
