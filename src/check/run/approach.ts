@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { zoneHolds } from '#scene/kinds/zone';
-import { distanceToEdge, type Outline } from '#scene/outline';
+import { distanceToEdge, lengthOf, type Outline } from '#scene/outline';
 import type { Scene, Zone } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
 import { Route } from '#simulation/task/route';
@@ -50,8 +50,7 @@ export class Approach {
       this.measured.roomMm = -1;
     }
     const { x, y, roomMm } = this.measured;
-    const moved = Math.sqrt((at.x - x) * (at.x - x) + (at.y - y) * (at.y - y));
-    if (moved >= roomMm) this.measure(at);
+    if (lengthOf(at.x - x, at.y - y) >= roomMm) this.measure(at);
   }
 
   private measure(at: Vec): void {

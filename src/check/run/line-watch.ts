@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { squaredDistance } from '#scene/outline';
+import { lengthOf, squaredDistance } from '#scene/outline';
 import type { Scene, Stroke } from '#scene/scene';
 import { shapeOutline } from '#scene/shape/shape';
 
@@ -54,8 +54,7 @@ export class LineWatch {
    */
   private roughDistanceMm(at: Vec): number {
     const { x, y, roomMm } = this.measured;
-    const moved = Math.sqrt((at.x - x) * (at.x - x) + (at.y - y) * (at.y - y));
-    if (moved >= roomMm) {
+    if (lengthOf(at.x - x, at.y - y) >= roomMm) {
       const distance = distanceMm(this.lines, at);
       const room = Math.min(Math.abs(distance - ON_MM), Math.abs(distance - OFF_MM));
       this.measured = { x: at.x, y: at.y, distanceMm: distance, roomMm: room };

@@ -1,4 +1,5 @@
 import type { Pose } from '#core/geometry';
+import { isSame } from '#core/same';
 import { tagSheetMm } from '#scene/kinds/tag-thing';
 import type { CarriedTag } from '#scene/kinds/stuck-tags';
 import { clipTo } from '../view/clip-to';
@@ -74,7 +75,7 @@ export function createTagSprites(host: () => HTMLElement | null): TagSprites {
       if (frame === null) return;
       for (const shown of all) {
         const pose = poses?.[shown.one.carrier.id] ?? null;
-        if (shown.pose === undefined || !isSamePose(shown.pose, pose)) show(shown, pose, frame);
+        if (!isSame(shown.pose, pose)) show(shown, pose, frame);
       }
     },
   };
@@ -84,10 +85,6 @@ export function createTagSprites(host: () => HTMLElement | null): TagSprites {
 function reachPx({ tag, carrier }: CarriedTag, { pxPerMm }: View): number {
   const label = Math.max(LABEL.mm * pxPerMm, LABEL.px);
   return Math.ceil((Math.hypot(carrier.tag.xMm, carrier.tag.yMm) + tagSheetMm(tag.side) / 2) * pxPerMm + label);
-}
-
-function isSamePose(one: Pose | null, other: Pose | null): boolean {
-  return one?.xMm === other?.xMm && one?.yMm === other?.yMm && one?.headingRad === other?.headingRad;
 }
 
 function putOn(canvas: HTMLCanvasElement, { left, top, width }: PxBox, ratio: number): void {

@@ -35,10 +35,11 @@ function soon(task: () => void): void {
   channel.port2.postMessage(null);
 }
 
+const nowMs = (): number => performance.now();
 const pack = packPictures();
 const runner = new Runner({
   post: (message) => postMessage(pack(message)),
-  nowMs: () => performance.now(),
+  nowMs,
   later(task, delayMs) {
     if (delayMs > 0) setTimeout(task, delayMs);
     else soon(task);
@@ -57,7 +58,6 @@ function late<Part>(load: () => Promise<Part>): () => Promise<Part> {
 }
 
 const post = (message: unknown): void => postMessage(message);
-const nowMs = (): number => performance.now();
 const rest = (): Promise<void> => new Promise((resolve) => soon(resolve));
 
 const loadLooker = late(() => import('./look/looker').then(({ Looker }) => new Looker({ post, nowMs, rest })));
@@ -73,7 +73,7 @@ type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | HexRequest | ToS
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
     void import('./look/repeat').then(
-      (late) => late.answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() }),
+      (late) => late.answerRepeat(data, { post, nowMs }),
       (error: unknown) => postMessage({ type: 'failed', message: String(error) } satisfies RepeatAnswer),
     );
   else if (data.type === 'fit')
