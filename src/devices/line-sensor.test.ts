@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { Wire } from '#board/wires/wire';
-import { attachLineSensor, createLineComparator } from './line-sensor';
+import { createRng } from '#core/rng';
+import { attachLineSensor, createLineComparator, MOST_STEPS_BACK } from './line-sensor';
 
 function sensorOver(start: number) {
   const wire = new Wire('P13');
   let reflectance = start;
-  const sensor = attachLineSensor(wire, () => reflectance);
+  const sensor = attachLineSensor(wire, { look: () => reflectance });
   const over = (next: number): number => {
     reflectance = next;
     sensor.sample();
@@ -42,7 +43,7 @@ describe('a digital line sensor', () => {
 describe('a line sensor without a wire', () => {
   it('tells what it saw at its last look, and light or dark with the same gap: below 47 %, above 53 %', () => {
     let reflectance = 0.5;
-    const sensor = createLineComparator(() => reflectance);
+    const sensor = createLineComparator({ look: () => reflectance });
     const looks = [0.46, 0.5, 0.54, 0.5].map((next) => {
       reflectance = next;
       const before = sensor.reflectance();
@@ -55,5 +56,47 @@ describe('a line sensor without a wire', () => {
       [0.5, 0.54, true],
       [0.54, 0.5, true],
     ]);
+  });
+
+  it('is the same at each reading as one that looks after every step, also where the floor changes meanwhile', () => {
+    const chance = createRng(3).fork('line');
+    const past: number[] = [0.5];
+    let [looks, now] = [0, 0.5];
+    let paint: () => void = () => undefined;
+    const sensor = createLineComparator({
+      look: (ago) => {
+        looks++;
+        return ago === undefined ? now : (past.at(-1 - ago) ?? NaN);
+      },
+      beforePaint: (act) => (paint = act),
+    });
+    let isBright = true;
+    const steps = 20_000;
+    for (let step = 0; step < steps; step++) {
+      now = Math.min(Math.max(now + 0.1 * (chance.unit() - 0.5), 0), 1);
+      past.push(now);
+      if (now > 0.53) isBright = true;
+      if (now < 0.47) isBright = false;
+      sensor.sample();
+      // Paint makes all of the past look otherwise.
+      if (chance.unit() < 0.01) {
+        paint();
+        past.fill(1 - now);
+      }
+      if (chance.unit() < 0.02) expect([sensor.isBright(), sensor.reflectance()]).toEqual([isBright, now]);
+    }
+    expect(looks).toBeLessThan(steps / 4);
+  });
+
+  it('never looks further back than its surroundings remember', () => {
+    const asked: number[] = [];
+    const sensor = createLineComparator({
+      look: (ago = 0) => {
+        asked.push(ago);
+        return 0.5;
+      },
+    });
+    for (let step = 0; step < 3 * MOST_STEPS_BACK; step++) sensor.sample();
+    expect(Math.max(...asked)).toBe(MOST_STEPS_BACK - 1);
   });
 });

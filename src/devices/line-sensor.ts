@@ -16,9 +16,20 @@ import type { Stop } from '#core/stop';
 export const DARK_BELOW = 0.47;
 export const LIGHT_ABOVE = 0.53;
 
+/** The most steps of the world that a comparator looks back. Chosen: a quarter of a second. */
+export const MOST_STEPS_BACK = 64;
+
+/** The ground as a sensor sees it: 0 black … 1 bare floor. */
+export interface LineView {
+  /** Looks at the ground now, or as it was below the sensor so many steps of the world ago: after the last one 0 steps ago. */
+  readonly look: (stepsAgo?: number) => number;
+  /** Calls something each time before the floor changes. Left out: it never does. */
+  readonly beforePaint?: (act: () => void) => void;
+}
+
 /** A sensor with a digital value. */
 export interface LineComparator {
-  /** Looks at the ground. Call it after each step of the world, see `attachLineSensor`. */
+  /** Notes that a step of the world has passed. Call it after each. */
   sample(): void;
   isBright(): boolean;
   /** The last reading: 0 black … 1 bare floor. */
@@ -26,21 +37,38 @@ export interface LineComparator {
 }
 
 /**
- * Makes a comparator and looks at the ground once.
- *
- * @param look what the sensor sees now, 0 black … 1 bare floor
+ * Makes a comparator and looks at the ground once. It tells what it would if it looked after each step, but looks only when it
+ * is read: at the ground of the last step, and further back while that decides nothing.
  */
-export function createLineComparator(look: () => number): LineComparator {
+export function createLineComparator({ look, beforePaint }: LineView): LineComparator {
   let seen = look();
   let isBright = seen >= (DARK_BELOW + LIGHT_ABOVE) / 2;
+  let unseenSteps = 0;
+  const catchUp = (): void => {
+    if (unseenSteps === 0) return;
+    seen = look(0);
+    for (let [at, ago] = [seen, 0]; ; at = look(ago)) {
+      if (at > LIGHT_ABOVE || at < DARK_BELOW) {
+        isBright = at > LIGHT_ABOVE;
+        break;
+      }
+      if (++ago === unseenSteps) break;
+    }
+    unseenSteps = 0;
+  };
+  beforePaint?.(catchUp);
   return {
     sample: () => {
-      seen = look();
-      if (seen > LIGHT_ABOVE) isBright = true;
-      if (seen < DARK_BELOW) isBright = false;
+      if (++unseenSteps === MOST_STEPS_BACK) catchUp();
     },
-    isBright: () => isBright,
-    reflectance: () => seen,
+    isBright: () => {
+      catchUp();
+      return isBright;
+    },
+    reflectance: () => {
+      catchUp();
+      return seen;
+    },
   };
 }
 
@@ -57,12 +85,10 @@ export interface LineSensor {
  *
  * The ground below a sensor changes only when the world moves, so the owner calls `sample` after every step of the
  * world; between two steps the wire holds what the last one gave, however often the program reads.
- *
- * @param reflectance what the sensor sees now, 0 black … 1 bare floor
  */
-export function attachLineSensor(wire: Wire, reflectance: () => number): LineSensor {
+export function attachLineSensor(wire: Wire, view: LineView): LineSensor {
   const output = wire.connect('line sensor');
-  const comparator = createLineComparator(reflectance);
+  const comparator = createLineComparator(view);
   let level: Level = comparator.isBright() ? 1 : 0;
   output.drive(level);
   return {

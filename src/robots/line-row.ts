@@ -1,7 +1,7 @@
 /** Shared by robots with line sensors: rows that measure the ground and are reported by I2C, and pairs that tell light from dark. */
 import type { Vec } from '#core/geometry';
 import { BOTH_SIDES, type Side } from '#devices/dc-motor';
-import { createLineComparator, type LineComparator } from '#devices/line-sensor';
+import { createLineComparator, type LineComparator, type LineView } from '#devices/line-sensor';
 import type { LineSensorState, RobotContext } from './robot';
 import { scaled } from './sonar';
 
@@ -22,12 +22,15 @@ export interface LineMeasure {
   readonly most: number;
 }
 
+/** The floor below a robot. */
+type FloorContext = Pick<RobotContext, 'ground' | 'beforePaint' | 'scale'>;
+
 /** The line sensors of one robot. */
 export interface LineRow<Name extends string> {
   readonly isBright: (name: Name) => boolean;
   /** Reading of this sensor, a whole number in the robot's own unit. */
   readonly reading: (name: Name) => number;
-  /** Looks at the ground. Call it after each step of the world. */
+  /** Notes that a step of the world has passed. Call it after each. */
   sample(): void;
   /** In the order of the places. */
   states(): LineSensorState[];
@@ -38,7 +41,7 @@ export interface LineRow<Name extends string> {
  * others decides between light and dark as if it saw what its reading means to them.
  */
 export function mountLineRow<Name extends string>(
-  { ground, scale, lineReadings }: Pick<RobotContext, 'ground' | 'scale' | 'lineReadings'>,
+  { ground, beforePaint, scale, lineReadings }: FloorContext & Pick<RobotContext, 'lineReadings'>,
   places: readonly LinePlace<Name>[],
   { spotRadiusMm, black, floor, most }: LineMeasure,
 ): LineRow<Name> {
@@ -48,9 +51,10 @@ export function mountLineRow<Name extends string>(
       const own = lineReadings[name] ?? { black, floor };
       const seen = (reflectance: number): number => own.black + (own.floor - own.black) * reflectance;
       const seenByType = (reading: number): number => (reading - black) / (floor - black);
-      const look = (): number => ground(spot, spotRadiusMm * scale);
+      const plain: LineView['look'] = (ago) => ground(spot, spotRadiusMm * scale, ago);
       const isPlain = own.black === black && own.floor === floor;
-      return [name, createLineComparator(isPlain ? look : () => seenByType(seen(look())))];
+      const look: LineView['look'] = isPlain ? plain : (ago) => seenByType(seen(plain(ago)));
+      return [name, createLineComparator({ look, beforePaint })];
     }),
   );
   const isBright = (name: Name): boolean => sensors.get(name)?.isBright() ?? false;
@@ -69,7 +73,7 @@ export function mountLineRow<Name extends string>(
 /** Two line sensors of one robot, left and right. */
 export interface LinePair<Sensor> {
   readonly sensors: Readonly<Record<Side, Sensor>>;
-  /** Looks at the ground. Call it after each step of the world. */
+  /** Notes that a step of the world has passed. Call it after each. */
   sample(): void;
   states(): LineSensorState[];
 }
@@ -78,15 +82,18 @@ export interface LinePair<Sensor> {
  * Mounts two line sensors on a robot of any scale.
  *
  * @param atMm their places, robot frame, on the real robot
- * @param make makes one from what it sees
+ * @param make makes one from its view of the ground
  */
 export function mountLinePair<Sensor extends Pick<LineComparator, 'sample' | 'isBright'>>(
-  { ground, scale }: Pick<RobotContext, 'ground' | 'scale'>,
+  { ground, beforePaint, scale }: FloorContext,
   atMm: Readonly<Record<Side, Vec>>,
   spotRadiusMm: number,
-  make: (look: () => number, side: Side) => Sensor,
+  make: (view: LineView, side: Side) => Sensor,
 ): LinePair<Sensor> {
-  const mount = (side: Side): Sensor => make(() => ground(scaled(atMm[side], scale), spotRadiusMm * scale), side);
+  const mount = (side: Side): Sensor => {
+    const spot = scaled(atMm[side], scale);
+    return make({ look: (ago) => ground(spot, spotRadiusMm * scale, ago), beforePaint }, side);
+  };
   const sensors = { left: mount('left'), right: mount('right') };
   return {
     sensors,

@@ -141,8 +141,14 @@ export interface RobotContext {
   readonly clock: Clock;
   readonly board: Board;
   readonly chassis: Chassis;
-  /** Reflectance under a round spot, 0 black … 1 bare floor. Spot in the robot frame, at the scale of this robot. */
-  readonly ground: (spot: Vec, radiusMm: number) => number;
+  /**
+   * Reflectance under a round spot, 0 black … 1 bare floor. Spot in the robot frame, at the scale of this robot.
+   *
+   * @param stepsAgo where the robot was so many steps of the world ago, up to `MOST_STEPS_BACK`. Left out: where it is now
+   */
+  readonly ground: (spot: Vec, radiusMm: number, stepsAgo?: number) => number;
+  /** Calls something each time before the floor changes. */
+  readonly beforePaint: (act: () => void) => void;
   /** The reading of a distance sensor at `from` (robot frame) that looks along `headingRad` (0 = forward). */
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
   /** The picture of a multizone ranger whose lens is at `from` (robot frame) and looks ahead. */

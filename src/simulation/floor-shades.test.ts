@@ -12,16 +12,17 @@ function said(floor: (world: ReturnType<typeof createWorld>) => void): readonly 
   const world = createWorld({ widthMm: 100, heightMm: 100 });
   floor(world);
   let seen = world.reflectanceAt(AT, SPOT_MM);
-  const sensor = createLineComparator(() => seen);
+  const sensor = createLineComparator({ look: () => seen });
   const back = [0, 1].map((other) => {
-    for (const value of [other, world.reflectanceAt(AT, SPOT_MM)]) {
+    const [, last = false] = [other, world.reflectanceAt(AT, SPOT_MM)].map((value) => {
       seen = value;
       sensor.sample();
-    }
-    return sensor.isBright();
+      return sensor.isBright();
+    });
+    return last;
   });
   seen = world.reflectanceAt(AT, SPOT_MM);
-  return [createLineComparator(() => seen).isBright(), ...back];
+  return [createLineComparator({ look: () => seen }).isBright(), ...back];
 }
 
 describe('a line sensor says the same of a floor whatever it saw before:', () => {

@@ -3,6 +3,7 @@ import { findBoard } from '#board/boards/index';
 import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
+import { MOST_STEPS_BACK } from '#devices/line-sensor';
 import type { InfraredLight } from '#devices/nec-remote';
 import { heardCone } from '#robots/incidence';
 import { withCamera } from '#robots/camera';
@@ -12,6 +13,7 @@ import type { Traits } from '#robots/traits';
 import { floorRgb } from '#scene/paint/reflectance';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
+import { LastSteps } from '#world/last-steps';
 import type { Shares } from '#world/shapes';
 import type { World } from '#world/world';
 import { createArenaSenses, type ArenaSenses } from './arena-senses';
@@ -19,7 +21,7 @@ import type { Hardware } from './hardware';
 import { colourNumber } from './colour-number';
 import { lampLevel, robotLight } from './switching/light-sense';
 import { isMisplugged } from './robot-fit';
-import { createReality, FULL_MV } from './reality';
+import { createReality, FULL_MV, type Reality } from './reality';
 import { findBuild } from './robot-libraries';
 import { scaledBody } from './scaled-body';
 
@@ -59,17 +61,15 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   const { at, heading, scale } = start;
   const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
   const reality = createReality(place.reality, place.seed, () => clock.nowUs, place.traits);
-  const chassis = world.addChassis(
-    reality.body(scaledBody(bodyOf(type, hardware.options), scale)),
-    pose,
-    () => clock.nowUs,
-  );
+  const body = reality.body(scaledBody(bodyOf(type, hardware.options), scale));
+  const chassis = world.addChassis(body, pose, () => clock.nowUs);
   chassis.setBattery((left, right) => reality.supply({ left, right }));
+  const steps = new LastSteps(chassis, () => clock.nowUs, MOST_STEPS_BACK);
   const context: RobotContext = {
     clock,
     board: isMisplugged(hardware) ? spareBoard(type) : place.board,
     chassis,
-    ground: (spot, radiusMm) => reality.reflectance(world.reflectanceAt(chassis.toWorld(spot), radiusMm), spot),
+    ...floorBelow(steps, chassis, world, reality),
     distance: (from, headingRad, cone) => {
       const direction = chassis.pose().headingRad + headingRad;
       const heard = heardCone(cone, hardware.options);
@@ -105,10 +105,28 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     light: boardLevel,
   });
   const step = (): void => {
+    steps.note();
     robot.step();
     senses.step();
   };
   return { type, robot, chassis, senses, step, boardLevel };
+}
+
+/** The floor as the line sensors of a robot see it, now and after its last steps. */
+function floorBelow(
+  steps: LastSteps,
+  chassis: Chassis,
+  world: World,
+  reality: Reality,
+): Pick<RobotContext, 'ground' | 'beforePaint'> {
+  return {
+    ground: (spot, radiusMm, ago) => {
+      const past = ago === undefined ? null : steps.ago(ago);
+      const seen = world.reflectanceAt(chassis.toWorld(spot, past?.stance), radiusMm);
+      return reality.reflectance(seen, spot, past?.us);
+    },
+    beforePaint: (act) => world.beforePaint(act),
+  };
 }
 
 /** The light that something returns, from its shares compared with bare floor. */

@@ -31,8 +31,8 @@ export interface Reality {
   body(type: ChassisType): ChassisType;
   /** The battery's voltage compared with a full one while the motors run at these duties, 0 … 1. */
   supply(duty: { readonly left: number; readonly right: number }): number;
-  /** Distorts a reflectance of 0 … 1 for the line sensor at `spot`. */
-  reflectance(seen: number, spot: Vec): number;
+  /** Distorts a reflectance of 0 … 1 for the line sensor at `spot`. @param us moment at which it looked; left out: now */
+  reflectance(seen: number, spot: Vec, us?: number): number;
   /** Distorts the reading of the ultrasonic sensor. */
   echo(hit: ConeHit): ConeHit;
   /** Distorts the picture of the lidar. */
@@ -139,14 +139,14 @@ function measured({ motors, ultrasonic }: Traits, senses: Senses): Reality {
 
 /** Sensors that tremble; each line sensor sees up to `mostOffset` lighter or darker than the others. */
 function trembling(amount: number, salt: number, nowUs: () => number, mostOffset: number): Senses {
-  const moment = (): number => Math.floor(nowUs() / STEP_US);
+  const moment = (us = nowUs()): number => Math.floor(us / STEP_US);
   const tremble = (channel: number, at = moment()): number => 2 * unitOf(salt, at, channel) - 1;
   return {
-    reflectance: (seen, spot) => {
+    reflectance: (seen, spot, us) => {
       const channel = channelOf(spot);
       const offset = mostOffset * sideOf(salt, channel);
       const most = Math.max(1, seen);
-      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel)), 0), most);
+      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel, moment(us))), 0), most);
     },
     echo: (hit) => {
       if (hit.distanceMm === Infinity) return hit;

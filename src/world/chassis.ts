@@ -33,6 +33,14 @@ export interface ChassisType {
   readonly strength?: readonly [number, number];
 }
 
+/** The place of a robot's frame in the world: its origin in the physics engine's units, and its heading. */
+export interface Stance {
+  readonly x: number;
+  readonly y: number;
+  readonly sin: number;
+  readonly cos: number;
+}
+
 /** 0 = left wheel, 1 = right wheel. */
 export type WheelSide = 0 | 1;
 
@@ -71,8 +79,10 @@ export interface Chassis {
   touching(): readonly (string | null)[];
   /** True if another robot touches it now, counted as in `collisions`. */
   isTouching(other: Chassis): boolean;
-  /** From the robot frame to the world, mm. */
-  toWorld(point: Vec): Vec;
+  /** From the robot frame to the world, mm. @param stance where it was; left out: where it is now */
+  toWorld(point: Vec, stance?: Stance): Vec;
+  /** Its place now, for `toWorld` later. */
+  stance(): Stance;
   /**
    * Convex outlines of all that is solid on the robot now besides its type's body: added parts, jaws and fork where they
    * stand, and what they hold. Robot frame, mm, counter-clockwise.

@@ -49,6 +49,8 @@ export interface World {
   addTag(tag: TagShape): Stop;
   /** Lays a picture under strokes and fields, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
+  /** Calls something each time before strokes, fields or the picture change. */
+  beforePaint(act: () => void): void;
   /**
    * @param nowUs clock of the program that drives it: each duty acts from the moment at which it is set, also within a
    *   step. It began with the world. Left out: from the next step on
@@ -147,6 +149,7 @@ export function createWorld(size: WorldSize): World {
     addField: (field) => ground.addField(field),
     addTag: (tag) => addedTo(tags, tag),
     setFloor: (grid) => ground.setFloor(grid),
+    beforePaint: (act) => ground.beforePaint(act),
     addChassis(type, pose, nowUs) {
       const body = physics.addRobot(type, pose, nowUs);
       const { heightMm } = type;

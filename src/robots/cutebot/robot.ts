@@ -71,8 +71,8 @@ function attach(context: RobotContext): Robot {
     servo: (port, angleDeg) => servos.set(port, angleDeg),
   });
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
-  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (look, side) =>
-    attachLineSensor(board.wire(LINE_PIN[side]), look),
+  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (view, side) =>
+    attachLineSensor(board.wire(LINE_PIN[side]), view),
   );
   const underglow = attachWs2812(board.wire('P15'), UNDERGLOW_COUNT, (led, color) => tell(UNDERGLOW_FROM + led, color));
   const stops = [

@@ -72,8 +72,8 @@ function attach(context: RobotContext): Robot {
     v5.registers,
   );
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
-  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (look, side) =>
-    attachLineSensor(board.wire(LINE_PIN[side]), look),
+  const line = mountLinePair(context, LINE_AT, LINE_SPOT_RADIUS_MM, (view, side) =>
+    attachLineSensor(board.wire(LINE_PIN[side]), view),
   );
   const underglow = attachWs2812(board.wire('P15'), RGB_COUNT, tellColors(context));
   const leds = { left: ledOn(board.wire('P8')), right: ledOn(board.wire('P12')) };

@@ -3,9 +3,11 @@ import { findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import type { Vec } from '#core/geometry';
 import { completeOptions, type OptionValues } from '#core/option';
+import { MOST_STEPS_BACK } from '#devices/line-sensor';
 import { NecRemote, noInfrared } from '#devices/nec-remote';
 import { createVm } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
+import { LastSteps } from '#world/last-steps';
 import { STEP_US } from '#world/step';
 import { createWorld, type World } from '#world/world';
 import { bodyOf, type OnSet, type Robot, type RobotBuild, type RobotContext } from '../robot';
@@ -13,6 +15,7 @@ import { bodyOf, type OnSet, type Robot, type RobotBuild, type RobotContext } fr
 /** Surroundings without anything: a bare floor without end under an ideal robot of its usual size and options. */
 export const nothingAround = {
   ground: () => 1,
+  beforePaint: () => undefined,
   distance: () => ({ distanceMm: Infinity, hitMm: null }),
   depths: () => [],
   light: () => [0.85, 0.85, 0.82],
@@ -87,12 +90,15 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
   const pose = { xMm: startMm.x, yMm: startMm.y, headingRad: 0 };
   const all = completeOptions(build.type.options, options);
   const chassis = world.addChassis({ ...bodyOf(build.type, all), strength }, pose, () => clock.nowUs);
+  const steps = new LastSteps(chassis, () => clock.nowUs, MOST_STEPS_BACK);
   const remote = new NecRemote(clock);
   const robot = build.attach({
     clock,
     board,
     chassis,
-    ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+    ground: (spot, radiusMm, ago) =>
+      world.reflectanceAt(chassis.toWorld(spot, ago === undefined ? undefined : steps.ago(ago).stance), radiusMm),
+    beforePaint: (act) => world.beforePaint(act),
     distance: (from, headingRad, cone) =>
       world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
     depths: (from, view) => world.depthGrid(chassis.toWorld(from), chassis.pose().headingRad, view, chassis),
@@ -112,6 +118,7 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
   });
   clock.every(STEP_US, () => {
     world.step();
+    steps.note();
     robot.step();
   });
   const send = (address: number, ...bytes: readonly number[]): boolean =>

@@ -5,6 +5,8 @@ import { createGround, type Ground } from './ground';
 export interface PaintedFloor extends Ground {
   /** Mean shares of red, green and blue light under a round spot, each 1 on bare floor. */
   sharesAt(x: number, y: number, radiusMm: number): Shares;
+  /** Calls something each time before the floor changes. */
+  beforePaint(act: () => void): void;
 }
 
 /** Something that was painted: on the ground of infrared, and on those of the colours once there are any. */
@@ -23,17 +25,22 @@ export function createPaintedFloor(): PaintedFloor {
   const painted = new Set<Layer>();
   let colors: readonly Ground[] = [];
   let picture: FloorGrid | null = null;
+  const beforePaint = new Set<() => void>();
+  const tell = (): void => beforePaint.forEach((act) => act());
 
   const put = (on: Layer['on']): StrokeHandle => {
+    tell();
     const layer: Layer = { on, handles: [on(infrared, null)], layer: null };
     colors.forEach((ground, channel) => layer.handles.push(on(ground, channel)));
     painted.add(layer);
     return {
       setLayer: (at) => {
+        tell();
         layer.layer = at;
         for (const handle of layer.handles) handle.setLayer(at);
       },
       remove: () => {
+        tell();
         painted.delete(layer);
         for (const handle of layer.handles.splice(0)) handle.remove();
       },
@@ -57,9 +64,11 @@ export function createPaintedFloor(): PaintedFloor {
     addStroke: (stroke) => put((ground, channel) => ground.addStroke(seenIn(stroke, channel))),
     addField: (field) => put((ground, channel) => ground.addField(seenIn(field, channel))),
     setFloor(grid) {
+      tell();
       picture = grid;
       for (const ground of [infrared, ...colors]) ground.setFloor(grid);
     },
+    beforePaint: (act) => void beforePaint.add(act),
     reflectanceAt: (x, y, radiusMm) => infrared.reflectanceAt(x, y, radiusMm),
     sharesAt(x, y, radiusMm) {
       const [red = 1, green = 1, blue = 1] = withColors().map((ground) => ground.reflectanceAt(x, y, radiusMm));

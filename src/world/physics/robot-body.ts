@@ -1,5 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { Chassis, ChassisPart, ChassisType, ForkType, GripperType, WheelSide } from '../chassis';
+import type { Chassis, ChassisPart, ChassisType, ForkType, GripperType, Stance, WheelSide } from '../chassis';
 import { STEP_S, STEP_US } from '../step';
 import { DriveJoint } from './drive-joint';
 import { ForkBody } from './fork-body';
@@ -188,9 +188,18 @@ export class RobotBody implements Chassis {
     return false;
   }
 
-  toWorld(point: Vec): Vec {
-    const { x, y } = this.body.getWorldPoint(toUnits(point));
-    return { x: x * MM_PER_UNIT, y: y * MM_PER_UNIT };
+  toWorld(point: Vec, { x, y, sin, cos } = this.stance()): Vec {
+    const own = toUnits(point);
+    // As the engine does it, to the last bit.
+    return {
+      x: (cos * own.x - sin * own.y + x) * MM_PER_UNIT,
+      y: (sin * own.x + cos * own.y + y) * MM_PER_UNIT,
+    };
+  }
+
+  stance(): Stance {
+    const { p, q } = this.body.getTransform();
+    return { x: p.x, y: p.y, sin: q.s, cos: q.c };
   }
 
   addPart(outlineMm: readonly Vec[]): ChassisPart {
