@@ -59,12 +59,15 @@ export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, is
 /** Hand-ins that have names of their own. */
 const plainly = (sources: readonly Source[]): Given => ({ name: '', isTree: false, sources });
 
-/** All hand-ins of what was given together. Beside other things, a folder or zip of one hand-in gives it its name. */
+/**
+ * All hand-ins of what was given together. Beside other things, a folder or zip of one hand-in gives it its name, unless it
+ * has one that a platform has given to it.
+ */
 export const together = (all: readonly Given[]): readonly Source[] =>
   all.flatMap(({ name, isTree, sources }) => {
     const [only, another] = sources;
     const isWhose = isTree && all.length > 1 && only !== undefined && another === undefined;
-    return isWhose ? [{ ...only, name }] : sources;
+    return isWhose && platformName(only.name) === null ? [{ ...only, name }] : sources;
   });
 
 /**

@@ -552,6 +552,16 @@ describe('the keys for what is selected, after a press beside the arena', () => 
     await vi.waitFor(() => expect([object('wall', 'wall').group, steps()]).toEqual([undefined, 2]));
   });
 
+  it('turn it by R as by E, and choose the tool where nothing is selected', async () => {
+    const { key, object, editor, steps } = await selecting('<div data-editor-keys><button>Tool</button></div>');
+    await key('r');
+    await vi.waitFor(() => expect(steps()).toBe(1));
+    expect([object('block', 'block').angle, editor.tool.value]).toEqual([315, 'select']);
+    editor.select({ ids: [], robot: false });
+    await key('r');
+    expect([editor.tool.value, steps()]).toEqual(['rotate', 1]);
+  });
+
   it.each(['<button>Save</button>', '<div class="pane"><button>LED</button></div>'])(
     'duplicate, copy, paste and remove it: %s',
     async (place) => {

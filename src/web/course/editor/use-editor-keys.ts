@@ -12,7 +12,7 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
 
 /**
  * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
- * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
+ * letters choose tools while the arena, the palette or the head has the focus; R turns what is selected, if anything is. While a program runs and the hand is
  * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
  * elsewhere on the page Delete, Escape, the arrows and Ctrl with D, G and A are handled here, as long as the selection is visible,
  * and those of the clipboard for the whole page.
@@ -26,7 +26,9 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
     if (run.isActive.value && editor.tool.value === 'hand' && BOARD_LETTERS.includes(key)) return false;
     const tool = toolOfLetter(key);
     if (tool === undefined) return false;
-    editor.choose(tool);
+    if (tool === 'rotate' && (hasSelection(editor) || editor.selection.value.robot))
+      acts.use((loaded) => loaded.turn(-1)); // to the right
+    else editor.choose(tool);
     return true;
   }
 
