@@ -184,6 +184,11 @@ describe('a zip or folder with main.py at its top', () => {
     expect((await found(...classes)).map(([name]) => name)).toEqual(['Ada', 'Ben', 'Cem', 'Dora']);
   });
 
+  it('has the name of its folder where that of the zip is none of a pupil', async () => {
+    const given = [zip('Abgabe.zip', { 'Huber Eva/main.py': 'a', 'Huber Eva/test.py': 'b' }), zip('ben.zip', { 'Slalom/main.py': 'c' })]; // prettier-ignore
+    expect((await found(...given)).map(([name]) => name)).toEqual(['Huber Eva', 'ben']);
+  });
+
   it('keeps the name that a platform has given, although its zip lies beside others', async () => {
     const task = (name: string) => zip(`${name}.zip`, { 'Weiss Tim_10231_assignsubmission_file_/main.py': name });
     const twoTasks = await found(task('Slalom'), task('Garage'));
