@@ -258,6 +258,24 @@ describe('the options of a tool', () => {
     expect(mounted.get('[role="status"]').text()).toBe('');
   });
 
+  it('put the words by Enter where the mouse has tapped before there were any', async () => {
+    const { editor, scene } = await optionsOf('label');
+    const arena = document.createElement('div');
+    arena.setAttribute('role', 'application');
+    document.body.append(arena);
+    editor.pointer.value = { x: 400, y: 300 };
+    const more = { bubbles: true, isPrimary: true, button: 0, clientX: 5, clientY: 5 };
+    for (const type of ['pointerdown', 'pointerup']) arena.dispatchEvent(new PointerEvent(type, more));
+    editor.pointer.value = null; // the mouse has left the arena
+    await fill('Text', 'Hallo');
+    const labels = () => scene().objects.flatMap((it) => (it.type === 'label' ? [[it.text, it.at]] : []));
+    const before = labels().length;
+    await keyOn(named('Text', 'input'), 'Enter');
+    expect(labels().slice(before)).toEqual([['Hallo', [400, 300]]]);
+    await keyOn(named('Text', 'input'), 'Enter');
+    expect(labels()).toHaveLength(before + 1);
+  });
+
   it('give the field the keyboard once words are put down with the mouse: the next letters are words, too', async () => {
     const { editor } = await optionsOf('label');
     await fill('Text', 'Ziel');
