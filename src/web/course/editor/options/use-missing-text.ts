@@ -51,12 +51,17 @@ export function useMissingText(
   const listeners = {
     pointerdown: (event: PointerEvent) => {
       from = { x: event.clientX, y: event.clientY };
+      if (isWanted(event)) wanted.value = pointer();
     },
     pointerup: (event: PointerEvent) => {
       const slip = Math.max(Math.abs(event.clientX - from.x), Math.abs(event.clientY - from.y));
       if (!event.isPrimary || event.button !== 0 || slip > SLIP_PX || !isWanted(event)) return;
       askedAtMs = event.timeStamp;
-      ask(pointer());
+      ask(pointer() ?? wanted.value);
+      // A press that follows its move at once: the arena tells the place with its next picture.
+      requestAnimationFrame(() => {
+        if (event.timeStamp === askedAtMs) wanted.value ??= pointer();
+      });
     },
     // The mouse events after a tap would move the focus back into the arena.
     mousedown: (event: MouseEvent) => {
