@@ -258,24 +258,6 @@ describe('the options of a tool', () => {
     expect(mounted.get('[role="status"]').text()).toBe('');
   });
 
-  it('put the words by Enter where the mouse has tapped before there were any', async () => {
-    const { editor, scene } = await optionsOf('label');
-    const arena = document.createElement('div');
-    arena.setAttribute('role', 'application');
-    document.body.append(arena);
-    editor.pointer.value = { x: 400, y: 300 };
-    const more = { bubbles: true, isPrimary: true, button: 0, clientX: 5, clientY: 5 };
-    for (const type of ['pointerdown', 'pointerup']) arena.dispatchEvent(new PointerEvent(type, more));
-    editor.pointer.value = null; // the mouse has left the arena
-    await fill('Text', 'Hallo');
-    const labels = () => scene().objects.flatMap((it) => (it.type === 'label' ? [[it.text, it.at]] : []));
-    const before = labels().length;
-    await keyOn(named('Text', 'input'), 'Enter');
-    expect(labels().slice(before)).toEqual([['Hallo', [400, 300]]]);
-    await keyOn(named('Text', 'input'), 'Enter');
-    expect(labels()).toHaveLength(before + 1);
-  });
-
   it('give the field the keyboard once words are put down with the mouse: the next letters are words, too', async () => {
     const { editor } = await optionsOf('label');
     await fill('Text', 'Ziel');
@@ -568,16 +550,6 @@ describe('the keys for what is selected, after a press beside the arena', () => 
     await vi.waitFor(() => expect(object('wall', 'wall').group).toBe('group-1'));
     await key('G', { ...control, shiftKey: true });
     await vi.waitFor(() => expect([object('wall', 'wall').group, steps()]).toEqual([undefined, 2]));
-  });
-
-  it('turn it by R as by E, and choose the tool where nothing is selected', async () => {
-    const { key, object, editor, steps } = await selecting('<div data-editor-keys><button>Tool</button></div>');
-    await key('r');
-    await vi.waitFor(() => expect(steps()).toBe(1));
-    expect([object('block', 'block').angle, editor.tool.value]).toEqual([315, 'select']);
-    editor.select({ ids: [], robot: false });
-    await key('r');
-    expect([editor.tool.value, steps()]).toEqual(['rotate', 1]);
   });
 
   it.each(['<button>Save</button>', '<div class="pane"><button>LED</button></div>'])(

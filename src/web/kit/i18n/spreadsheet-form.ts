@@ -1,7 +1,7 @@
 import { formWith, usualForm, type SpreadsheetForm } from '#core/csv';
 import type { Language } from '#core/languages';
 
-/** Where spreadsheets have a decimal point in all languages, also in French, which is written with a comma there. */
+/** Switzerland and Liechtenstein: spreadsheets have a decimal point there in all languages, also in French, which is written with a comma. */
 const WITH_POINT = { zones: ['Europe/Zurich', 'Europe/Vaduz'], tag: /-(CH|LI)$/i };
 
 /**

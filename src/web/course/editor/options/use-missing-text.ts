@@ -11,7 +11,7 @@ const SHOW_MS = 5000;
 
 /** Asking for the text. */
 interface MissingText {
-  /** Where the hint goes, in px; `null` for no hint. */
+  /** Place of the hint, in px; `null` for no hint. */
   readonly place: Readonly<ShallowRef<{ xPx: number; yPx: number } | null>>;
   readonly forget: () => void;
   /** The pointer's place in the course when it asked, world mm; `null`: it was no mouse, or the text is there. */
