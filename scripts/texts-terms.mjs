@@ -48,6 +48,7 @@ export const terms = [
     thing: 'a zone on the floor',
     say: { de: 'Feld', fr: 'zone', it: 'zona', en: 'zone' },
     not: {
+      de: words('(?<!dead_)Zonen?'),
       fr: words('champs?(?! magnétique)'),
       it: words('camp[oi](?! magnetic~| di misura)'),
       en: words('(?<!magnetic )fields?'),
@@ -192,7 +193,7 @@ export const terms = [
  * and *tu* to both; only the handbook says *Sie* to teachers.
  */
 const FOR_TEACHERS =
-  /^src\/web\/teacher\/(class|classes|desk|task-maker|projector)\/|^src\/web\/teacher\/series\/.* make\.|^src\/web\/help\/handbook\/(words|texts|sheet)\//;
+  /^src\/web\/teacher\/(class|classes|desk|my-tasks|projector|shelf|task-maker|tournament)\/|^src\/web\/teacher\/series\/.* make\.|^src\/web\/help\/handbook\/(words|texts|sheet)\//;
 const FOR_BOTH = /^src\/(check|cli|school-class)\/|\/handbook\/texts\/.* class\b/;
 const TU =
   /(?<![\p{L}’'-])(?:tu|te|toi|ton|ta|tes|t’\p{L}+)(?![\p{L}-])|(?<=^|[.:;!?] |,\s)(?:Choisis|Écris|Prends|Mets|Fais|Essaie|Glisse|Recharge)(?![\p{L}])/u;
@@ -201,7 +202,7 @@ const LEI = words('trascini', 'scelga', 'incolli(?!n)', 'apra', 'prema', 'salvi'
 
 /** German imperatives end in -e where both forms were in use; short are: fahr, schreib, zieh, komm, lass, geh, halt. */
 const WITHOUT_E =
-  /(?<![\p{L}«-])(?:Drück|Füg|Prüf|Wähl|Versuch|Setz|Stell|Leg|Rück|Kürz|Lösch|Zähl|Lad|Übertrag|drück|füg|prüf|wähl|setz|stell|leg|rück|kürz|lösch|zähl|lad)(?= (?!.*heisst))(?= \p{L}| «)/u;
+  /(?<![\p{L}«-])(?:Drück|Füg|Prüf|Wähl|Versuch|Setz|Stell|Leg|Rück|Kürz|Lösch|Zähl|Lad|Übertrag|Kopier|drück|füg|prüf|wähl|setz|stell|leg|rück|kürz|lösch|zähl|lad|kopier)(?= (?!.*heisst))(?= \p{L}| «)/u;
 const WITH_E =
   /(?<![\p{L}])(?:[Ff]ahre|[Ss]chreibe|[Zz]iehe|[Kk]omme|[Ll]asse|[Gg]ehe|[Ss]chiebe)(?= (?:sie|ihn|es|den|die|das|durch|dann|der|zu|in|ins|auf|dein|einen|eine|ein|bis|zuerst)\b)/u;
 
@@ -209,6 +210,7 @@ const WITH_E =
 const spelling = {
   de: [
     ['quotation marks are «…» in German', /[„“”]/],
+    ['what turns without going anywhere turns “auf der Stelle”', /\ban Ort\b(?! und)/],
     ['this imperative ends in -e', WITHOUT_E],
     ['this imperative has no -e', WITH_E],
   ],

@@ -183,6 +183,20 @@ describe('a zip or folder with main.py at its top', () => {
     const classes = [zip('7a.zip', { 'Ada/main.py': '', 'Ben/main.py': '' }), zip('7b.zip', { 'Cem/main.py': '', 'Dora.py': '' })]; // prettier-ignore
     expect((await found(...classes)).map(([name]) => name)).toEqual(['Ada', 'Ben', 'Cem', 'Dora']);
   });
+
+  it('has the name of its folder where that of the zip is none of a pupil', async () => {
+    const given = [zip('Abgabe.zip', { 'Huber Eva/main.py': 'a', 'Huber Eva/test.py': 'b' }), zip('ben.zip', { 'Slalom/main.py': 'c' })]; // prettier-ignore
+    expect((await found(...given)).map(([name]) => name)).toEqual(['Huber Eva', 'ben']);
+  });
+
+  it('keeps the name that a platform has given, although its zip lies beside others', async () => {
+    const task = (name: string) => zip(`${name}.zip`, { 'Weiss Tim_10231_assignsubmission_file_/main.py': name });
+    const twoTasks = await found(task('Slalom'), task('Garage'));
+    expect(twoTasks.map(([name]) => name)).toEqual([
+      'Weiss Tim_10231_assignsubmission_file_',
+      'Weiss Tim_10231_assignsubmission_file_ (2)',
+    ]);
+  });
 });
 
 /** A zip in which so many names stand for the same bytes. */

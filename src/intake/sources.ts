@@ -59,12 +59,17 @@ export async function givenFile({ file, zip }: Opened, courses: ReadyCourses, is
 /** Hand-ins that have names of their own. */
 const plainly = (sources: readonly Source[]): Given => ({ name: '', isTree: false, sources });
 
-/** All hand-ins of what was given together. Beside other things, a folder or zip of one hand-in gives it its name. */
+/**
+ * All hand-ins of what was given together. Beside other things, a folder or zip of one hand-in gives it its name, unless
+ * that of the hand-in itself was given by a platform, or is a pupil's rather than that of the folder or zip.
+ */
 export const together = (all: readonly Given[]): readonly Source[] =>
   all.flatMap(({ name, isTree, sources }) => {
     const [only, another] = sources;
     const isWhose = isTree && all.length > 1 && only !== undefined && another === undefined;
-    return isWhose ? [{ ...only, name }] : sources;
+    return isWhose && platformName(only.name) === null && !(isTry(name) && !isTry(only.name))
+      ? [{ ...only, name }]
+      : sources;
   });
 
 /**
@@ -93,14 +98,17 @@ const programsIn = (files: readonly TreeFile[]): readonly TreeFile[] =>
 
 /** True for programs that are called like programs, not like pupils: they are one pupil's tries. */
 const areTries = (files: readonly TreeFile[]): boolean =>
-  programsIn(files).length > 1 && programsIn(files).every(({ path }) => path.length < LONG && TRY.test(stemOf(path)));
+  programsIn(files).length > 1 && programsIn(files).every(({ path }) => isTry(stemOf(path)));
+
+/** True for a name as programs have, not pupils. */
+const isTry = (name: string): boolean => name.length < LONG && TRY.test(name);
 
 /** Chosen: longer names are not looked at. */
 const LONG = 80;
 
 /** Names that pupils give to their programs, in the four languages, or a letter, with whatever number. */
 const TRY =
-  /^(main|haupt|prog(ram(m|me|ma)?)?|projekt|project|projet|progetto|robot(er)?|rob[oô]t|versuch|try|essai|prova|test|aufgabe|task|t[aâ]che|compito|l[oö]sung|solution|soluzione|code|neu|new|nouveau|nuovo|alt|old|final|fertig|kopie|copy|copie|copia|version|[a-z])?[\s_\-().\d]*(main|kopie|copy|copie|copia|final|neu|new|alt|old)?[\s_\-().\d]*$/i;
+  /^(main|haupt|prog(ram(m|me|ma)?)?|projekt|project|projet|progetto|robot(er)?|rob[oô]t|versuch|try|essai|prova|test|aufgabe|abgabe|rendu|consegna|task|t[aâ]che|compito|l[oö]sung|solution|soluzione|code|neu|new|nouveau|nuovo|alt|old|final|fertig|kopie|copy|copie|copia|version|[a-z])?[\s_\-().\d]*(main|kopie|copy|copie|copia|final|neu|new|alt|old)?[\s_\-().\d]*$/i;
 
 /** The way in which a folder or a zip is searched for hand-ins. */
 interface Looking {

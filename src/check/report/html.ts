@@ -21,6 +21,8 @@ interface ReportExtras {
   readonly gradeOf?: (one: NamedResult) => string;
   /** The name of that class. */
   readonly className?: string;
+  /** True for the table alone, without a sheet for each hand-in. */
+  readonly isTable?: boolean;
 }
 
 /**
@@ -33,13 +35,14 @@ export function htmlOf(
   found: ClassResult,
   task: ClassTask,
   language: Language,
-  { codeOf = () => '', gradeOf = () => '', className = '' }: ReportExtras = {},
+  { codeOf = () => '', gradeOf = () => '', className = '', isTable = false }: ReportExtras = {},
 ): string {
   const { handIns } = found;
   const drawings = new Drawings(task);
   const title = escaped(found.task);
-  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language, gradeOf }, className);
-  const sheets = handIns
+  const table =
+    handIns.length === 1 && !isTable ? '' : tableOf(found, { drawings, language, gradeOf, isTable }, className);
+  const sheets = (isTable ? [] : handIns)
     .map((one, place) => sheetOf(one, place, { drawings, title, task, language, code: codeOf(one), gradeOf }))
     .join('\n');
   const body = `<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
@@ -50,7 +53,7 @@ ${sheets}
 }
 
 /** The table of a class, a row for each hand-in. */
-function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet, className: string): string {
+function tableOf(found: ClassResult, { drawings, language, gradeOf, isTable }: Table, className: string): string {
   const { handIns, task } = found;
   const words = reportWords.report;
   const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
@@ -62,7 +65,7 @@ function tableOf(found: ClassResult, { drawings, language, gradeOf }: Sheet, cla
     .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
     .join('');
   const rows = handIns
-    .map((one, place) => rowOf(one, place, { drawings, hasStars, hasGrades, language, gradeOf }))
+    .map((one, place) => rowOf(one, place, { drawings, hasStars, hasGrades, language, gradeOf, isTable }))
     .join('\n');
   return `
 <h1>${escaped(task)}</h1>
@@ -91,6 +94,11 @@ interface Sheet {
   readonly gradeOf: (one: NamedResult) => string;
 }
 
+interface Table extends Sheet {
+  /** True where no sheets follow. */
+  readonly isTable: boolean;
+}
+
 const markOf = (passed: boolean): string =>
   passed ? '<b class="yes" aria-hidden="true">✓</b>' : '<b class="no" aria-hidden="true">✗</b>';
 
@@ -111,7 +119,8 @@ function rowOf(
     hasGrades,
     language,
     gradeOf,
-  }: Sheet & { readonly hasStars: boolean; readonly hasGrades: boolean },
+    isTable,
+  }: Table & { readonly hasStars: boolean; readonly hasGrades: boolean },
 ): string {
   const { name, shown = name, result, note = '', marked } = one;
   const [first] = result.worlds;
@@ -126,7 +135,7 @@ function rowOf(
     `<td class="number ${column}" data-of="${escaped(reportWords.report[column][language])}">${text}</td>`;
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
-    `<th scope="row"><a href="#hand-in-${place}">${escaped(shown)}</a></th>`,
+    `<th scope="row">${isTable ? escaped(shown) : `<a href="#hand-in-${place}">${escaped(shown)}</a>`}</th>`,
     `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : pointsText({ result, marked }, language))}`,
     hasGrades ? figure('grade', isUnread(result) ? '' : escaped(gradeOf(one))) : '',
     hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',

@@ -45,6 +45,17 @@ describe('the result of a class', () => {
     expect(tables.map((html) => [html.split('<table>').length - 1, html.split('<section').length - 1])).toEqual([[1, 3], [0, 1]]); // prettier-ignore
   });
 
+  it('is the table alone where no sheets are wanted, and leads to none', async () => {
+    const all = await results();
+    const html = htmlOf(classResult('t', all, 'en'), task, 'en', { isTable: true });
+    expect([html.includes('<table>'), html.includes('hand-in-'), html.includes('<section')]).toEqual([
+      true,
+      false,
+      false,
+    ]);
+    expect(htmlOf(classResult('t', all.slice(0, 1), 'en'), task, 'en', { isTable: true })).toContain('<table>');
+  });
+
   it('is a line of JSON without the time of this computer', async () => {
     const found = classResult('t', await results(), 'en');
     expect(JSON.parse(jsonOf(found, task, 'en'))).toMatchObject({

@@ -12,7 +12,7 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
 
 /**
  * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
- * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
+ * letters choose tools while the arena, the palette or the head has the focus; R turns what is selected, if anything is. While a program runs and the hand is
  * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
  * elsewhere on the page Delete, Escape, the arrows and Ctrl with D, G and A are handled here, as long as the selection is visible,
  * and those of the clipboard for the whole page.
@@ -26,7 +26,8 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
     if (run.isActive.value && editor.tool.value === 'hand' && BOARD_LETTERS.includes(key)) return false;
     const tool = toolOfLetter(key);
     if (tool === undefined) return false;
-    editor.choose(tool);
+    if (tool === 'rotate' && hasAny(editor)) acts.use(({ turn }) => turn(-1));
+    else editor.choose(tool);
     return true;
   }
 
@@ -117,6 +118,7 @@ function useLateActs(app: PasteParts): LateActs {
 }
 
 type Editor = CourseEditorParts['editor'];
+const hasAny = (editor: Editor): boolean => hasSelection(editor) || editor.selection.value.robot;
 const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.length > 0;
 const removes = (key: string, isSelected: boolean): 'remove' | null =>
   isSelected && (key === 'delete' || key === 'backspace') ? 'remove' : null;
@@ -141,8 +143,7 @@ const ESCAPE_USERS = '[role="dialog"], [data-testid="guide"], [aria-expanded="tr
 
 /** Deselects everything, for Escape. @returns whether something was selected, and the key was meant for it */
 function letsGo({ target }: Event, editor: Editor): boolean {
-  const { ids, robot } = editor.selection.value;
-  if (ids.length === 0 && !robot) return false;
+  if (!hasAny(editor)) return false;
   const isOthers = target instanceof Element && target.closest(ESCAPE_USERS) !== null;
   if (isOthers || document.querySelector('.page-overlay--active') !== null) return false;
   editor.select({ ids: [], robot: false });
@@ -159,10 +160,9 @@ const ARROW_USERS =
  * Leads an arrow key to what is visibly selected in the arena, which gets the keyboard: all arrows until they are let go are
  * one step there.
  */
-function toArena(event: KeyboardEvent, { selection }: Editor): boolean {
-  const isSelected = selection.value.ids.length > 0 || selection.value.robot;
+function toArena(event: KeyboardEvent, editor: Editor): boolean {
   const arena = document.querySelector<HTMLElement>('.pane-arena [role="application"]');
-  if (!isSelected || arena === null) return false;
+  if (!hasAny(editor) || arena === null) return false;
   if (event.target instanceof Element && event.target.closest(ARROW_USERS) !== null) return false;
   arena.focus({ preventScroll: true });
   const { key, shiftKey } = event;

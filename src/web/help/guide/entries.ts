@@ -160,7 +160,7 @@ const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-board': ['A', 'B', 'L'],
   'key-arrows': ['←', '→', '↑', '↓'],
   'key-draw': ['Enter'],
-  'key-turn': ['Q', 'E'],
+  'key-turn': ['Q', 'E', 'R'],
   'key-delete': ['Delete'],
   'key-copy': ['Ctrl', 'C', 'X', 'V', 'D'],
   'key-group': ['Ctrl', 'G'],

@@ -66,7 +66,7 @@ describe('the page of classes', () => {
     checked.task.value = { name: 'Die Kurve', from: 'file', task: aTask('bend') };
     checked.rows.value = [{ name: 'Ben', shown: 'Ben', handIn: null, result: aResult(4), note: '' }];
     await flushPromises();
-    expect(textOf(byId('classes-checked'))).toContain('1 Abgaben zu «Die Kurve»');
+    expect(textOf(byId('classes-checked'))).toContain('Abgaben zu «Die Kurve», geprüft und noch nicht eingetragen: 1');
     await tap('classes-enter');
     expect(rowsShown()[1]).toBe('Ben Huber bestanden: 4/44 /4');
     expect(isThere('classes-checked')).toBe(false);

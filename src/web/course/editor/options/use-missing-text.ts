@@ -1,5 +1,7 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
+import type { Vec } from '#core/geometry';
+
 /** How far a finger may move during a tap, in px. */
 const SLIP_PX = 10;
 /** Within this time after a tap, mouse events are those that the browser derives from it, in ms. */
@@ -7,14 +9,26 @@ const TAP_MS = 500;
 /** How long the hint stays, in ms. */
 const SHOW_MS = 5000;
 
+/** Asking for the text. */
+interface MissingText {
+  /** Place of the hint, in px; `null` for no hint. */
+  readonly place: Readonly<ShallowRef<{ xPx: number; yPx: number } | null>>;
+  readonly forget: () => void;
+  /** The pointer's place in the course when it asked, world mm; `null`: it was no mouse, or the text is there. */
+  readonly wanted: ShallowRef<Vec | null>;
+}
+
 /**
  * Notices taps, Enter and Space in the arena while there is no text to place: focuses the field and shows a hint.
- * Returns where the hint goes, in px; `null` for no hint.
+ *
+ * @param pointer place of the mouse in the course
  */
 export function useMissingText(
   field: Readonly<ShallowRef<HTMLElement | null>>,
   isMissing: () => boolean,
-): { readonly place: Readonly<ShallowRef<{ xPx: number; yPx: number } | null>>; readonly forget: () => void } {
+  pointer: () => Vec | null,
+): MissingText {
+  const wanted = shallowRef<Vec | null>(null);
   const place = shallowRef<{ xPx: number; yPx: number } | null>(null);
   let from = { x: 0, y: 0 };
   let askedAtMs = -Infinity;
@@ -25,7 +39,8 @@ export function useMissingText(
     clearTimeout(timer);
     place.value = null;
   }
-  function ask(): void {
+  function ask(at: Vec | null): void {
+    wanted.value = at;
     const box = field.value?.getBoundingClientRect();
     if (box === undefined) return;
     field.value?.focus({ preventScroll: true });
@@ -36,12 +51,17 @@ export function useMissingText(
   const listeners = {
     pointerdown: (event: PointerEvent) => {
       from = { x: event.clientX, y: event.clientY };
+      if (isWanted(event)) wanted.value = pointer();
     },
     pointerup: (event: PointerEvent) => {
       const slip = Math.max(Math.abs(event.clientX - from.x), Math.abs(event.clientY - from.y));
       if (!event.isPrimary || event.button !== 0 || slip > SLIP_PX || !isWanted(event)) return;
       askedAtMs = event.timeStamp;
-      ask();
+      ask(pointer() ?? wanted.value);
+      // A press that follows its move at once: the arena tells the place with its next picture.
+      requestAnimationFrame(() => {
+        if (event.timeStamp === askedAtMs) wanted.value ??= pointer();
+      });
     },
     // The mouse events after a tap would move the focus back into the arena.
     mousedown: (event: MouseEvent) => {
@@ -51,7 +71,7 @@ export function useMissingText(
       if ((event.key !== 'Enter' && event.key !== ' ') || !isWanted(event)) return;
       event.preventDefault();
       event.stopPropagation();
-      ask();
+      ask(null);
     },
     resize: forget,
   };
@@ -61,5 +81,5 @@ export function useMissingText(
     forget();
     for (const [type, listener] of entries) removeEventListener(type, listener, true);
   });
-  return { place, forget };
+  return { place, forget, wanted };
 }

@@ -54,8 +54,12 @@ describe('the settings of a course', () => {
     const { scene, mounted } = await settings([], { name: 'Kurve', description: 'Fahr ins Ziel.' });
     await fill('Titel der Aufgabe', 'Um die Ecke');
     await press('Tipp hinzufügen');
+    await nextTick();
+    expect(document.activeElement).toBe(field('Tipp 1')); // what is typed next goes there
     await fill('Tipp 1', 'Langsam.');
     await press('Tipp hinzufügen');
+    await nextTick();
+    expect(document.activeElement).toBe(field('Tipp 2'));
     await fill('Tipp 2', 'Noch langsamer.');
     await mounted.get('[data-testid="allow-hand"]').setValue(true);
     await mounted.get('[data-testid="give-stars"]').setValue(true);
@@ -80,6 +84,7 @@ describe('the settings of a course', () => {
   it('write the task in several languages, each at its place', async () => {
     const { scene } = await settings([], { name: 'Kurve', description: 'Fahr los.' });
     await press('Weitere Sprachen');
+    expect(document.activeElement?.textContent.trim()).toBe('Deutsch'); // the button is gone
     await press('Français', '.presets button');
     expect(field('Aufgabe').value).toBe('');
     await fill('Aufgabe', 'Démarre.');

@@ -27,6 +27,12 @@ describe('clearing all', () => {
   it('leaves what an author has written of a course of their own', () =>
     expect(applyEdit(scene, clearAll(false))).toEqual({ ...scene, objects: [] }));
 
+  it('takes the picture of the floor along, also where nothing else is there', () => {
+    const background: Scene['background'] = { at: [0, 0], size: [80, 60], cells: [8, 6], levels: '' };
+    expect(applyEdit({ ...scene, background }, clearAll(false))).toEqual({ ...scene, objects: [] });
+    expect(applyEdit({ ...scene, background, objects: [] }, clearAll(false))).toEqual({ ...scene, objects: [] });
+  });
+
   it('does not score a line any more whose tiles are gone', () => {
     const scored = { ...scene, league: { rules: 'line-2025', tiles: [{ at: [150, 150], heading: 0 }] } } as const;
     expect(applyEdit(scored, clearAll(false, true))).toEqual({ ...scene, objects: [] });
