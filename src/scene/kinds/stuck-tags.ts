@@ -26,7 +26,7 @@ export interface CarriedTag {
 }
 
 /** A tag may stand so far from its thing, in mm. Chosen: half of a thick wall, as cameras see it before what it is stuck to. */
-const STUCK_MM = 15;
+export const STUCK_MM = 15;
 
 const moves = (object: SceneObject): object is Block | Mover => object.type === 'block' || object.type === 'mover';
 
