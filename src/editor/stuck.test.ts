@@ -70,7 +70,7 @@ describe('a tag that is stuck to a thing, while the course is built', () => {
   it('stays where it is put itself, where it is locked, or where it lies on the floor', () => {
     const moved = box('block', [600, 300]);
     for (const more of [{ lock: true as const }, { flat: true as const }, { at: [430, 300] as Point }]) {
-      const scene = course(...[box('block', [500, 300]), tag([450, 300], more as Partial<SceneObject>)]);
+      const scene = course(...[box('block', [500, 300]), tag([450, 300], more)]);
       expect(whole(scene, replaced(moved)).objects[1]).toBe(scene.objects[1]);
     }
     const scene = course(...[box('block', [500, 300]), tag([450, 300])]);
@@ -84,7 +84,7 @@ describe('a tag that is stuck to a thing, while the course is built', () => {
 
   it('goes along with its wall, and stays at another one when that goes', () => {
     const long = wall('box', [100, 500], [500, 500]);
-    const scene = course(...[long, wall('other', [500, 500], [500, 900]), tag([300, 495], { angle: 270 } as never)]);
+    const scene = course(...[long, wall('other', [500, 500], [500, 900]), tag([300, 495], { angle: 270 })]);
     expect(tagIn(whole(scene, replaced(wall('box', [100, 600], [500, 600]))))).toEqual({ at: [300, 595], angle: 270 });
     expect(tagIn(whole(scene, replaced(wall('box', [100, 500], [300, 500]))))).toEqual({ at: [200, 495], angle: 270 });
     const corner = course(...[...scene.objects.slice(0, 2), tag([490, 502])]);
