@@ -11,6 +11,7 @@ import { changing, combined, startingAt } from './edits';
 import { kindOf, middleOf, movedBy } from './kinds/index';
 import { middleBetween, toPoint, toVec, turnedAbout, within } from './plane';
 import { freeObjects } from './selection';
+import { withStuck } from './stuck';
 import type { Selection } from './tools/tool';
 
 /** This much of the moved things stays in the arena, so that they can be grabbed again. Chosen: a fingertip's width. */
@@ -42,7 +43,10 @@ export const nudged = (
   dx: number,
   dy: number,
   footprint: readonly Outline[] = [],
-): SceneEdit | null => movingSelection(scene, selection, { x: dx, y: dy }, footprint);
+): SceneEdit | null => {
+  const edit = movingSelection(scene, selection, { x: dx, y: dy }, footprint);
+  return edit && withStuck(scene, edit);
+};
 
 /** The step in whole mm nearest to the wanted one that leaves a part of a rectangle in the arena. */
 export function stepInside({ minX, minY, maxX, maxY }: Bounds, by: Vec, [width, height]: Point): Point {

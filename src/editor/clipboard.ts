@@ -14,7 +14,14 @@ import { nextCheckpoint } from './kinds/zone';
 import { noteMove, stepOfCopy } from './moves';
 import { minus } from './plane';
 import { selectedObjects } from './selection';
+import { tagsStuckTo } from './stuck';
 import type { Selection } from './tools/tool';
+
+/** The selected objects, and the tags that are stuck to them, in the order of painting. */
+function withTheirTags(scene: Scene, { ids, robot }: Selection): readonly SceneObject[] {
+  const tags = tagsStuckTo(scene, ids).map(({ id }) => id);
+  return selectedObjects(scene, { ids: [...ids, ...tags], robot });
+}
 
 /** Copied objects: plain data that can be pasted into any course. */
 export interface Clip {
@@ -38,7 +45,7 @@ const MOST_STEPS = 100;
 
 /** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
 export function copied(scene: Scene, selection: Selection): Clip | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = withTheirTags(scene, selection);
   return objects.length === 0 ? null : { objects };
 }
 
@@ -77,7 +84,7 @@ export function duplicated(
   last: Copies | null = null,
   footprint: readonly Outline[] = [],
 ): (Pasted & { readonly copies: Copies }) | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = withTheirTags(scene, selection);
   const around = boundsAll(objects.map(boundsOf));
   if (!around) return null;
   const from = { x: around.minX, y: around.minY };
@@ -89,7 +96,7 @@ export function duplicated(
 
 /** Copies what is selected, moved by a step. `null` if the copies would lie exactly on their originals. */
 export function copiedBy(scene: Scene, selection: Selection, by: Vec): Pasted | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = withTheirTags(scene, selection);
   const around = boundsAll(objects.map(boundsOf));
   if (!around) return null;
   const step = stepInside(around, by, scene.size);

@@ -112,6 +112,13 @@ describe('what a course cannot be', () => {
     expect(mapNoteText(notes[0]!, 'de')).toBe('Parcours sind flach: Wippen sind als Linie gezeichnet (1).');
   });
 
+  it('tells of a seesaw once, whatever its picture is called', () => {
+    const seesaw = tileOf('seesaw', 0, { left: 'right', right: 'left' }, { type: { seesaw: 1 } });
+    expect(made(mapFile({ '0,0,0': straight(), '1,0,0': seesaw })).notes.map(({ code }) => code)).not.toContain(
+      'drawn',
+    );
+  });
+
   it('is told of a line that leads nowhere', () => {
     const { notes } = made(mapFile({ '0,0,0': straight(), '1,0,0': straight() }));
     expect(notes).toEqual([{ code: 'open', params: { x: 1, y: 0 } }]);

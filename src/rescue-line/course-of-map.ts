@@ -69,7 +69,8 @@ function numbered(objects: readonly Unnamed[]): readonly SceneObject[] {
 }
 
 function notesOn(map: LineMap, { steps, end }: Way, tiles: readonly MapTile[]): readonly MapNote[] {
-  const drawn = tiles.filter((tile) => !shapeOf(tile).isAsDrawn);
+  // A seesaw is told on its own.
+  const drawn = tiles.filter((tile) => !shapeOf(tile).isAsDrawn && !tile.unlike.includes('seesaw'));
   const images = [...new Set(drawn.map(({ image }) => image || '?'))].slice(0, NAMED).join(', ');
   const unlike = unlikes.flatMap((code): readonly MapNote[] => {
     const count = tiles.filter((tile) => tile.unlike.includes(code)).length;

@@ -90,4 +90,10 @@ describe('a map among other files', () => {
     for (const other of [null, [], {}, { tiles: [] }, { startTile: {}, tiles: 3 }])
       expect(looksLikeMap(other)).toBe(false);
   });
+
+  it('is known by the types of its tiles, too: then the missing start is told', () => {
+    const { startTile: _start, ...rest } = demoMap() as Record<string, unknown>;
+    expect(looksLikeMap(rest)).toBe(true);
+    expect(problemOf(rest)).toContain('startTile');
+  });
 });

@@ -14,9 +14,10 @@ type Fields = Readonly<Record<string, unknown>>;
 
 /** True if a value is a map of a rescue line, or is meant to be one. */
 export function looksLikeMap(value: unknown): boolean {
-  if (!isRecord(value) || !Object.hasOwn(value, 'startTile')) return false;
+  if (!isRecord(value)) return false;
   const { tiles } = value;
-  return typeof tiles === 'object' && tiles !== null;
+  if (typeof tiles !== 'object' || tiles === null) return false;
+  return Object.hasOwn(value, 'startTile') || Object.values(tiles).some((tile) => isRecord(tile) && 'tileType' in tile);
 }
 
 /** Reads a map. Properties that mean nothing for a course are passed over. Never throws. */

@@ -23,10 +23,12 @@ export interface Shifted {
 export interface CarriedTag {
   readonly tag: Tag;
   readonly carrier: Carrier;
+  /** The carrier's place before a run moves it, where that is not the one of the course; `null`: it is. */
+  readonly shifted: Pose | null;
 }
 
 /** A tag may stand so far from its thing, in mm. Chosen: half of a thick wall, as cameras see it before what it is stuck to. */
-const STUCK_MM = 15;
+export const STUCK_MM = 15;
 
 const moves = (object: SceneObject): object is Block | Mover => object.type === 'block' || object.type === 'mover';
 
@@ -73,37 +75,41 @@ export function movedTags(
 
 /** The places of the tags at blocks that are shown elsewhere than the course has them, by the tags' ids. */
 export function shiftedTags(objects: readonly (SceneObject & Shifted)[]): Readonly<Record<string, Pose>> {
+  const moved = shiftedBlocks(objects);
+  return Object.keys(moved).length === 0 ? {} : movedTags(objects.map(asInCourse), moved);
+}
+
+const asInCourse = (object: SceneObject & Shifted): SceneObject => object.lay ?? object;
+
+function shiftedBlocks(objects: readonly (SceneObject & Shifted)[]): Readonly<Record<string, Pose>> {
   const moved: Record<string, Pose> = {};
   for (const object of objects) {
     if (object.type !== 'block' || object.lay === undefined) continue;
     const { id, at, angle } = object;
     moved[id] = { xMm: at[0], yMm: at[1], headingRad: rotationRad(angle) };
   }
-  return Object.keys(moved).length === 0
-    ? {}
-    : movedTags(
-        objects.map((object) => object.lay ?? object),
-        moved,
-      );
+  return moved;
 }
 
-/** The tags on moving obstacles: they go as long as a run goes. */
-export const tagsOnMovers = memoOf((objects: readonly SceneObject[]): readonly CarriedTag[] => {
-  const movers = new Set(objects.filter(({ type }) => type === 'mover').map(({ id }) => id));
-  if (movers.size === 0) return [];
+/** The tags on blocks and moving obstacles: they go as those go. */
+export const carriedTags = memoOf((objects: readonly (SceneObject & Shifted)[]): readonly CarriedTag[] => {
+  if (!objects.some(({ type }) => type === 'tag')) return [];
+  const [carriers, shifted] = [carriersOf(objects.map(asInCourse)), shiftedBlocks(objects)];
   return objects.flatMap((tag) => {
-    const carrier = tag.type === 'tag' ? carriersOf(objects).get(tag.id) : undefined;
-    return tag.type !== 'tag' || carrier === undefined || !movers.has(carrier.id) ? [] : [{ tag, carrier }];
+    const carrier = tag.type === 'tag' ? carriers.get(tag.id) : undefined;
+    if (tag.type !== 'tag' || carrier === undefined) return [];
+    return [{ tag, carrier, shifted: shifted[carrier.id] ?? null }];
   });
 });
 
-/** A carried tag with its carrier at a pose; `null`: where the course has it. */
-export function tagAt({ tag, carrier }: CarriedTag, pose: Pose | null): Tag {
-  return pose === null ? tag : placedTag(tag, carriedPose(carrier, pose));
+/** A carried tag with its carrier at a pose; `null`: where that is before a run. */
+export function tagAt({ tag, carrier, shifted }: CarriedTag, pose: Pose | null): Tag {
+  const place = pose ?? shifted;
+  return place === null ? tag : placedTag(tag, carriedPose(carrier, place));
 }
 
 /** A tag as one that lies at a pose. */
-export const placedTag = (tag: Tag, { xMm, yMm, headingRad }: Pose): Tag => ({
+const placedTag = (tag: Tag, { xMm, yMm, headingRad }: Pose): Tag => ({
   ...tag,
   at: [xMm, yMm],
   angle: degOf(headingRad),

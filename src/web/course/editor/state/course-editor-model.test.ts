@@ -1,3 +1,4 @@
+import type { SceneEdit } from '#scene/edit';
 import { describe, expect, it } from 'vitest';
 import { computed, effectScope, nextTick, shallowRef } from 'vue';
 
@@ -27,11 +28,14 @@ function editing() {
   return { work, editor, edits, mode };
 }
 
+/** Nothing goes along. */
+const whole = (_: unknown, edit: SceneEdit): SceneEdit => edit;
+
 describe('the course editor', () => {
   it('does an edit as one step, selects what it made and says it', () => {
     const { work, editor, edits } = editing();
     const heard: Happened[] = [];
-    editor.join({ problemOf: () => null, wordsFor: (happened) => (heard.push(happened), happened.type) });
+    editor.join({ problemOf: () => null, whole, wordsFor: (happened) => (heard.push(happened), happened.type) });
     editor.choose('rotate');
     expect(editor.commit({ type: 'add', objects: [wall('a')] }, { ids: ['a'], robot: false })).toBe(true);
     expect([work.canUndo.value, editor.selection.value.ids, edits.length]).toEqual([true, ['a'], 1]);
@@ -59,10 +63,20 @@ describe('the course editor', () => {
     expect(editor.selection.value.ids).toEqual([]);
   });
 
+  it('takes along what an edit takes along, in one step to undo', () => {
+    const { work, editor } = editing();
+    const both = { type: 'add', objects: [wall('a'), wall('b')] } as const;
+    editor.join({ problemOf: () => null, whole: () => both, wordsFor: () => '' });
+    editor.commit({ type: 'add', objects: [wall('a')] });
+    expect(work.scene.value.objects).toHaveLength(2);
+    editor.undo();
+    expect(work.scene.value.objects).toEqual([]);
+  });
+
   it('says the same words again so that they are heard again', () => {
     const { editor } = editing();
     editor.choose('hand');
-    editor.join({ problemOf: () => null, wordsFor: () => 'wall' });
+    editor.join({ problemOf: () => null, whole, wordsFor: () => 'wall' });
     editor.commit({ type: 'add', objects: [wall('a')] });
     const first = editor.said.value;
     editor.commit({ type: 'add', objects: [wall('b')] });
@@ -73,7 +87,7 @@ describe('the course editor', () => {
   it('refuses what goes beyond the limits and changes nothing', () => {
     const { work, editor } = editing();
     const problem = { code: 'too-many', path: '', value: '', params: {}, message: '' } as const;
-    editor.join({ problemOf: () => problem, wordsFor: () => '' });
+    editor.join({ problemOf: () => problem, whole, wordsFor: () => '' });
     expect(editor.commit({ type: 'add', objects: [wall('a')] })).toBe(false);
     expect([work.scene.value.objects, editor.problem.value]).toEqual([[], problem]);
   });

@@ -19,6 +19,8 @@ export type ArenaTool = ToolId | 'hand';
 export interface EditorParts {
   /** Why an edit would exceed the limits of a course, or `null`. */
   problemOf(scene: Scene, edit: SceneEdit): SceneProblem | null;
+  /** An edit with what goes along: tags that are stuck to what it moves. */
+  whole(scene: Scene, edit: SceneEdit): SceneEdit;
   /** Says to screen readers what happened. */
   wordsFor(happened: Happened): string;
 }
@@ -211,8 +213,9 @@ class CourseEditor implements CourseEditorModel {
     return done;
   };
 
-  readonly apply = (edit: SceneEdit): boolean => {
+  readonly apply = (part: SceneEdit): boolean => {
     const { work } = this.around;
+    const edit = this.parts?.whole(work.scene.value, part) ?? part;
     this.problem.value = this.parts?.problemOf(work.scene.value, edit) ?? null;
     if (this.problem.value !== null) {
       this.tell({ type: 'problem', problem: this.problem.value });

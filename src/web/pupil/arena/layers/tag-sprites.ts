@@ -19,12 +19,12 @@ export interface TagFrame {
   readonly kinds: Pick<SceneKinds, 'carriedTag'>;
 }
 
-/** Shows tags where their obstacles carry them. */
+/** Shows tags where their blocks or obstacles carry them. */
 export interface TagSprites {
   /** Shows these tags, and no others, in a view. */
   prepare(tags: readonly CarriedTag[], frame: TagFrame): void;
-  /** Paints those whose obstacle has moved. @param poses of the obstacles, by their ids */
-  paint(poses: Readonly<Record<string, Pose>> | undefined): void;
+  /** Paints those whose thing has moved. @param poses of the blocks and obstacles, by their ids */
+  paint(poses: Readonly<Record<string, Pose>>): void;
 }
 
 interface Shown {
@@ -32,7 +32,7 @@ interface Shown {
   readonly canvas: HTMLCanvasElement;
   readonly halfPx: number;
   window: PxBox | undefined;
-  /** The obstacle's pose when it was last painted; `undefined`: not yet. */
+  /** The thing's pose when it was last painted; `undefined`: not yet. */
   pose: Pose | null | undefined;
 }
 
@@ -46,7 +46,7 @@ export function createTagSprites(host: () => HTMLElement | null): TagSprites {
 
   function show(shown: Shown, pose: Pose | null, { view, sight, ratio, palette, kinds }: TagFrame): void {
     const { one, canvas, halfPx } = shown;
-    const { xMm, yMm } = pose ?? { xMm: one.tag.at[0], yMm: one.tag.at[1] };
+    const { xMm, yMm } = pose ?? one.shifted ?? { xMm: one.tag.at[0], yMm: one.tag.at[1] };
     const window = roomyWindow(boxAround(toPx(view, { x: xMm, y: yMm }), halfPx), ratio, shown.window);
     if (window !== shown.window) putOn(canvas, window, ratio);
     [shown.window, shown.pose] = [window, pose];
@@ -74,14 +74,14 @@ export function createTagSprites(host: () => HTMLElement | null): TagSprites {
     paint(poses) {
       if (frame === null) return;
       for (const shown of all) {
-        const pose = poses?.[shown.one.carrier.id] ?? null;
+        const pose = poses[shown.one.carrier.id] ?? null;
         if (!isSame(shown.pose, pose)) show(shown, pose, frame);
       }
     },
   };
 }
 
-/** How far a tag reaches from the middle of its obstacle. */
+/** How far a tag reaches from the middle of its thing. */
 function reachPx({ tag, carrier }: CarriedTag, { pxPerMm }: View): number {
   const label = Math.max(LABEL.mm * pxPerMm, LABEL.px);
   return Math.ceil((Math.hypot(carrier.tag.xMm, carrier.tag.yMm) + tagSheetMm(tag.side) / 2) * pxPerMm + label);

@@ -4,7 +4,7 @@
  */
 import type { Pose } from '#core/geometry';
 import { kindOf } from '#picture/kinds/index';
-import { tagAt, tagsOnMovers, type CarriedTag } from '#scene/kinds/stuck-tags';
+import { carriedTags, tagAt, type CarriedTag } from '#scene/kinds/stuck-tags';
 import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
 import { createBackgroundShelf, drawBackground } from './draw-background';
 import { drawStanding } from './draw-bodies';
@@ -20,13 +20,13 @@ export interface SceneKinds {
   background(context: CanvasRenderingContext2D, view: View, background: Background): void;
   /** Words and the ways of moving obstacles, over zones and lines. */
   signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
-  /** The course with its lamps, barriers and tags on blocks as a run has them; the same one as long as none of them changes. */
+  /** The course with its lamps and barriers as a run has them, without tags on what moves; the same one as long as it stays so. */
   inRun(scene: Scene, state: StillState | null): Scene;
   /** Spikes and barriers, which stand like walls, tags and lamps. */
   spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
-  /** The tags on moving obstacles, which `inRun` leaves out. */
+  /** The tags on blocks and moving obstacles, which `inRun` leaves out. */
   carried(objects: readonly SceneObject[]): readonly CarriedTag[];
-  /** Draws one of them; `pose`: where its obstacle is now, `null`: at the start. */
+  /** Draws one of them; `pose`: where its thing is now, `null`: before a run. */
   carriedTag(context: CanvasRenderingContext2D, view: View, one: CarriedTag, pose: Pose | null, palette: Palette): void;
   mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
   /** Draws the changes that wait for the next start, over all the rest. */
@@ -55,7 +55,7 @@ export function createSceneKinds(ready: () => void): SceneKinds {
         if (STANDING.includes(object.type)) drawStanding(context, view, kindOf(object), object, palette);
     },
     inRun,
-    carried: tagsOnMovers,
+    carried: carriedTags,
     carriedTag: (context, view, one, pose, palette) =>
       drawStanding(context, view, kindOf(one.tag), tagAt(one, pose), palette),
     mover: drawMover,

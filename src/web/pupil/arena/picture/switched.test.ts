@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { tagAt, tagsOnMovers, type Shifted } from '#scene/kinds/stuck-tags';
+import { carriedTags, tagAt, type Shifted } from '#scene/kinds/stuck-tags';
 import { defaultScene, type Block, type SceneObject } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 import { createStillScene } from './switched';
@@ -14,26 +14,33 @@ const scene = { ...defaultScene(), objects };
 describe('the still picture of a run', () => {
   it('is the course itself while nothing of it has changed', () => {
     const shown = createStillScene();
-    expect(shown(scene, null)).toBe(scene);
-    expect(shown(scene, { blocks: {} })).toBe(scene);
+    const still = { ...scene, objects: objects.filter(({ type }) => type !== 'tag') };
+    expect(shown(still, null)).toBe(still);
+    expect(shown(still, {})).toBe(still);
   });
 
-  it('has a lamp as it is switched, and a tag where its block is; the same one until that changes', () => {
+  it('has a lamp as it is switched, and stays the same one while a block with a tag is pushed', () => {
     const shown = createStillScene();
-    const state = { switched: { lamp: true }, blocks: { block: { xMm: 800, yMm: 300, headingRad: Math.PI / 2 } } };
-    const now = shown(scene, state);
-    expect(now.objects[2]).toMatchObject({ isOn: true });
-    const tag = now.objects[1];
-    expect(tag?.type === 'tag' && [...tag.at, tag.angle].map(Math.round)).toEqual([800, 270, 270]);
-    expect(shown(scene, { ...state })).toBe(now);
+    const pushed = (xMm: number): Pick<Snapshot, 'blocks' | 'switched'> => ({
+      switched: { lamp: true },
+      blocks: { block: { xMm, yMm: 300, headingRad: Math.PI / 2 } },
+    });
+    const now = shown(scene, pushed(500));
+    expect(now.objects.map(({ type }) => type)).toEqual(['block', 'lamp']);
+    expect(now.objects[1]).toMatchObject({ isOn: true });
+    for (const xMm of [501, 502, 800]) expect(shown(scene, pushed(xMm))).toBe(now);
+    const [one] = carriedTags(scene.objects);
+    const tag = one && tagAt(one, pushed(800).blocks['block']!);
+    expect(tag && [...tag.at, tag.angle].map(Math.round)).toEqual([800, 270, 270]);
   });
 
-  it('has a tag where the hand has put its block before the run', () => {
+  it('leaves a tag where the hand has put its block before the run', () => {
     const [block, tag] = objects;
     const lay = block as Block;
     const put: SceneObject & Shifted = { ...lay, at: [800, 300], angle: 90, lay };
-    const now = createStillScene()({ ...scene, objects: [put, tag!] }, null).objects[1];
-    expect(now?.type === 'tag' && [...now.at, now.angle].map(Math.round)).toEqual([800, 270, 270]);
+    const [one] = carriedTags([put, tag!]);
+    const now = one && tagAt(one, null);
+    expect(now && [...now.at, now.angle].map(Math.round)).toEqual([800, 270, 270]);
   });
 
   it('leaves a tag on a moving obstacle to what moves, and stays the same one while that moves', () => {
@@ -45,7 +52,7 @@ describe('the still picture of a run', () => {
     expect(before.objects).toEqual([mover]);
     const state: Pick<Snapshot, 'blocks' | 'movers'> = { blocks: {}, movers: { mover: { xMm: 1000, yMm: 400, headingRad: 0 } } }; // prettier-ignore
     expect(shown(moving, state)).toBe(before);
-    const [one] = tagsOnMovers(moving.objects);
+    const [one] = carriedTags(moving.objects);
     expect(one && tagAt(one, state.movers['mover']!).at).toEqual([980, 400]);
     expect(one && tagAt(one, null)).toBe(tag);
   });

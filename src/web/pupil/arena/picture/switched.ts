@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Switched } from '#picture/kinds/lamp';
-import { movedTags, placedTag, shiftedTags, tagsOnMovers } from '#scene/kinds/stuck-tags';
+import { carriedTags } from '#scene/kinds/stuck-tags';
 import type { Barrier, Lamp, Scene, SceneObject } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
 
@@ -15,28 +15,26 @@ export function middleOf(object: Lamp | Barrier): Vec {
   return { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 };
 }
 
-/** The part of a run that changes its still picture: lamps and barriers that were switched, tags on blocks that were moved. */
-export type StillState = Partial<Pick<Snapshot, 'switched' | 'blocks'>>;
+/** The part of a run that changes its still picture: lamps and barriers that were switched. */
+export type StillState = Partial<Pick<Snapshot, 'switched'>>;
 
 /**
- * Makes a function that shows the lamps, barriers and carried tags of a course as a run, or the hand before it, has them; but
- * for tags on moving obstacles, which are drawn with those. It gives the same course again as long as none of them has
- * changed: a run has a new state with each picture.
+ * Makes a function that shows the lamps and barriers of a course as a run has them, without the tags on what moves, which
+ * are drawn with that. It gives the same course again as long as none of them has changed: a run has a new state with each
+ * picture.
  */
 export function createStillScene(): (scene: Scene, state: StillState | null) => Scene {
   let before: { readonly scene: Scene; readonly key: string; readonly shown: Scene } | null = null;
   return (scene, state) => {
-    const onMovers = tagsOnMovers(scene.objects);
-    const { switched = {}, blocks = {} } = state ?? {};
-    const tags = state === null ? shiftedTags(scene.objects) : movedTags(scene.objects, blocks);
-    const key = JSON.stringify([switched, tags]);
-    if (key === '[{},{}]' && onMovers.length === 0) return scene;
+    const carried = carriedTags(scene.objects);
+    const { switched = {} } = state ?? {};
+    const key = JSON.stringify(switched);
+    if (key === '{}' && carried.length === 0) return scene;
     if (before?.scene === scene && before.key === key) return before.shown;
-    const going = new Set(onMovers.map(({ tag }) => tag.id));
+    const going = new Set(carried.map(({ tag }) => tag.id));
     const standing = scene.objects.filter(({ id }) => !going.has(id));
     const objects = standing.map((object): SceneObject & Switched => {
-      const [isOn, pose] = [switched[object.id], tags[object.id]];
-      if (pose !== undefined && object.type === 'tag') return placedTag(object, pose);
+      const isOn = switched[object.id];
       return isOn === undefined ? object : { ...object, isOn };
     });
     before = { scene, key, shown: { ...scene, objects } };

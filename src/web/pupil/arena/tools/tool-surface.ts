@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { plus } from '#editor/plane';
 import { intoArena } from '#editor/snap';
+import { withStuck } from '#editor/stuck';
 import type { Drag, Mark } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { backToCorners, goTo, setCorner, takeCornerBack } from './corner-gesture';
@@ -307,8 +308,10 @@ export class ToolSurface {
   }
 
   private ask(gesture: Gesture): void {
-    gesture.edit = gesture.tool.edit(dragOf(gesture), gesture.context);
-    gesture.after = gesture.edit && applyEdit(gesture.context.scene, gesture.edit);
+    const { scene } = gesture.context;
+    const edit = gesture.tool.edit(dragOf(gesture), gesture.context);
+    gesture.edit = edit && withStuck(scene, edit);
+    gesture.after = gesture.edit && applyEdit(scene, gesture.edit);
   }
 
   private finish(gesture: Gesture, nowMs = -Infinity): void {

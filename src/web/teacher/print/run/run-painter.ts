@@ -115,7 +115,7 @@ function createPainter(
   const kinds = createSceneKinds(came);
   let still: { readonly look: string; readonly shown: Scene; readonly canvas: HTMLCanvasElement } | null = null;
 
-  /** The still layer, painted once for each step of the task, each switching of a lamp or a barrier and each move of a block with a tag. */
+  /** The still layer, painted once for each step of the task and each switching of a lamp or a barrier. */
   function stillAt({ verdict, ...moment }: Snapshot): HTMLCanvasElement {
     const { checkpoints, targets, blocks } = verdict ?? {};
     const shown = kinds.inRun(scene, moment);
@@ -159,17 +159,17 @@ function createPainter(
   };
 }
 
-/** Draws the moving obstacles with the tags on them. */
+/** Draws the moving obstacles, and the tags on them and on blocks. */
 function drawMovers(
   context: CanvasRenderingContext2D,
   view: View,
   kinds: SceneKinds,
   scene: Scene,
-  { movers }: Snapshot,
+  { movers, blocks }: Snapshot,
 ): void {
   for (const mover of moversOf(scene)) kinds.mover(context, view, mover, movers[mover.id] ?? null, palette);
   for (const one of kinds.carried(scene.objects))
-    kinds.carriedTag(context, view, one, movers[one.carrier.id] ?? null, palette);
+    kinds.carriedTag(context, view, one, movers[one.carrier.id] ?? blocks[one.carrier.id] ?? null, palette);
 }
 
 const moversOf = ({ objects }: Scene): readonly Mover[] =>

@@ -2,9 +2,10 @@ import { describe, expect, it } from 'vitest';
 import { plainWorld, type WorldVariant } from '#check/task/task';
 import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 import { courseOfWorld } from '#check/task/world-course';
-import { applyEdit } from '#scene/edit';
+import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { facing, frameOf, movedThing, nextThing, thingAt, turnedThing, withEdit } from './world-things';
+import { facing, frameOf, movedThing, nextThing, thingAt, turnedThing, withEdit, withTagsOf } from './world-things';
+import { objectEdit } from './world-objects';
 
 const wall = { type: 'wall', id: 'w', from: [500, 300], to: [500, 600], thickness: 10 } as const;
 const kept = { ...wall, id: 'k', from: [100, 100], to: [900, 100], lock: true } as const;
@@ -76,4 +77,31 @@ describe('a hidden world', () => {
 
   it('is not changed where only another thing was: the start stays that of the course', () =>
     expect(after(hidden, 't', 10).start).toBeNull());
+
+  it('has a tag where the block is to which it is stuck, and both or none of them', () => {
+    const block = { type: 'block', id: 'b', at: [300, 300], size: [60, 60], angle: 0 } as const;
+    const tag = { type: 'tag', id: 'tag', at: [270, 300], number: 7, side: 60, angle: 180 } as const;
+    const course = sceneWith([block, tag, targetAt(700, 450)]);
+    const own = taskWith(course);
+    const shown = (world: WorldVariant): Scene => {
+      const made = courseOfWorld(course, world);
+      return 'scene' in made ? made.scene : course;
+    };
+    const by = (world: WorldVariant, edit: SceneEdit): WorldVariant => ({
+      ...world,
+      ...withEdit(own, world, shown(world), edit),
+    });
+    const moved = by(hidden, movedThing(course, 'b', { x: 40, y: 0 })!);
+    expect(shown(moved).objects.slice(0, 2)).toMatchObject([{ at: [340, 300] }, { at: [310, 300] }]);
+    const turned = by(hidden, turnedThing(course, 'b', 90)!);
+    expect(shown(turned).objects[1]).toEqual({ ...tag, at: [300, 270], angle: 270 });
+    expect(by(moved, movedThing(shown(moved), 'b', { x: -40, y: 0 })!).edits).toEqual([]);
+    // As the list of differences does it.
+    const row = { ...hidden, edits: [objectEdit('b', null)] };
+    const gone = { ...row, edits: withTagsOf(course, row, 'b', null) };
+    expect(shown(gone).objects).toHaveLength(1);
+    const far = { ...block, at: [500, 300] as const };
+    const put = { ...gone, edits: gone.edits.with(0, objectEdit('b', far)) };
+    expect(shown({ ...put, edits: withTagsOf(course, put, 'b', far) }).objects[1]).toEqual({ ...tag, at: [470, 300] });
+  });
 });

@@ -5,12 +5,13 @@ import { isSame } from '#core/same';
 import { kindOf, middleOf, movedBy } from '#editor/kinds/index';
 import { directionDeg, steppedDeg, toVec, within } from '#editor/plane';
 import { boundsOfSelection, only, thingsAt, type Thing } from '#editor/selection';
+import { tagsStuckTo, withStuck } from '#editor/stuck';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Bounds, Outline } from '#scene/outline';
 import type { Scene, SceneObject } from '#scene/scene';
 
-import { withObject } from './world-objects';
+import { objectEdit, withObject } from './world-objects';
 
 /** The rectangle in which a small arena shows the robot, in mm at scale 1. Chosen: that of its picture. */
 const ROBOT: Outline = [
@@ -62,6 +63,22 @@ export function facing({ robot: { at } }: Scene, place: Vec, stepDeg: number): S
   return { type: 'robot', robot: { at, heading: fullTurnDeg(steppedDeg(directionDeg(toVec(at), place), stepDeg)) } };
 }
 
+/** The edits of a world with the tags of a thing where that is: as it is made there, or left out (`null`). */
+export function withTagsOf(
+  course: Scene,
+  world: WorldVariant,
+  id: string,
+  made: SceneObject | null,
+): WorldVariant['edits'] {
+  const { objects } = applyEdit(course, withStuck(course, objectEdit(id, made)));
+  let { edits } = world;
+  for (const tag of tagsStuckTo(course, [id])) {
+    const there = objects.find((object) => object.id === tag.id) ?? null;
+    edits = withObject(course, { ...world, edits }, tag.id, there);
+  }
+  return edits;
+}
+
 /** The difference of a hidden world after an edit of its course; `scene`: the world's course before it. */
 export function withEdit(
   task: ClassTask,
@@ -86,6 +103,6 @@ const objectIn = ({ objects }: Scene, thing: Thing): SceneObject | undefined =>
   thing === null ? undefined : objects.find(({ id, lock }) => id === thing && lock === undefined);
 
 function replaced(scene: Scene, object: SceneObject): SceneEdit | null {
-  const edit: SceneEdit = { type: 'replace', changes: [{ id: object.id, by: [object] }] };
+  const edit = withStuck(scene, { type: 'replace', changes: [{ id: object.id, by: [object] }] });
   return editProblem(scene, edit) === null ? edit : null;
 }
