@@ -244,7 +244,7 @@ export class TournamentModel {
       if (now.turn !== this.turn) return;
       if ('problem' in result) {
         this.stop();
-        this.failure.value = result;
+        this.failure.value = result.problem === UNLOADED ? troubleKey(null) : result;
         return;
       }
       this.known.set(keyOf(plan, pairing), result);
@@ -278,6 +278,9 @@ export class TournamentModel {
   }
 }
 
+/** The problem of a thread whose code did not come. */
+const UNLOADED = '';
+
 /** A stage that is being played. */
 interface Playing {
   readonly entry: Entry;
@@ -305,6 +308,7 @@ async function resultIn(
   const answer = await lane.ask({ setup, end: MATCH_END });
   if ('reason' in answer) {
     const { code, params } = answer.reason;
+    if (code === 'unloaded') return { problem: UNLOADED };
     if (code === 'broken') return { problem: String(params['problem']) };
     return resultOfRun({ outcome: stuckOutcome(true), verdict: null }, isAlone);
   }
