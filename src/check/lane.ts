@@ -159,7 +159,7 @@ export class Lane {
     const ending = await this.asker.ask({ handIn });
     if ('result' in ending) return ending.result;
     const { world, reason } = ending;
-    if (reason.code === 'unloaded') return unreadable(this.task.checks, reason);
+    if (reason.code === 'unloaded') return unreadable(this.task.checks, { code: 'unloaded', params: {} });
     const again = await this.asker.askOnce({ handIn, lost: { from: world, reason } });
     return 'result' in again
       ? again.result

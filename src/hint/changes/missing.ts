@@ -208,7 +208,8 @@ function likelihoodIn(program: Program): (place: Place, statement: Statement) =>
   const has = (one: string, other: string): boolean => pairs.has(`${one}\n${other}`);
   return ({ after, before }, { code, rank }) => {
     const exact = (has(after, code) ? 3 : 0) + (has(code, before) ? 3 : 0);
-    const alike = has(shapeOf(after), shapeOf(code)) || has(shapeOf(code), shapeOf(before)) ? 2 : 0;
+    const [isAlikeAfter, isAlikeBefore] = [has(shapeOf(after), shapeOf(code)), has(shapeOf(code), shapeOf(before))];
+    const alike = isAlikeAfter && isAlikeBefore ? 4 : isAlikeAfter || isAlikeBefore ? 2 : 0;
     const [one, role, other] = [roleOf(after), roleOf(code), roleOf(before)];
     const isWait = role === 'wait' && one === 'drive' && other !== 'wait';
     const isDrive = role === 'drive' && one !== 'drive' && other === 'wait';
