@@ -54,6 +54,15 @@ describe('a lane', () => {
     expect(started()).toBe(2);
   });
 
+  it('asks once more where the code of a thread did not come, and blames no program then', async () => {
+    const once = laneWith((thread) => (thread === 1 ? { unloaded: true } : passed));
+    expect((await once.lane.check(nothing)).passed).toBe(true);
+    const never = laneWith(() => ({ unloaded: true }));
+    const { passed: hasPassed, remarks } = await never.lane.check(nothing);
+    expect([hasPassed, remarks[0]?.params]).toEqual([false, { why: 'unloaded' }]);
+    expect([once.started(), never.started()]).toEqual([2, 2]);
+  });
+
   it('tells one that gives none a second time, and runs nothing of the world in which it was', async () => {
     const lost: CheckRequest['lost'][] = [];
     const { lane, pass, started } = laneWith((_, request) => {

@@ -9,8 +9,8 @@ export interface CheckRequest {
   readonly lost?: { readonly from: number; readonly reason: Reason };
 }
 
-/** The answer to a request. `broken`: an error of ours. */
-export type Answer<Result> = { readonly result: Result } | { readonly broken: string };
+/** The answer to a request. `broken`: an error of ours; `unloaded`: a part of the thread's code did not come. */
+export type Answer<Result> = { readonly result: Result } | { readonly broken: string } | { readonly unloaded: true };
 
 export type CheckAnswer = Answer<CheckResult>;
 
@@ -52,10 +52,13 @@ const LOOK_MS = 200;
 
 /** The end of a thread in the middle of a request. */
 export interface Loss {
-  readonly reason: Reason & { readonly code: 'stuck' | 'long' | 'broken' };
+  readonly reason: Reason & { readonly code: 'stuck' | 'long' | 'broken' | 'unloaded' };
   /** The place of the world in which it was. */
   readonly world: number;
 }
+
+/** Endings that may come out otherwise a second time. */
+const AGAIN: readonly Loss['reason']['code'][] = ['stuck', 'unloaded'];
 
 /** Asks a thread, which is replaced when a request has broken it or is stuck in it. */
 export class Asker<Request, Result> {
@@ -75,10 +78,10 @@ export class Asker<Request, Result> {
     private readonly startMs = STUCK_MS,
   ) {}
 
-  /** The answer to a request, which is asked a second time if it was stuck. */
+  /** The answer to a request, which is asked a second time if it was stuck, or its code did not come. */
   async ask(request: Request): Promise<{ readonly result: Result } | Loss> {
     const first = await this.askOnce(request);
-    return 'reason' in first && first.reason.code === 'stuck' ? this.askOnce(request) : first;
+    return 'reason' in first && AGAIN.includes(first.reason.code) ? this.askOnce(request) : first;
   }
 
   /** Ends the thread. A pending request stays without an answer. */
@@ -109,6 +112,7 @@ export class Asker<Request, Result> {
       // One that was stopped may still have said something.
       if (this.thread !== thread) return;
       if ('broken' in answer) this.lose('broken', { problem: answer.broken });
+      else if ('unloaded' in answer) this.lose('unloaded', {});
       else this.end?.(answer);
     });
     return thread;
@@ -155,6 +159,7 @@ export class Lane {
     const ending = await this.asker.ask({ handIn });
     if ('result' in ending) return ending.result;
     const { world, reason } = ending;
+    if (reason.code === 'unloaded') return unreadable(this.task.checks, { code: 'unloaded', params: {} });
     const again = await this.asker.askOnce({ handIn, lost: { from: world, reason } });
     return 'result' in again
       ? again.result

@@ -72,7 +72,7 @@ export const reasonCodes = [
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
   // of the program
-  ...(['exception', 'panic', 'stuck', 'long', 'refused', 'broken'] as const),
+  ...(['exception', 'panic', 'stuck', 'long', 'refused', 'broken', 'unloaded'] as const),
 ] as const;
 export type ReasonCode = (typeof reasonCodes)[number];
 

@@ -1,3 +1,5 @@
+import type { Check } from '#check/task/task';
+
 import type { Change } from './changes/change';
 import { extraChanges, indentChanges, orderChanges } from './changes/lines';
 import { elseChanges, missingChanges, numbersInLine, unusedChanges, waitChanges } from './changes/missing';
@@ -23,10 +25,11 @@ export async function findChange(search: Search): Promise<Found> {
   return { change, tried: trials.tried };
 }
 
-async function searchIn(program: Program, trials: Trials, { suspects, score }: Search): Promise<Change | null> {
+async function searchIn(program: Program, trials: Trials, search: Search): Promise<Change | null> {
+  const { suspects, score } = search;
   const inOrder = (...makers: readonly ((of: Program) => readonly Change[])[]): readonly Change[] =>
     makers.flatMap((make) => bySuspicion(make(program), program, suspects));
-  const numbers = new NumberSearch(numbersInOrder(program, suspects), trials, score);
+  const numbers = new NumberSearch(numbersInOrder(program, search), trials, score);
   const more = new LinesMore(trials, score);
   let found: readonly Change[] | null = null;
   const missing = (): readonly Change[] => (found ??= missingChanges(program, suspects));
@@ -81,9 +84,16 @@ const bySuspicion = <T extends { readonly line: number }>(
 /** Statements that only show something: the robot drives the same with and without them. */
 const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech)/;
 
-function numbersInOrder(program: Program, suspects: readonly number[]): readonly NumberPlace[] {
+/** Checks of what a program shows. */
+const SHOWN: readonly Check['type'][] = ['display', 'light', 'sound', 'console'];
+
+/** The numbers that may matter: those that are only shown do where a check looks at that. */
+function numbersInOrder(program: Program, { suspects, task }: Search): readonly NumberPlace[] {
   const digits = digitsIn(program);
-  const numbers = numbersOf(program).filter(({ from }) => !digits.has(from));
+  const looksAtShown = task.checks.some(({ type }) => SHOWN.includes(type));
+  const matters = ({ from, line }: NumberPlace): boolean =>
+    !digits.has(from) && (looksAtShown || !SHOWS.test(program.lines[line - 1]?.code ?? ''));
+  const numbers = numbersOf(program).filter(matters);
   return bySuspicion(numbers, program, suspects);
 }
 

@@ -28,8 +28,8 @@ export const unreadCodes = [
     'zip-way',
     'zip-bomb',
   ] as const),
-  // an error of ours
-  'broken',
+  // an error of ours, and a part of the page that did not come
+  ...(['broken', 'unloaded'] as const),
 ] as const;
 export type UnreadCode = (typeof unreadCodes)[number];
 

@@ -13,7 +13,7 @@ const blockOf: Readonly<Record<ReasonCode, BlockId | null>> = {
   ...{ belongs: 'way', covered: 'way', tiles: 'way', score: 'way', touches: 'touch', slow: 'time', early: 'early' },
   ...{ display: 'shows', light: 'shows', sound: 'shows', console: 'shows', radio: 'shows', log: 'shows' },
   ...{ loop: 'loop', calls: 'calls', lines: 'short', delay: 'delay' },
-  ...{ exception: 'error', panic: 'error', stuck: 'loop', long: null, refused: null, broken: null },
+  ...{ exception: 'error', panic: 'error', stuck: 'loop', long: null, refused: null, broken: null, unloaded: null },
 };
 
 /** The sentences for a result: one for each kind of what does not hold, or praise. */

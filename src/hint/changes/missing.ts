@@ -203,17 +203,31 @@ function likelihoodIn(program: Program): (place: Place, statement: Statement) =>
   /** A statement without its values: `delay(650)` is like `delay(20)`, and `left()` like `right()`. */
   const shapeOf = (code: string): string => roleOf(code) || code.replace(/\(.*\)$/, '()');
   const pairs = pairsIn(program, shapeOf);
+  const moves = movesIn(program, roleOf);
+  const isMove = (code: string): boolean => moves.has(/^\w+(?=\()/.exec(code)?.[0] ?? '');
   const has = (one: string, other: string): boolean => pairs.has(`${one}\n${other}`);
   return ({ after, before }, { code, rank }) => {
     const exact = (has(after, code) ? 3 : 0) + (has(code, before) ? 3 : 0);
-    const alike = has(shapeOf(after), shapeOf(code)) || has(shapeOf(code), shapeOf(before)) ? 2 : 0;
+    const [isAlikeAfter, isAlikeBefore] = [has(shapeOf(after), shapeOf(code)), has(shapeOf(code), shapeOf(before))];
+    const alike = isAlikeAfter && isAlikeBefore ? 4 : isAlikeAfter || isAlikeBefore ? 2 : 0;
     const [one, role, other] = [roleOf(after), roleOf(code), roleOf(before)];
     const isWait = role === 'wait' && one === 'drive' && other !== 'wait';
     const isDrive = role === 'drive' && one !== 'drive' && other === 'wait';
     const lacks = isWait || isDrive ? 5 : 0;
     const isDoubled = code === after || code === before;
-    return exact + alike + lacks + (isDoubled ? 1 : 0) + (rank === UNUSED ? 4 : 0) - rank;
+    // Among moves of its own a program lacks a move rather than a part of one.
+    const amongMoves = isMove(code) && (isMove(after) || isMove(before)) ? 4 : 0;
+    return exact + alike + lacks + amongMoves + (isDoubled ? 1 : 0) + (rank === UNUSED ? 4 : 0) - rank;
   };
+}
+
+/** The names of the program's own functions that drive. */
+function movesIn(program: Program, roleOf: RoleOf): ReadonlySet<string> {
+  const driving = program.nodes('FunctionDefinition').filter((node) => {
+    const [from, to] = [program.lineAt(node.from), program.lineAt(node.to - 1)];
+    return program.lines.slice(from, to).some(({ code }) => roleOf(code) === 'drive');
+  });
+  return new Set(driving.map((node) => node.getChild('VariableName')).map((name) => name && program.textOf(name) || '')); // prettier-ignore
 }
 
 /** Statements that follow one another somewhere, with a line break between them, as they are and by their shapes. */

@@ -31,7 +31,7 @@ export interface RunFacts {
 }
 
 /** Reasons of programs that are not run a second time: they would hold up whoever runs them. */
-const UNRUN: readonly ReasonCode[] = ['stuck', 'long', 'refused', 'broken'];
+const UNRUN: readonly ReasonCode[] = ['stuck', 'long', 'refused', 'broken', 'unloaded'];
 
 /**
  * The facts of the run of a checked hand-in: it is run once more in the first world in which it has not passed.

@@ -20,7 +20,8 @@ export const serveThread =
       if (data.type === 'served') heard(data.answer as Answer<Services[Name]['result']>);
       else now.world = data.world;
     };
-    worker.onerror = ({ message }) => heard({ broken: message });
+    // Without a message it is the worker's own code that did not come.
+    worker.onerror = ({ message }: Partial<ErrorEvent>) => heard(message ? { broken: message } : { unloaded: true });
     send({ type: 'serve-open', opening, firmware });
     return {
       ask(request) {

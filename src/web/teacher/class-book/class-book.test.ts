@@ -47,6 +47,35 @@ describe('a class that the browser stores', () => {
   });
 });
 
+describe('a class that is begun before the stored ones have been read', () => {
+  it('stays beside them, is the one in sight, and is stored under a key of its own', async () => {
+    let arrive: (found: Awaited<ReturnType<KeptClasses['read']>>) => void = () => undefined;
+    const written: string[][] = [];
+    const book = new ClassBook({
+      read: () => new Promise((resolve) => (arrive = resolve)),
+      write: (key, schoolClass) => {
+        written.push([key, schoolClass.name]);
+        return Promise.resolve(schoolClass);
+      },
+      forget: () => Promise.resolve(),
+    } as Pick<KeptClasses, 'read' | 'write' | 'forget'> as KeptClasses);
+    book.add(named('new'), false);
+    const mine = book.chosen.value?.key ?? '';
+    void book.keep(true);
+    book.change((now) => ({ ...now, name: 'newer' }));
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(written).toEqual([]);
+    // The stored one may have come from a tab that made the same key.
+    arrive([{ key: mine, schoolClass: named('old') }]);
+    await vi.advanceTimersByTimeAsync(5000);
+    expect(book.classes.value.map(({ schoolClass }) => schoolClass.name)).toEqual(['old', 'newer']);
+    expect(book.chosen.value?.schoolClass.name).toBe('newer');
+    expect(new Set(book.classes.value.map(({ key }) => key)).size).toBe(2);
+    expect(written.filter(([key]) => key === mine).map(([, name]) => name)).not.toContain('newer');
+    expect(written.at(-1)?.[1]).toBe('newer');
+  });
+});
+
 describe('the class that is meant', () => {
   it('is the only one, or the one that was chosen: the first of several is only in sight', () => {
     const { book } = slowBook();

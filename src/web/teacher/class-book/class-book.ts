@@ -107,6 +107,14 @@ export class ClassBook {
     this.classes.value = this.classes.value.map((one) => (one.key === key ? { ...one, ...change } : one));
   }
 
+  /** A class that was begun before the stored ones were there, with a key that none of them has. */
+  private withOwnKey(one: OpenClass, stored: readonly OpenClass[]): OpenClass {
+    if (stored.every(({ key }) => key !== one.key)) return one;
+    const key = newKey([...stored, ...this.classes.value]);
+    if (this.chosenKey.value === one.key) this.chosenKey.value = key;
+    return { ...one, key };
+  }
+
   private after(act: () => Promise<void>): Promise<void> {
     this.working = this.working.then(act).catch(() => void (this.hasFailed.value = true));
     return this.working;
@@ -115,10 +123,8 @@ export class ClassBook {
   private async bringBack(): Promise<void> {
     try {
       const found = await this.kept.read();
-      this.classes.value = [
-        ...found.map(({ key, schoolClass }) => ({ key, schoolClass, isKept: true, stored: schoolClass, inFile: null })),
-        ...this.classes.value,
-      ];
+      const stored = found.map(({ key, schoolClass }) => ({ key, schoolClass, isKept: true, stored: schoolClass, inFile: null })); // prettier-ignore
+      this.classes.value = [...stored, ...this.classes.value.map((one) => this.withOwnKey(one, stored))];
     } catch {
       // A browser without a database has stored nothing.
     }

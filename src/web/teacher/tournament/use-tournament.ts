@@ -33,7 +33,12 @@ export const tournamentOf = lateModel(() => {
     every,
     lanes: laneCount(),
   });
-  askBeforeLeaving(() => model.isUnsaved.value);
+  // What was set up by hand would be lost as well.
+  askBeforeLeaving(
+    () =>
+      model.isUnsaved.value ||
+      (model.programs.value.length > 0 && model.phase.value !== 'over' && model.told.value === null),
+  );
   return model;
 });
 

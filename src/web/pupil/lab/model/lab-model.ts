@@ -192,7 +192,8 @@ export class LabModel {
       const answer = await lane.ask({ setup, end: series.end, withDrive: true });
       if (left()) return;
       const run = runOf(answer, series);
-      if (run === null) this.failure.value = 'refused';
+      if ('reason' in answer && answer.reason.code === 'unloaded') this.failure.value = troubleKey(null);
+      else if (run === null) this.failure.value = 'refused';
       else {
         const made = { values, ...run };
         (series.runs as Map<number, LabRun>).set(place, made);

@@ -89,4 +89,24 @@ describe('hand-ins that are read beside the page', () => {
       { problem: { code: 'slow', params: { seconds: 20 } } },
     ]);
   });
+
+  it('are reported where the code that reads did not come, and are read once it comes', async () => {
+    let isThere = false;
+    const reader = new HandInReader(() => ({}), {
+      start(heard) {
+        const real = new Reader();
+        return {
+          send: (message) =>
+            void (isThere ? real.answer(message) : Promise.resolve({ type: 'read-unloaded' as const })).then(heard),
+          stop: () => undefined,
+        };
+      },
+      every: () => () => undefined,
+    });
+    const [lost] = (await reader.open(added('Ada.py'))).sources;
+    expect(await lost?.read()).toMatchObject({ problem: { code: 'unloaded' } });
+    isThere = true;
+    const [read] = (await reader.open(added('Ada.py'))).sources;
+    expect(await read?.read()).toHaveProperty('handIn');
+  });
 });

@@ -18,7 +18,7 @@ export interface ReaderThread {
 
 /** The page's services that reading uses. */
 export interface ReaderPorts {
-  /** Starts a worker; `heard` receives each answer, `failed` the reason for its end. */
+  /** Starts a worker; `heard` receives each answer, `failed` the reason for its end; empty: its code did not come. */
   start(heard: (answer: FromReader) => void, failed: (problem: string) => void): ReaderThread;
   readonly every: Every;
 }
@@ -116,8 +116,8 @@ export class HandInReader {
       };
       try {
         this.thread ??= this.ports.start(
-          (answer) => this.hear?.(answer),
-          (problem) => this.lose(unread('broken', { problem })),
+          (answer) => (answer.type === 'read-unloaded' ? this.lose(unread('unloaded')) : this.hear?.(answer)),
+          (problem) => this.lose(problem === '' ? unread('unloaded') : unread('broken', { problem })),
         );
         this.thread.send(message);
       } catch (error) {
@@ -144,7 +144,7 @@ const inWorker: ReaderPorts = {
   start(heard, failed) {
     const worker = createWorker();
     worker.onmessage = ({ data }: MessageEvent<FromReader>) => heard(data);
-    worker.onerror = ({ message }) => failed(message);
+    worker.onerror = ({ message }: Partial<ErrorEvent>) => failed(message ?? '');
     return { send: (message) => worker.postMessage(message), stop: () => worker.terminate() };
   },
   every,

@@ -30,7 +30,9 @@ export type FromReader =
       /** The series found among the files: it is not a hand-in. `null`: there is none. */
       readonly series: SeriesAmong['document'] | null;
     }
-  | { readonly type: 'read-content'; readonly content: Content };
+  | { readonly type: 'read-content'; readonly content: Content }
+  /** Its code did not come. */
+  | { readonly type: 'read-unloaded' };
 
 /** Reads the files it receives; never throws. */
 export class Reader {

@@ -12,7 +12,7 @@ import type { FitAnswer, FitRequest } from './fit';
 import type { HexAnswer, HexRequest } from './hex';
 import type { FromLooker, ToLooker } from './look/protocol';
 import type { RepeatAnswer, RepeatRequest } from './look/repeat';
-import type { ToReader } from './reader';
+import type { FromReader, ToReader } from './reader';
 import { sealSandbox } from './sandbox';
 import { packPictures } from './pictures';
 import type { ToWorker } from './protocol';
@@ -94,15 +94,15 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   else if (data.type === 'serve-open' || data.type === 'serve')
     void loadServer().then(
       (it) => it.receive(data),
-      (error: unknown) => {
+      () => {
         // Whoever asks hears that its code did not come; a program is not to blame.
-        if (data.type === 'serve')
-          postMessage({ type: 'served', answer: { broken: String(error) } } satisfies FromServer);
+        if (data.type === 'serve') postMessage({ type: 'served', answer: { unloaded: true } } satisfies FromServer);
       },
     );
   else if (data.type === 'read-open' || data.type === 'read')
     void loadReader()
       .then((it) => it.answer(data))
+      .catch((): FromReader => ({ type: 'read-unloaded' }))
       .then((answer) => postMessage(answer));
   else if (data.type === 'film-begin' || data.type === 'film-picture' || data.type === 'film-end')
     void loadFilmMaker().then(

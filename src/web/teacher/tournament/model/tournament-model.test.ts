@@ -94,6 +94,20 @@ describe('a tournament on the page', () => {
     expect([model.phase.value, asked.length]).toEqual(['over', 0]);
   });
 
+  it('stopped and started again, has its matches in the order in which they had ended', async () => {
+    const { model, asked, answer } = tournament(1);
+    await model.add(['a', 'b', 'c', 'd'].map((name) => source(name)));
+    void model.start();
+    await answer(5);
+    const before = model.stages.value[0]?.ended ?? [];
+    expect(before).not.toEqual(model.stages.value[0]?.matches);
+    model.stop();
+    asked.length = 0;
+    void model.start();
+    await answer(1);
+    expect(model.stages.value[0]?.ended.slice(0, before.length)).toEqual(before);
+  });
+
   it('saved as a file and opened again, is played once more and compared', async () => {
     const first = tournament();
     await first.model.add(['a', 'b'].map((name) => source(name)));

@@ -232,7 +232,7 @@ export class TournamentModel {
     const results: (MatchResult | undefined)[] = pairings.map((pairing) => this.known.get(keyOf(plan, pairing)));
     const before = this.stages.value[place];
     const show = this.showing(now, before ?? { ...plan, matches: [], ended: [], of: matchCount(plan) }, pairings);
-    show(results, matchesOf(pairings, results));
+    show(results, this.inEndingOrder(plan, matchesOf(pairings, results)));
     const waiting = pairings.flatMap((pairing, at) => (results[at] === undefined ? [{ ...pairing, at }] : []));
     const ordered = plan.mode === 'league' ? inRounds(waiting, plan.names.length) : waiting;
     const count = Math.min(this.ports.lanes, ordered.length);
@@ -244,7 +244,7 @@ export class TournamentModel {
       if (now.turn !== this.turn) return;
       if ('problem' in result) {
         this.stop();
-        this.failure.value = result;
+        this.failure.value = result.problem === UNLOADED ? troubleKey(null) : result;
         return;
       }
       this.known.set(keyOf(plan, pairing), result);
@@ -253,6 +253,13 @@ export class TournamentModel {
     });
     if (now.turn !== this.turn) return null;
     return results.flatMap((result) => (result === undefined ? [] : [result]));
+  }
+
+  /** Matches that were played before a stop, in the order in which they ended: their numbers stay. */
+  private inEndingOrder(plan: StagePlan, matches: readonly Match[]): readonly Match[] {
+    const places = new Map([...this.known.keys()].map((key, place) => [key, place]));
+    const place = (match: Match): number => places.get(keyOf(plan, match)) ?? 0;
+    return matches.toSorted((one, other) => place(one) - place(other));
   }
 
   /** A function that shows the matches of a round that have ended, after those of the rounds before. */
@@ -270,6 +277,9 @@ export class TournamentModel {
     };
   }
 }
+
+/** The problem of a thread whose code did not come. */
+const UNLOADED = '';
 
 /** A stage that is being played. */
 interface Playing {
@@ -298,6 +308,7 @@ async function resultIn(
   const answer = await lane.ask({ setup, end: MATCH_END });
   if ('reason' in answer) {
     const { code, params } = answer.reason;
+    if (code === 'unloaded') return { problem: UNLOADED };
     if (code === 'broken') return { problem: String(params['problem']) };
     return resultOfRun({ outcome: stuckOutcome(true), verdict: null }, isAlone);
   }
