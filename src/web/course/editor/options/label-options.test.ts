@@ -6,8 +6,9 @@ import { mountOn, named } from '../../../app/testing/mount-on';
 import LabelOptions from './LabelOptions.vue';
 
 it('puts the text by Enter where the mouse has tapped before there was any, once', async () => {
-  const { editor, scene, ...page } = await editingPage([]);
-  mountOn({ editor, scene, ...page }, LabelOptions, { compact: false });
+  const { scene, ...page } = await editingPage([]);
+  const { editor } = page;
+  mountOn(page, LabelOptions, { compact: false });
   const arena = document.createElement('div');
   arena.setAttribute('role', 'application');
   document.body.append(arena);

@@ -28,7 +28,7 @@ describe('clearing all', () => {
     expect(applyEdit(scene, clearAll(false))).toEqual({ ...scene, objects: [] }));
 
   it('takes the picture of the floor along, also where nothing else is there', () => {
-    const background: Scene['background'] = { at: [0, 0], size: [80, 60], cells: [8, 6], levels: '' };
+    const background: Scene['background'] = { at: [0, 0], size: [80, 60], cells: [8, 6], levels: '', picture: '' };
     expect(applyEdit({ ...scene, background }, clearAll(false))).toEqual({ ...scene, objects: [] });
     expect(applyEdit({ ...scene, background, objects: [] }, clearAll(false))).toEqual({ ...scene, objects: [] });
   });

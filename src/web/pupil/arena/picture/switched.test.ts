@@ -50,7 +50,7 @@ describe('the still picture of a run', () => {
     const shown = createStillScene();
     const before = shown(moving, null);
     expect(before.objects).toEqual([mover]);
-    const state: Pick<Snapshot, 'blocks' | 'movers'> = { blocks: {}, movers: { mover: { xMm: 1000, yMm: 400, headingRad: 0 } } }; // prettier-ignore
+    const state: Pick<Snapshot, 'blocks' | 'movers' | 'switched'> = { switched: {}, blocks: {}, movers: { mover: { xMm: 1000, yMm: 400, headingRad: 0 } } }; // prettier-ignore
     expect(shown(moving, state)).toBe(before);
     const [one] = carriedTags(moving.objects);
     expect(one && tagAt(one, state.movers['mover']!).at).toEqual([980, 400]);
