@@ -51,7 +51,20 @@ export type NumberName =
 /** Name of something about an object that can be changed. */
 export type FieldName =
   | NumberName
-  | ('shape' | 'spiked' | 'rolls' | 'flat' | 'color' | 'robotColor' | 'lampColor' | 'text' | 'name' | 'type' | 'way')
+  | (
+      | 'shape'
+      | 'spiked'
+      | 'rolls'
+      | 'flat'
+      | 'color'
+      | 'blockColor'
+      | 'robotColor'
+      | 'lampColor'
+      | 'text'
+      | 'name'
+      | 'type'
+      | 'way'
+    )
   | ('switching' | 'onText' | 'offText' | 'switchButton' | 'switchPin');
 
 /** The value of a field. */
@@ -77,6 +90,12 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly name: 'color';
       readonly value: PaintColor;
       readonly choices: readonly PaintColor[];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'blockColor';
+      readonly value: PaintColor | 'any';
+      readonly choices: readonly (PaintColor | 'any')[];
     }
   | {
       readonly kind: 'choice';

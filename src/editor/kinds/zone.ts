@@ -1,5 +1,6 @@
+import { paintColors, type PaintColor } from '#scene/paint/paint';
 import { sceneLimits, type Point, type Scene, type Zone } from '#scene/scene';
-import { countField, typeField } from '../object-fields';
+import { countField, typeField, type Field } from '../object-fields';
 import { boxed, boxFields } from './box';
 import type { EditorKind } from './kind';
 import { shapeNames, type ShapeName } from '#scene/shape/shape';
@@ -21,13 +22,11 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
     ...(type === 'checkpoint'
       ? [countField('number', zone.number, sceneLimits.checkpoint, (number) => ({ ...zone, number }))]
       : []),
-    ...(type === 'target'
-      ? [countField('blocks', zone.blocks, sceneLimits.blocks, (blocks) => ({ ...zone, blocks }))]
-      : []),
+    ...(type === 'target' ? blocksFields(zone) : []),
     shapeField(zone, shapeNames, (bare, shape) => ({ ...bare, ...zoneShapeOf(shape) })),
     ...boxFields(zone),
   ],
-  made(id, at, scene, { zoneShape, zoneBlocks }) {
+  made(id, at, scene, { zoneShape, zoneBlocks, zoneBlockColor }) {
     const number = numberOf(type, scene);
     if (number === null) return null;
     return {
@@ -38,10 +37,28 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
       angle: 0,
       ...zoneShapeOf(zoneShape),
       number,
-      blocks: type === 'target' ? zoneBlocks : 0,
+      ...(type === 'target' ? wanting(zoneBlocks, zoneBlockColor) : wanting(0, null)),
     };
   },
 });
+
+/** The properties of a target that wants blocks, of one colour or (`null`) of any. */
+const wanting = (blocks: number, color: PaintColor | null): Pick<Zone, 'blocks' | 'blockColor'> => ({
+  blocks,
+  ...(blocks > 0 && color !== null && { blockColor: color }),
+});
+
+/** The fields of the blocks that a target wants. */
+function blocksFields({ blocks, blockColor: wanted, ...zone }: Zone): readonly Field<Zone>[] {
+  const blockColor = wanted ?? null;
+  const count = countField('blocks', blocks, sceneLimits.blocks, (some) => ({ ...zone, ...wanting(some, blockColor) }));
+  if (blocks === 0) return [count];
+  const color: Field<Zone> = {
+    ...{ kind: 'choice', name: 'blockColor', value: blockColor ?? 'any', choices: ['any', ...paintColors] },
+    with: (value: PaintColor | 'any') => ({ ...zone, ...wanting(blocks, value === 'any' ? null : value) }),
+  };
+  return [count, color];
+}
 
 // Sizes chosen: a robot fits in with room to spare.
 

@@ -26,6 +26,7 @@ export const usualToolOptions: ToolOptions = {
   zone: 'target',
   zoneShape: 'rectangle',
   zoneBlocks: sceneDefaults.blocks,
+  zoneBlockColor: null,
   labelText: '',
   labelHeight: sceneDefaults.labelHeight,
   several: false,

@@ -90,6 +90,8 @@ export interface ToolOptions {
   readonly zoneShape: ShapeName;
   /** Blocks that a new target wants; 0: the robot. */
   readonly zoneBlocks: number;
+  /** Their colour; `null`: any. */
+  readonly zoneBlockColor: PaintColor | null;
   readonly labelText: string;
   readonly labelHeight: number;
   /** Each tap adds a thing to the selection or takes it away: for fingers, which have no Shift key. */

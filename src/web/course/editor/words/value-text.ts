@@ -12,7 +12,7 @@ import moverWords from './movers';
 /** A value of a choice in words: a colour, a kind, a shape, what a mover does, what switches a lamp. */
 export function valueText(
   value:
-    | (PaintColor | RobotColor | 'auto' | LampColor | 'warm')
+    | (PaintColor | 'any' | RobotColor | 'auto' | LampColor | 'warm')
     | (SceneObject['type'] | MoverWay | ShapeName)
     | (SwitchWay | 'always' | 'a' | 'b' | SwitchPin),
 ): string {
