@@ -38,9 +38,9 @@ function attach(context: RobotContext): Robot {
     motors.set(signedDuty(dirL, speedL), signedDuty(dirR, speedR), motorsTouched(touched)),
   );
   const led = ledOn(board.wire('P8'));
-  const line = attachLineSensor(board.wire('P13'), () =>
-    ground({ x: LINE_AT.x * scale, y: LINE_AT.y * scale }, LINE_SPOT_RADIUS_MM * scale),
-  );
+  const line = attachLineSensor(board.wire('P13'), {
+    look: (ago) => ground({ x: LINE_AT.x * scale, y: LINE_AT.y * scale }, LINE_SPOT_RADIUS_MM * scale, ago),
+  });
   const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), line.stop, motors.stop];
 
   const lights = (): RobotLights => ({ ...noLights, leds: { left: led.isLit(), right: 0 } });

@@ -161,9 +161,9 @@ export class Lane {
     const { world, reason } = ending;
     if (reason.code === 'unloaded') return unreadable(this.task.checks, { code: 'unloaded', params: {} });
     const again = await this.asker.askOnce({ handIn, lost: { from: world, reason } });
-    return 'result' in again
-      ? again.result
-      : unreadable(this.task.checks, { code: 'broken', params: again.reason.params });
+    if ('result' in again) return again.result;
+    const code = again.reason.code === 'unloaded' ? 'unloaded' : 'broken';
+    return unreadable(this.task.checks, { code, params: again.reason.params });
   }
 
   /** Ends the thread. A pending request stays without an answer. */

@@ -135,6 +135,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
 function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Line) {
   let row: LineRow<LineName> | null = null;
   let isStale = false;
+  const now: RobotContext['ground'] = (spot, radiusMm) => context.ground(spot, radiusMm);
   const places = [
     { name: 'left', atMm: left },
     { name: 'middle', atMm: { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2 } },
@@ -145,8 +146,13 @@ function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Li
       isStale = true;
     },
     now: (): LineRow<LineName> => {
-      if (row === null) row = mountLineRow<LineName>(context, places, { spotRadiusMm, ...BRIGHTNESS });
-      else if (isStale) row.sample();
+      if (row === null)
+        row = mountLineRow<LineName>({ ...context, ground: now }, places, { spotRadiusMm, ...BRIGHTNESS });
+      else if (isStale) {
+        row.sample();
+        // All three look at once, whichever is read.
+        for (const { name } of places) row.isBright(name);
+      }
       isStale = false;
       return row;
     },

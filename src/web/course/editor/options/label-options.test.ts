@@ -13,7 +13,7 @@ it('puts the text by Enter where the mouse has tapped before there was any, once
   arena.setAttribute('role', 'application');
   document.body.append(arena);
   editor.pointer.value = { x: 400, y: 300 };
-  const more = { bubbles: true, isPrimary: true, button: 0, clientX: 5, clientY: 5 };
+  const more = { bubbles: true, isPrimary: true, pointerType: 'mouse', button: 0, clientX: 5, clientY: 5 };
   for (const type of ['pointerdown', 'pointerup']) arena.dispatchEvent(new PointerEvent(type, more));
   editor.pointer.value = null; // the mouse has left the arena
   await fill('Text', 'Hallo');

@@ -31,10 +31,13 @@ export function useMissingText(
   const wanted = shallowRef<Vec | null>(null);
   const place = shallowRef<{ xPx: number; yPx: number } | null>(null);
   let from = { x: 0, y: 0 };
+  /** The mouse's place when it was pressed. */
+  let pressed: Vec | null = null;
   let askedAtMs = -Infinity;
   let timer = 0;
-  const isWanted = ({ target }: Event): boolean =>
-    isMissing() && target instanceof Element && target.closest('[role="application"]') !== null;
+  const isInArena = ({ target }: Event): boolean =>
+    target instanceof Element && target.closest('[role="application"]') !== null;
+  const isWanted = (event: Event): boolean => isMissing() && isInArena(event);
   function forget(): void {
     clearTimeout(timer);
     place.value = null;
@@ -51,17 +54,21 @@ export function useMissingText(
   const listeners = {
     pointerdown: (event: PointerEvent) => {
       from = { x: event.clientX, y: event.clientY };
-      if (isWanted(event)) wanted.value = pointer();
+      if (!isInArena(event)) return;
+      wanted.value = null;
+      pressed = event.pointerType === 'mouse' ? pointer() : null;
     },
     pointerup: (event: PointerEvent) => {
       const slip = Math.max(Math.abs(event.clientX - from.x), Math.abs(event.clientY - from.y));
       if (!event.isPrimary || event.button !== 0 || slip > SLIP_PX || !isWanted(event)) return;
       askedAtMs = event.timeStamp;
-      ask(pointer() ?? wanted.value);
+      const isMouse = event.pointerType === 'mouse';
+      ask(isMouse ? (pointer() ?? pressed) : null);
       // A press that follows its move at once: the arena tells the place with its next picture.
-      requestAnimationFrame(() => {
-        if (event.timeStamp === askedAtMs) wanted.value ??= pointer();
-      });
+      if (isMouse)
+        requestAnimationFrame(() => {
+          if (event.timeStamp === askedAtMs) wanted.value ??= pointer();
+        });
     },
     // The mouse events after a tap would move the focus back into the arena.
     mousedown: (event: MouseEvent) => {

@@ -1,7 +1,7 @@
 import type { Answer } from '#check/lane';
 
 import type { FromServer, ToServer } from './protocol';
-import { openService } from './services';
+import { openService, Unloaded } from './services';
 
 /** A sign of life is sent this often, in ms of wall time. */
 const BEAT_MS = 200;
@@ -36,6 +36,7 @@ export class Server {
       const serve = await this.service;
       return { result: await serve(request) };
     } catch (error) {
+      if (error instanceof Unloaded) return { unloaded: true };
       return { broken: error instanceof Error ? error.message : String(error) };
     }
   }

@@ -14,6 +14,15 @@ export interface Means {
 /** Answers one request. */
 export type Serve<Name extends ServiceName> = (request: Services[Name]['request']) => Promise<Services[Name]['result']>;
 
+/** A part of the worker did not come. */
+export class Unloaded extends Error {}
+
+/** A part that is being fetched. Throws Unloaded if it does not come. */
+const part = <T>(coming: Promise<T>): Promise<T> =>
+  coming.catch((error: unknown) => {
+    throw new Unloaded(String(error));
+  });
+
 /** A task of the page, which has read it, too. */
 function taskIn(project: Project): ClassTask {
   const read = taskOf(project);
@@ -25,26 +34,26 @@ type Open<Name extends ServiceName> = (open: Services[Name]['open'], means: Mean
 
 const services: { readonly [Name in ServiceName]: Open<Name> } = {
   async check({ task: project, starts }, means) {
-    const { check } = await import('#check/check');
+    const { check } = await part(import('#check/check'));
     const task = taskIn(project);
     return ({ handIn, lost }) => check(task, handIn, { ...means, starts, ...(lost !== undefined && { lost }) });
   },
   async runs(_, { firmware, beat }) {
-    const { answerRun } = await import('#lab/run-request');
+    const { answerRun } = await part(import('#lab/run-request'));
     return (request) => answerRun(request, { firmware, beat: () => beat(0) });
   },
   async hint({ task: project }, { firmware, beat }) {
-    const { hintFor } = await import('#hint/hint');
+    const { hintFor } = await part(import('#hint/hint'));
     const task = taskIn(project);
     return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat });
   },
   async facts({ task: project }, { firmware, beat }) {
-    const { factsOf } = await import('#hint/groups/run-facts');
+    const { factsOf } = await part(import('#hint/groups/run-facts'));
     const task = taskIn(project);
     return ({ handIn, result }) => factsOf(task, handIn, result, { firmware, beat: () => beat(0) });
   },
   async 'group-hint'({ task: project }, { firmware, beat }) {
-    const { groupHint } = await import('#hint/groups/group-hint');
+    const { groupHint } = await part(import('#hint/groups/group-hint'));
     const task = taskIn(project);
     return ({ handIns, budget }) => groupHint(task, handIns, { firmware, budget, beat: () => beat(0) });
   },
