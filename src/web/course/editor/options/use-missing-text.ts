@@ -35,8 +35,6 @@ export function useMissingText(
   let pressed: Vec | null = null;
   let askedAtMs = -Infinity;
   let timer = 0;
-  const isInArena = ({ target }: Event): boolean =>
-    target instanceof Element && target.closest('[role="application"]') !== null;
   const isWanted = (event: Event): boolean => isMissing() && isInArena(event);
   function forget(): void {
     clearTimeout(timer);
@@ -56,14 +54,13 @@ export function useMissingText(
       from = { x: event.clientX, y: event.clientY };
       if (!isInArena(event)) return;
       wanted.value = null;
-      pressed = event.pointerType === 'mouse' ? pointer() : null;
+      pressed = isMouse(event) ? pointer() : null;
     },
     pointerup: (event: PointerEvent) => {
       const slip = Math.max(Math.abs(event.clientX - from.x), Math.abs(event.clientY - from.y));
       if (!event.isPrimary || event.button !== 0 || slip > SLIP_PX || !isWanted(event)) return;
       askedAtMs = event.timeStamp;
-      const isMouse = event.pointerType === 'mouse';
-      ask(isMouse ? (pointer() ?? pressed) : null);
+      ask(isMouse(event) ? (pointer() ?? pressed) : null);
       // A press that follows its move at once: the arena tells the place with its next picture.
       if (isMouse)
         requestAnimationFrame(() => {
@@ -82,11 +79,21 @@ export function useMissingText(
     },
     resize: forget,
   };
+  listenFirst(listeners);
+  onScopeDispose(forget);
+  return { place, forget, wanted };
+}
+
+const isMouse = ({ pointerType }: PointerEvent): boolean => pointerType === 'mouse';
+
+const isInArena = ({ target }: Event): boolean =>
+  target instanceof Element && target.closest('[role="application"]') !== null;
+
+/** Hears these events of the window before anything else does, as long as its scope lives. */
+function listenFirst(listeners: object): void {
   const entries = Object.entries(listeners) as [string, EventListener][];
   for (const [type, listener] of entries) addEventListener(type, listener, true);
   onScopeDispose(() => {
-    forget();
     for (const [type, listener] of entries) removeEventListener(type, listener, true);
   });
-  return { place, forget, wanted };
 }
