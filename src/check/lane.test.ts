@@ -77,6 +77,14 @@ describe('a lane', () => {
     expect(started()).toBe(3);
   });
 
+  it('blames no program where the code does not come for the asking after one that was stuck', async () => {
+    const { lane, pass } = laneWith((_, request) => (request.lost === undefined ? null : { unloaded: true }));
+    const result = lane.check(nothing);
+    await pass(STUCK_LOOKS);
+    await pass(STUCK_LOOKS);
+    expect((await result).remarks[0]?.params).toEqual({ why: 'unloaded' });
+  });
+
   it('gives a run up that goes on, but slower than the real robot, after two minutes', async () => {
     let beat = 0;
     const lost: CheckRequest['lost'][] = [];

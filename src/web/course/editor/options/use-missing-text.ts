@@ -62,7 +62,7 @@ export function useMissingText(
       askedAtMs = event.timeStamp;
       ask(isMouse(event) ? (pointer() ?? pressed) : null);
       // A press that follows its move at once: the arena tells the place with its next picture.
-      if (isMouse)
+      if (isMouse(event))
         requestAnimationFrame(() => {
           if (event.timeStamp === askedAtMs) wanted.value ??= pointer();
         });
