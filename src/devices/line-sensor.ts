@@ -86,9 +86,9 @@ export interface LineSensor {
  * The ground below a sensor changes only when the world moves, so the owner calls `sample` after every step of the
  * world; between two steps the wire holds what the last one gave, however often the program reads.
  */
-export function attachLineSensor(wire: Wire, view: LineView): LineSensor {
+export function attachLineSensor(wire: Wire, { look }: LineView): LineSensor {
   const output = wire.connect('line sensor');
-  const comparator = createLineComparator(view);
+  const comparator = createLineComparator({ look }); // it is read after each step: no paint finds it behind
   let level: Level = comparator.isBright() ? 1 : 0;
   output.drive(level);
   return {
