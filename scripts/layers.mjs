@@ -10,6 +10,10 @@ import { Failure, main, note, root } from './progress.mjs';
 const DOCUMENT = 'docs/architecture.md';
 /** Most source files in one folder: more than a newcomer takes in at a glance. Chosen. */
 const CROWDED = 30;
+/** The rooms that show and ask, and in them the threads that they start, with their own files. */
+const SHOWS = /^src\/(web|cli)\//;
+const RUNS = /^src\/web\/session\/run\/worker\/|^src\/cli\/(\w+\/)?([\w-]+-)?worker\.ts$/;
+const SIMULATION = 'src/simulation/simulation.ts';
 const isTest = (path) => /\.test\.ts$|\/testing\//.test(path);
 const isCode = (path) => /\.(ts|vue|css)$/.test(path);
 
@@ -145,6 +149,31 @@ function complain(violations, styles) {
   if (lines.length > 0) throw new Failure(`${lines.length} forbidden imports:\n${lines.join('\n')}`);
 }
 
+/**
+ * The ways of imports to a file, types apart, what is fetched later included.
+ *
+ * @returns {Map<string, string[]>} by the file in which a way begins: the files on the shortest one, both ends included
+ */
+export function waysTo(goal, modules) {
+  const importers = new Map();
+  for (const { source, dependencies } of modules)
+    for (const { resolved, dependencyTypes = [] } of dependencies)
+      if (!dependencyTypes.includes('type-only') && !isTest(source))
+        importers.set(resolved, [...(importers.get(resolved) ?? []), source]);
+  const ways = new Map([[goal, [goal]]]);
+  for (const [path, way] of ways)
+    for (const source of importers.get(path) ?? []) if (!ways.has(source)) ways.set(source, [source, ...way]);
+  return ways;
+}
+
+/** Complains where the page or the command line would load the simulation outside the threads that run it. */
+function checkThreads(modules) {
+  const ways = [...waysTo(SIMULATION, modules)].filter(([path]) => SHOWS.test(path) && !RUNS.test(path));
+  if (ways.length === 0) return;
+  const lines = ways.map(([, way]) => way.join(' → '));
+  throw new Failure(`Would load the simulation, which only threads run:\n${lines.join('\n')}`);
+}
+
 /** Complains about folders that nobody finds their way in. */
 async function checkFolders(imports) {
   const circles = folderCircles(imports, 'src/web');
@@ -168,6 +197,7 @@ await main(import.meta.url, async ([option]) => {
   const after = withGraphs(before, imports);
   if (option === '--write') await writeFile(place, after);
   complain(summary.violations, styles);
+  checkThreads(modules);
   await checkFolders(imports);
   if (option !== '--write' && after !== before) throw new Failure(`The graphs in ${DOCUMENT} are stale: npm run graph`);
   note(`${modules.length} modules, no forbidden import, no circle between folders of the page.`);

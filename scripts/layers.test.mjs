@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { webLayers, wings } from '../layers.mjs';
-import { folderCircles, forbiddenBetween, graphOf, importsOf, styleImportsIn } from './layers.mjs';
+import { folderCircles, forbiddenBetween, graphOf, importsOf, styleImportsIn, waysTo } from './layers.mjs';
 
 describe('folders that import each other', () => {
   it('are found, also over a third one', () => {
@@ -73,5 +73,35 @@ describe('a room of the page', () => {
 
   it.each(Object.entries(webLayers))('%s reaches rooms that exist', (_room, allowed) => {
     for (const other of allowed) expect(other in webLayers || other in wings, other).toBe(true);
+  });
+});
+
+describe('the ways of imports to a file', () => {
+  const modules = [
+    { source: 'page.ts', dependencies: [{ resolved: 'card.ts' }, { resolved: 'fact.ts' }] },
+    {
+      source: 'card.ts',
+      dependencies: [{ resolved: 'page.ts' }, { resolved: 'run.ts', dependencyTypes: ['type-only'] }],
+    },
+    { source: 'fact.ts', dependencies: [{ resolved: 'run.ts', dependencyTypes: ['dynamic-import'] }] },
+    { source: 'fact.test.ts', dependencies: [{ resolved: 'run.ts' }] },
+  ];
+
+  it('lead from importer to importer, also by what is fetched later, and past a circle', () => {
+    expect([...waysTo('run.ts', modules)]).toEqual([
+      ['run.ts', ['run.ts']],
+      ['fact.ts', ['fact.ts', 'run.ts']],
+      ['page.ts', ['page.ts', 'fact.ts', 'run.ts']],
+      ['card.ts', ['card.ts', 'page.ts', 'fact.ts', 'run.ts']],
+    ]);
+  });
+
+  it('are made neither of types nor of tests', () => {
+    expect([
+      ...waysTo(
+        'run.ts',
+        modules.filter(({ source }) => source !== 'fact.ts'),
+      ).keys(),
+    ]).toEqual(['run.ts']);
   });
 });

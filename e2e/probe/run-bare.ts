@@ -1,4 +1,4 @@
-import { ranTo } from '#lab/outcome';
+import { ranTo } from '#lab/ran-to';
 import { readSweep, valuesOf } from '#lab/sweep';
 import { sweepJson, type SweepRun } from '#lab/sweep-texts';
 import { withValues } from '#lab/what';

@@ -1,6 +1,7 @@
 import type { Language } from '#core/languages';
 import { linesToSee, type Change } from './changes/change';
-import type { Hint, HintLevel } from './hint';
+import type { Hint } from './hint';
+import type { HintLevel } from './level';
 import { hintText } from './say';
 
 /** A hint in one line for other programs, without what its level may not tell; `null`: the program passes. */

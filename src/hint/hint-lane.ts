@@ -3,7 +3,7 @@ import { Asker, longestMs, type Every, type Loss, type Start } from '#check/lane
 import type { ClassTask } from '#check/task/task';
 import { visibleTask } from '#check/task/visible';
 import type { Hint } from './hint';
-import { mainOf } from './trials';
+import { mainOf } from './main-of';
 
 /** A program that a thread shall find a hint to. */
 export interface HintRequest {

@@ -5,7 +5,8 @@ import type { Language, Texts } from '#core/languages';
 import { filledIn } from '#core/words';
 import { linesOf, linesToSee, type Change } from './changes/change';
 import type { Happened } from './happened/happened';
-import type { Hint, HintLevel } from './hint';
+import type { Hint } from './hint';
+import type { HintLevel } from './level';
 import words from './words';
 
 /** The sentences of a hint in one text. */

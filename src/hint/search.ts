@@ -7,7 +7,8 @@ import { nameChanges, relatedNameChanges } from './changes/names';
 import { between, coarseValues, FIRST_STEPS, numbersOf, type NumberPlace, type Tried } from './changes/numbers';
 import { readProgram, type Program } from './changes/program';
 import { branchChanges, comparisonChanges, digitsIn, logicChanges, polarityChanges } from './changes/signs';
-import { mainOf, Trials, type Search } from './trials';
+import { mainOf } from './main-of';
+import { Trials, type Search } from './trials';
 
 /** The end of a search. */
 export interface Found {

@@ -11,6 +11,7 @@ import { withChange } from './changes/change';
 import { isRight, isWellFormed } from './changes/lines';
 import type { Program } from './changes/program';
 import { mattersTo } from './changes/reach';
+import { mainOf } from './main-of';
 import { scoreOf, Stall } from './watch/stall';
 
 /** A search for a small change with which a program passes. */
@@ -106,9 +107,6 @@ export class Trials {
     return task.checks.every((one) => !one.needed || !isFact(one) || findFact(one, files).holds);
   }
 }
-
-/** The program of the first device. */
-export const mainOf = ({ project }: HandIn): string => runFilesOf(project, 0)[MAIN] ?? '';
 
 /** A hand-in with another program of its first device. */
 export const withMain = (handIn: HandIn, text: string): HandIn => {

@@ -1,6 +1,7 @@
 import { fitRun } from '#simulation/run-problem';
 import type { RunSetup } from '#simulation/run-setup';
-import { ranTo, type Runner, type RunResult } from './outcome';
+import type { RunResult } from './outcome';
+import { ranTo, type Runner } from './ran-to';
 import type { RunEnd } from './run-end';
 
 /** A run that a thread shall make. */

@@ -1,4 +1,4 @@
-import { budgetLimits, hintLevels, USUAL_BUDGET, type HintLevel } from '#hint/hint';
+import { budgetLimits, hintLevels, USUAL_BUDGET, type HintLevel } from '#hint/level';
 import type { Language } from '#core/languages';
 import { command, type Given, type Options, type Problem } from '../commands/about';
 import { langOption, languageOf } from '../commands/shared-options';

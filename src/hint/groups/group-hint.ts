@@ -6,7 +6,8 @@ import { numbersIn, withNumber } from '#python/numbers';
 import { linesOf, withChange, type Change } from '../changes/change';
 import { changedNumber } from '../changes/number-to-try';
 import { hintFor, type Hint, type Hinter } from '../hint';
-import { mainOf, withMain } from '../trials';
+import { mainOf } from '../main-of';
+import { withMain } from '../trials';
 
 /** The hint to a group: that to its example, and how far it holds. */
 export interface GroupHint {

@@ -3,7 +3,8 @@ import { isSame } from '#core/same';
 import type { CheckResult, Reason } from '#check/result';
 import type { Point } from '#scene/scene';
 import type { Happened } from '../happened/happened';
-import { isForOtherTask, type RunFacts } from './run-facts';
+import { isForOtherTask } from './needs-run';
+import type { RunFacts } from './run-facts';
 import { sidesIn, type PassedSide } from './passed-sides';
 
 /** A hand-in to be grouped. */

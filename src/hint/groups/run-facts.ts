@@ -1,6 +1,5 @@
 import { runWorld, type Onlooker } from '#check/run/run-world';
 import type { HandIn } from '#check/hand-in/hand-in';
-import { isUnread } from '#check/report/texts';
 import type { CheckResult, Reason, ReasonCode } from '#check/result';
 import { mainReason } from '#check/task/visible';
 import { courseOfWorld } from '#check/task/world-course';
@@ -12,6 +11,7 @@ import { happenedIn, type Happened } from '../happened/happened';
 import { Observed, type Moment } from '../watch/observed';
 import { PATIENCE, Stall } from '../watch/stall';
 import { Track, type Departure } from './bends';
+import { needsRun } from './needs-run';
 
 /** The facts of a run that has not passed, as plain data. */
 export interface RunFacts {
@@ -77,13 +77,6 @@ function lineFacts(moments: readonly Moment[], course: Scene): Pick<RunFacts, 'd
   const bend = isNear(start, last) ? 0 : (track?.bendAt({ x: last.pose.xMm, y: last.pose.yMm }) ?? null);
   return { departure: track?.departure(moments) ?? null, stays, bend };
 }
-
-/** True of a hand-in whose run has to be looked at. */
-export const needsRun = (result: CheckResult): boolean =>
-  !result.passed && !isUnread(result) && !isForOtherTask(result);
-
-/** True of a hand-in that belongs to another task. */
-export const isForOtherTask = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'other-task');
 
 /** Sees a run until nothing new happens in it. */
 const untilNothingNew = (seen: Observed, stall: Stall): Onlooker => ({

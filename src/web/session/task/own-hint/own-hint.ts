@@ -8,7 +8,8 @@ import { visibleTask } from '#check/task/visible';
 import { projectOfTask } from '#check/task/write-task';
 import type { Project } from '#project/project';
 import { linesToSee } from '#hint/changes/change';
-import { hintLevels, USUAL_BUDGET, type Hint } from '#hint/hint';
+import type { Hint } from '#hint/hint';
+import { hintLevels, USUAL_BUDGET } from '#hint/level';
 import { HintLane, type HintRequest } from '#hint/hint-lane';
 import { hintTexts } from '#hint/say';
 

@@ -5,10 +5,11 @@ import type { CheckResult } from '#check/result';
 import { secondsOf, type ClassTask } from '#check/task/task';
 import type { GroupHint } from '#hint/groups/group-hint';
 import { groupsOf, type Group } from '#hint/groups/groups';
-import { needsRun, type RunFacts } from '#hint/groups/run-facts';
+import { needsRun } from '#hint/groups/needs-run';
+import type { RunFacts } from '#hint/groups/run-facts';
 import { isHidden } from '#hint/groups/say';
 import { changeText, hintText } from '#hint/say';
-import { mainOf } from '#hint/trials';
+import { mainOf } from '#hint/main-of';
 import { computed, shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { Services } from '../../../session/run/worker/serve/protocol';
