@@ -2,6 +2,7 @@
 import { version } from '../../package.json';
 import { parseCommand, type Asked } from './arguments';
 import { createTerminal, type Terminal } from './terminal';
+import { loadAhead, type Script } from './threads/thread';
 
 /** A reader that has closed the pipe (`parcours run … | head`) wants no more output. */
 process.stdout.on('error', (error: NodeJS.ErrnoException) => {
@@ -16,8 +17,21 @@ const write = (text: string): 0 => {
 
 const terminal = (quiet = false): Terminal => createTerminal(process.stdout, process.stderr, quiet);
 
+/** The threads that commands begin with. */
+const FIRST: { readonly [Command in Asked['type']]?: Script } = {
+  run: 'worker',
+  replay: 'worker',
+  check: 'check-worker',
+  'class add': 'check-worker',
+  sweep: 'lab-worker',
+  tournament: 'lab-worker',
+  hint: 'hint-worker',
+};
+
 /** Carries a command out. Its code is fetched now: help and messages need nothing of the simulation. */
 async function carryOut(asked: Asked): Promise<number> {
+  const first = FIRST[asked.type];
+  if (first !== undefined) loadAhead(first);
   switch (asked.type) {
     case 'help':
       return write((await import('./commands/help')).helpText(asked.options.about));

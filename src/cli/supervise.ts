@@ -1,9 +1,8 @@
-import { fileURLToPath } from 'node:url';
-import { Worker } from 'node:worker_threads';
 import type { Report } from './report';
 import { createDeviceLines } from './device-lines';
 import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
 import type { Terminal } from './terminal';
+import { threadOf } from './threads/thread';
 import { RadioReport } from './with-radio';
 import { BEAT, INTERRUPT, type ReplayOutcome, type WorkerMessage, type WorkerTask } from './worker-messages';
 
@@ -34,12 +33,6 @@ const DRAIN_MS = 20;
 /** Approximate limit for output in the report; later output was only shown. Chosen: ten minutes of printing. */
 const MAX_CONSOLE_CHARACTERS = 16_000_000;
 
-/**
- * C stack of the thread in MB. Chosen: deep recursion of a Python program goes through many wasm frames, and the limit
- * that counts must be the VM's own, the same everywhere.
- */
-export const STACK_MB = 32;
-
 /** The known facts about a run that was ended before it could report. */
 export const nothingYet: Report = {
   ended: 'stuck',
@@ -63,11 +56,8 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
   const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
   const names = task.setup.devices.map(({ name }) => name);
   const output = passOn(createSharedConsole(), names, terminal);
-  const workerData: WorkerTask = { ...task, shared, console: output.shared };
-  const worker = new Worker(fileURLToPath(new URL('./worker.mjs', import.meta.url)), {
-    workerData,
-    resourceLimits: { stackSizeMb: STACK_MB },
-  });
+  const worker = threadOf('worker');
+  worker.postMessage({ ...task, shared, console: output.shared } satisfies WorkerTask);
   let latest = nothingYet;
   const radio = new RadioReport();
   return new Promise((resolve) => {

@@ -1,5 +1,5 @@
 /** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
-import { parentPort, workerData } from 'node:worker_threads';
+import { parentPort } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
 import { runningTo, SLICE_US } from '#lab/run-end';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
@@ -174,7 +174,9 @@ async function work(task: WorkerTask): Promise<void> {
 const isFailedWrite = (error: unknown): boolean =>
   error instanceof Error && 'syscall' in error && ['write', 'ftruncate'].includes(String(error.syscall));
 
-await work(workerData as WorkerTask).catch((error: unknown) => {
-  if (isFailedWrite(error)) post({ type: 'refused', problem: `A result cannot be written: ${reasonOf(error)}` });
-  else post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) });
+parentPort?.once('message', (task: WorkerTask) => {
+  work(task).catch((error: unknown) => {
+    if (isFailedWrite(error)) post({ type: 'refused', problem: `A result cannot be written: ${reasonOf(error)}` });
+    else post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) });
+  });
 });
