@@ -31,7 +31,7 @@ import words from './words';
 /** Results in the order of the hand-ins, with their task. */
 interface Checked extends NamedTask {
   readonly results: readonly NamedResult[];
-  /** What the runs did; left out: no groups are wanted. */
+  /** Facts about the runs; left out: no groups are wanted. */
   readonly looks?: Looks;
 }
 

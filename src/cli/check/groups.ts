@@ -13,7 +13,7 @@ import { every, threads } from '../threads/threads';
 import type { FactsRequest } from './facts-worker';
 import type { CheckerData } from './pool-messages';
 
-/** What the runs of checked hand-ins did, by their names, and why some could not be looked at. */
+/** Facts about the runs of checked hand-ins by their names, and why some could not be looked at. */
 export interface Looks {
   readonly facts: ReadonlyMap<string, RunFacts>;
   readonly unseen: ReadonlyMap<string, Reason>;

@@ -27,7 +27,7 @@ export interface GroupsPorts {
 /** The search for the hint to a group. `nothing`: it could not be searched; `unloaded`: as a part of the code did not come. */
 export type Searched = 'searching' | 'nothing' | 'unloaded' | GroupHint;
 
-/** What was found of a run that was looked at. */
+/** The facts of a run that was looked at, or why it could not be. */
 type Look = Pick<ToGroup, 'facts' | 'unseen'>;
 
 /** A search with the results of the hand-ins that it was about: with other ones it is about other programs. */
