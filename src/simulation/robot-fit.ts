@@ -22,17 +22,10 @@ export interface RobotFault {
 
 type Plugged = Pick<Hardware, 'board' | 'robot'>;
 
-/** The robot of a device, and the id of its board. */
-type OnBoard = Pick<Plugged, 'robot'> & { readonly board: { readonly id: string } };
-
 /** True if the robot is on a board that it does not fit: then nothing of it is connected. */
-export function isMisplugged({ board, robot }: OnBoard): boolean {
+export function isMisplugged({ board, robot }: Plugged): boolean {
   return robot !== null && robot.board !== board.id;
 }
-
-/** True if something of a device receives the infrared remote control. */
-export const hearsRemote = (plugged: OnBoard): boolean =>
-  plugged.robot !== null && plugged.robot.hearsRemote !== false && !isMisplugged(plugged);
 
 /**
  * The other robot for which a program is written: the program imports a module of that robot and none of this one, or

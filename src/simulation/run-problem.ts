@@ -13,7 +13,7 @@ import { movableIds } from './at-once';
 import { fitDevices, type FittedDevice } from './fit-devices';
 import type { Hardware } from './hardware';
 import { reachesAll, type InputAction, type PlacedPose } from './input';
-import { hearsRemote, isMisplugged } from './robot-fit';
+import { isMisplugged } from './robot-fit';
 import { placeOfDevice } from './several/place-of-device';
 import type { RunSetup } from './run-setup';
 
@@ -133,6 +133,13 @@ export function createInputCheck({ board, robot, options }: Plugged, began: Scen
 }
 
 const remoteNames = remoteKeys.map(([name]) => name);
+
+/** True if something of a device receives the infrared remote control. */
+export const hearsRemote = ({
+  board,
+  robot,
+}: Pick<Plugged, 'robot'> & { readonly board: { readonly id: string } }): boolean =>
+  robot !== null && robot.hearsRemote !== false && robot.board === board.id;
 
 /** The problem of a key of the remote control that nothing receives. */
 function remoteProblem(key: RemoteKey, plugged: Pick<Plugged, 'board' | 'robot'>): string | null {
