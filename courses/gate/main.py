@@ -24,6 +24,6 @@ while distance() < FREE:        # closed
 setLED(0)
 
 forward()
-delay(2900)
+delay(1900)
 stop()
 fillRGB(0, 80, 0)       # done!

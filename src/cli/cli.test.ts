@@ -212,6 +212,11 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ['a driver twice', [hello, '--file', hello, '--file', hello], /there is already a file "fine\.py" on the board/],
     ['an unknown robot', [hello, '--robot', 'tank'], /Unknown robot "tank"\. Known robots: maqueen-lite/],
     ['an unknown board', [hello, '--board', 'x'], /Unknown board "x"\. Known boards: microbit-v2/],
+    [
+      'a course by a wrong id',
+      [hello, '--scene', 'gat'],
+      /gat: there is no such file\. There is no ready course "gat" either\. Did you mean gate\?/,
+    ],
     ['a missing course', [hello, '--scene', 'no.json'], /no\.json: there is no such file/],
     [
       'a course that is not JSON',

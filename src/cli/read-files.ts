@@ -152,8 +152,13 @@ export const isNoFile = (path: string): boolean => !existsSync(path) || statSync
 /** A course, that of a project or of a link, or a ready one by its id. */
 async function readScene(word: string): Promise<CourseRead> {
   if (isAddress(word)) return { scene: await sceneOfAddress(word), notes: [] };
-  const ready = isNoFile(word) ? (await import('./ready-courses')).readyCourse(word) : null;
-  if (ready !== null) return { scene: ready, notes: [] };
+  if (isNoFile(word)) {
+    const { noReadyCourse, readyCourse } = await import('./ready-courses');
+    const ready = readyCourse(word);
+    if (ready !== null) return { scene: ready, notes: [] };
+    const more = existsSync(word) ? null : noReadyCourse(word);
+    if (more !== null) return refuse(word, `there is no such file. ${more}`);
+  }
   const text = readText(word, limits.json);
   const document = documentOfText(text, () => null);
   if (document.kind === 'project') return { scene: document.project.scene, notes: [] };

@@ -8,6 +8,7 @@ import type { Scene } from '#scene/scene';
 import { anyHardware, MAIN, type FurtherDevice, type Project } from '#project/project';
 import { parseInputs } from '#simulation/input-file';
 import type { InputEvent } from '#simulation/input';
+import { nearest } from './commands/nearest';
 
 const scenes = import.meta.glob<unknown>('../../courses/*/scene.json', { eager: true, import: 'default' });
 const courses = import.meta.glob<CourseData>('../../courses/*/course.json', { eager: true, import: 'default' });
@@ -33,6 +34,13 @@ export function readyCourse(id: string): Scene | null {
 
 /** The ids of all ready courses and missions, in the page's order. */
 export const readyIds = (): readonly string[] => [...courseList, ...missions].map(({ id }) => id);
+
+/** The problem with a word that is no ready course, with the one that was probably meant; `null`: it is no id at all. */
+export function noReadyCourse(word: string): string | null {
+  if (!/^[\w-]+$/.test(word)) return null;
+  const meant = nearest(word, readyIds());
+  return `There is no ready course "${word}" either.${meant === null ? '' : ` Did you mean ${meant}?`}`;
+}
 
 /** The page's title of a ready course in this language; `null`: that of its scene. */
 export const readyTitle = (id: string | null, language: Language): string | null =>

@@ -68,7 +68,10 @@ describe('a line sensor without a wire', () => {
         looks++;
         return ago === undefined ? now : (past.at(-1 - ago) ?? NaN);
       },
-      beforePaint: (act) => (paint = act),
+      beforePaint: (act) => {
+        paint = act;
+        return () => undefined;
+      },
     });
     let isBright = true;
     const steps = 20_000;

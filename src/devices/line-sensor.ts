@@ -24,7 +24,7 @@ export interface LineView {
   /** Looks at the ground now, or as it was below the sensor so many steps of the world ago: after the last one 0 steps ago. */
   readonly look: (stepsAgo?: number) => number;
   /** Calls something each time before the floor changes. Left out: it never does. */
-  readonly beforePaint?: (act: () => void) => void;
+  readonly beforePaint?: (act: () => void) => Stop;
 }
 
 /** A sensor with a digital value. */
@@ -34,6 +34,8 @@ export interface LineComparator {
   isBright(): boolean;
   /** The last reading: 0 black … 1 bare floor. */
   reflectance(): number;
+  /** From now on it does not hear of changes of the floor. */
+  readonly stop: Stop;
 }
 
 /**
@@ -56,7 +58,7 @@ export function createLineComparator({ look, beforePaint }: LineView): LineCompa
     }
     unseenSteps = 0;
   };
-  beforePaint?.(catchUp);
+  const stop = beforePaint?.(catchUp) ?? (() => undefined);
   return {
     sample: () => {
       if (++unseenSteps === MOST_STEPS_BACK) catchUp();
@@ -69,6 +71,7 @@ export function createLineComparator({ look, beforePaint }: LineView): LineCompa
       catchUp();
       return seen;
     },
+    stop,
   };
 }
 

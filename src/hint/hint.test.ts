@@ -52,6 +52,23 @@ describe('a hint', () => {
     expect(hint).toMatchObject({ tried: 1, change: { kind: 'name', after: ['from mbrobot import *'] } });
   });
 
+  it.each([
+    [{ id: 'c', type: 'radio', text: '5' }, 'import radio\nradio.on()\nprint(radio.send(str(4)))\n'],
+    [{ id: 'c', type: 'log', rows: 5, column: 'n' }, 'import log\nfor n in range(3): log.add(n=n)\n'],
+    [{ id: 'c', type: 'log', rows: 1, column: 'n5' }, 'import log\nlog.add({"n" + str(4): 1})\n'],
+    [{ id: 'c', type: 'console', text: '5' }, 'print(4)\n'],
+  ] as const)('finds a number that shows only in what $type looks at', async (look, program) => {
+    const hint = await hinted(taskWith(sceneWith([]), { checks: [look] }), program);
+    expect(hint?.happened).toMatchObject({ fact: 'reason', reason: { code: look.type } });
+    expect(hint?.change).toMatchObject({ kind: 'number', direction: 'more' });
+  });
+
+  it('says in which column the data log lacks rows', async () => {
+    const look = { id: 'c', type: 'log', rows: 2, column: 'n' } as const;
+    const hint = await hinted(taskWith(sceneWith([]), { checks: [look] }), 'import log\nlog.add(m=1)\n', 0);
+    expect(hintText(hint!, 1, 'en')).toMatch(/fewer than 2 rows\. Only rows with a value under “n” count\./);
+  });
+
   it('tries nothing in lines that the program never comes to', async () => {
     const rest = 'forward()\ndelay(1100)\nstop()\n'.repeat(20);
     const hint = await hinted(ahead, `from mbrobot import *\nx = 1 / zero\n${rest}`);

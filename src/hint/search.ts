@@ -1,4 +1,4 @@
-import type { Check } from '#check/task/task';
+import { showsTypes, type Check, type ClassTask } from '#check/task/task';
 
 import type { Change } from './changes/change';
 import { extraChanges, indentChanges, orderChanges } from './changes/lines';
@@ -29,7 +29,7 @@ export async function findChange(search: Search): Promise<Found> {
 async function searchIn(program: Program, trials: Trials, search: Search): Promise<Change | null> {
   const { suspects, score } = search;
   const inOrder = (...makers: readonly ((of: Program) => readonly Change[])[]): readonly Change[] =>
-    makers.flatMap((make) => bySuspicion(make(program), program, suspects));
+    makers.flatMap((make) => bySuspicion(make(program), program, search));
   const numbers = new NumberSearch(numbersInOrder(program, search), trials, score);
   const more = new LinesMore(trials, score);
   let found: readonly Change[] | null = null;
@@ -74,28 +74,29 @@ async function firstOf(changes: readonly Change[], trials: Trials): Promise<Chan
 const bySuspicion = <T extends { readonly line: number }>(
   changes: readonly T[],
   { lines }: Program,
-  suspects: readonly number[],
+  { suspects, task }: Search,
 ): readonly T[] => {
   const ranks = new Map(suspects.map((line, rank) => [line, rank]));
-  const rank = ({ line }: T): number =>
-    (ranks.get(line) ?? suspects.length) + (SHOWS.test(lines[line - 1]?.code ?? '') ? suspects.length : 0);
+  const isLate = (line: number): boolean => !looksAtShown(task) && SHOWS.test(lines[line - 1]?.code ?? '');
+  const rank = ({ line }: T): number => (ranks.get(line) ?? suspects.length) + (isLate(line) ? suspects.length : 0);
   return [...changes].sort((one, other) => rank(one) - rank(other));
 };
 
 /** Statements that only show something: the robot drives the same with and without them. */
-const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech)/;
+const SHOWS = /^(setLED|fillRGB|posRGB|setRGB|clearRGB|display|print|music|setAlarm|beep|speech|log\.)/;
 
-/** Checks of what a program shows. */
-const SHOWN: readonly Check['type'][] = ['display', 'light', 'sound', 'console'];
+/** True if a check looks at what is shown, sent or written: then the fault may lie in a line that only does that. */
+const looksAtShown = ({ checks }: ClassTask): boolean => checks.some(({ type }) => isShows(type));
+
+const isShows = (type: Check['type']): boolean => showsTypes.some((one) => one === type);
 
 /** The numbers that may matter: those that are only shown do where a check looks at that. */
-function numbersInOrder(program: Program, { suspects, task }: Search): readonly NumberPlace[] {
+function numbersInOrder(program: Program, search: Search): readonly NumberPlace[] {
   const digits = digitsIn(program);
-  const looksAtShown = task.checks.some(({ type }) => SHOWN.includes(type));
   const matters = ({ from, line }: NumberPlace): boolean =>
-    !digits.has(from) && (looksAtShown || !SHOWS.test(program.lines[line - 1]?.code ?? ''));
+    !digits.has(from) && (looksAtShown(search.task) || !SHOWS.test(program.lines[line - 1]?.code ?? ''));
   const numbers = numbersOf(program).filter(matters);
-  return bySuspicion(numbers, program, suspects);
+  return bySuspicion(numbers, program, search);
 }
 
 /** Tries other values of the numbers of a program: coarse steps first, then halving between them. */

@@ -67,6 +67,7 @@ describe('a sweep', () => {
 
   it.each([
     ['main.py:4=1', 'main.py:4: there is no number in this line: print("5")'],
+    ['main.py:5=1', 'main.py:5: there is no number in this line, it is empty.'],
     ['main.py:2=1', 'main.py:2: which of 2 numbers? main.py:2.1 is 0, main.py:2.2 is 100.'],
     ['main.py:2.3=1', 'main.py:2.3: there is no such number in this line: main.py:2.1 is 0'],
     ['main.py:9=1', 'main.py:9: main.py has 5 lines.'],

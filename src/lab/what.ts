@@ -83,7 +83,8 @@ function numberNamed(name: string, { file, line, place }: Named, { setup, mainNa
   if (line < 1 || line > lineCount(text)) return { problem: `${name}: ${file} has ${lineCount(text)} lines.` };
   const numbers = numbersOfLine(text, line);
   const shown = lineOf(text, line);
-  if (numbers.length === 0) return { problem: `${name}: there is no number in this line: ${shown}` };
+  if (numbers.length === 0)
+    return { problem: `${name}: there is no number in this line${shown === '' ? ', it is empty.' : `: ${shown}`}` };
   const listed = numbers.map((one, index) => `${file}:${line}.${index + 1} is ${one.text}`).join(', ');
   const at = numbers[(place ?? 1) - 1];
   if (place === null && numbers.length > 1)

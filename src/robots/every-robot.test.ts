@@ -1,9 +1,12 @@
 import { readdirSync } from 'node:fs';
-import { beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { Board } from '#board/board';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import { LANGUAGES, type Texts } from '#core/languages';
+import { addedTo } from '#core/stop';
+import { NecRemote } from '#devices/nec-remote';
+import type { World } from '#world/world';
 import { robotBuilds } from './builds';
 import { fetchDrawing } from './drawings';
 import { findRobot, robotTypes } from './index';
@@ -181,6 +184,24 @@ describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s
       robot.detach();
     },
   );
+
+  it('hears no change of the floor any more when it is taken away', () => {
+    const heard = new Set<object>();
+    const prepare = (world: World): void => {
+      vi.spyOn(world, 'beforePaint').mockImplementation((act) => addedTo(heard, act));
+    };
+    const { robot, passMs } = putOnFloor(build, { prepare });
+    passMs(100);
+    robot.detach();
+    expect(heard.size).toBe(0);
+  });
+
+  it('says rightly whether it hears a remote control', () => {
+    const listen = vi.spyOn(NecRemote.prototype, 'onBurst');
+    putOnFloor(build).robot.detach();
+    expect(listen.mock.calls.length > 0).toBe(build.type.hearsRemote !== false);
+    listen.mockRestore();
+  });
 
   it('leaves wires and bus as it found them', () => {
     const { board, clock, robot, passMs } = putOnFloor(build);

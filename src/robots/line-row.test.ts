@@ -17,7 +17,7 @@ function mount(scale = 1, lineReadings: Readonly<Record<string, LineReadings>> =
     asked.push({ spot, radiusMm });
     return spot.y > 0 ? leftSees : 1;
   };
-  const row = mountLineRow({ ground, beforePaint: () => undefined, scale, lineReadings }, PLACES, MEASURE);
+  const row = mountLineRow({ ground, beforePaint: () => () => undefined, scale, lineReadings }, PLACES, MEASURE);
   return { row, asked, see: (reflectance: number) => void (leftSees = reflectance) };
 }
 

@@ -1,5 +1,6 @@
 /** Shared by robots with line sensors: rows that measure the ground and are reported by I2C, and pairs that tell light from dark. */
 import type { Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 import { BOTH_SIDES, type Side } from '#devices/dc-motor';
 import { createLineComparator, type LineComparator, type LineView } from '#devices/line-sensor';
 import type { LineSensorState, RobotContext } from './robot';
@@ -34,6 +35,8 @@ export interface LineRow<Name extends string> {
   sample(): void;
   /** In the order of the places. */
   states(): LineSensorState[];
+  /** Call it when the robot goes. */
+  readonly stop: Stop;
 }
 
 /**
@@ -67,6 +70,7 @@ export function mountLineRow<Name extends string>(
     reading,
     sample: () => sensors.forEach((sensor) => sensor.sample()),
     states: () => places.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: reading(name) })),
+    stop: () => sensors.forEach((sensor) => sensor.stop()),
   };
 }
 
@@ -76,6 +80,8 @@ export interface LinePair<Sensor> {
   /** Notes that a step of the world has passed. Call it after each. */
   sample(): void;
   states(): LineSensorState[];
+  /** Call it when the robot goes. */
+  readonly stop: Stop;
 }
 
 /**
@@ -84,7 +90,7 @@ export interface LinePair<Sensor> {
  * @param atMm their places, robot frame, on the real robot
  * @param make makes one from its view of the ground
  */
-export function mountLinePair<Sensor extends Pick<LineComparator, 'sample' | 'isBright'>>(
+export function mountLinePair<Sensor extends Pick<LineComparator, 'sample' | 'isBright' | 'stop'>>(
   { ground, beforePaint, scale }: FloorContext,
   atMm: Readonly<Record<Side, Vec>>,
   spotRadiusMm: number,
@@ -102,5 +108,9 @@ export function mountLinePair<Sensor extends Pick<LineComparator, 'sample' | 'is
       sensors.right.sample();
     },
     states: () => BOTH_SIDES.map((name) => ({ name, atMm: atMm[name], bright: sensors[name].isBright() })),
+    stop: () => {
+      sensors.left.stop();
+      sensors.right.stop();
+    },
   };
 }

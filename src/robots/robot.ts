@@ -73,6 +73,8 @@ export interface RobotType {
   readonly driverNames?: readonly string[];
   /** Its options; those of its servo ports have the names of the ports. */
   readonly options: readonly Option[];
+  /** `false`: it does not hear an infrared remote control. Left out: it has a receiver. */
+  readonly hearsRemote?: false;
   /** The mount of an attachment: in the middle of the front edge. `null`: nothing can be fixed. */
   readonly mountMm: Vec | null;
 }
@@ -148,7 +150,7 @@ export interface RobotContext {
    */
   readonly ground: (spot: Vec, radiusMm: number, stepsAgo?: number) => number;
   /** Calls something each time before the floor changes. */
-  readonly beforePaint: (act: () => void) => void;
+  readonly beforePaint: (act: () => void) => Stop;
   /** The reading of a distance sensor at `from` (robot frame) that looks along `headingRad` (0 = forward). */
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
   /** The picture of a multizone ranger whose lens is at `from` (robot frame) and looks ahead. */

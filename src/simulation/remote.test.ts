@@ -76,6 +76,24 @@ while True:
 `;
 
 describe('the infrared remote control', () => {
+  it.each([
+    ['callibot', 'the Calli:bot has no infrared receiver'],
+    ['bitbot-xl', 'the bit:bot XL has no infrared receiver'],
+    ['none', 'a micro:bit V2 without a robot has no infrared receiver'],
+  ])('is refused where nothing receives it: robot %s', async (robot, said) => {
+    const run = printed([device('a', robot, 'pass')], remote(500, 'up', 100), 1);
+    await expect(run).rejects.toThrow(
+      `[0]: remote: nothing receives the key "up", as ${said}. Robots with one: maqueen`,
+    );
+  });
+
+  it('needs one device that hears it, unless one is named', async () => {
+    const both = [device('a', 'none', 'pass'), device('b', 'maqueen-lite', 'pass')] as const;
+    await expect(printed(both, remote(500, 'up', 100), 1)).resolves.toHaveLength(2);
+    const named = remote(500, 'up', 100).map((event) => ({ ...event, device: 'a' }));
+    await expect(printed(both, named, 1)).rejects.toThrow('nothing receives');
+  });
+
   it('is decoded by a program that measures the pulses on pin 16: frame, then a repeat every 110 ms', async () => {
     const inputs = [...remote(500, 'up', 240), ...remote(1500, 'left', 60), ...remote(2000, '7', 60)];
     const [lines] = await printed([device('1', 'maqueen-lite', SILENCES)], inputs, 2.5);

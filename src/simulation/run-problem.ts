@@ -1,7 +1,9 @@
+import { findBoard } from '#board/boards/index';
 import { askedSensors } from '#board/sensors/asked-sensors';
 import { gamepadKeys, isGamepadKey } from '#devices/gamepad';
-import { isRemoteKey, remoteKeys } from '#devices/nec-remote';
+import { isRemoteKey, remoteKeys, type RemoteKey } from '#devices/nec-remote';
 import { holdsGamepad } from '#robots/in-hand';
+import { robotTypes } from '#robots/index';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
@@ -10,7 +12,8 @@ import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import { fitDevices, type FittedDevice } from './fit-devices';
 import type { Hardware } from './hardware';
-import type { InputAction, PlacedPose } from './input';
+import { reachesAll, type InputAction, type PlacedPose } from './input';
+import { isMisplugged } from './robot-fit';
 import { placeOfDevice } from './several/place-of-device';
 import type { RunSetup } from './run-setup';
 
@@ -65,10 +68,22 @@ export interface InputTargets {
   readonly checks: readonly InputCheck[];
 }
 
-/** The check of the device of this name, or what is wrong with the name. */
+/**
+ * The check of the device of this name, or what is wrong with the name. Without a name an action that reaches all needs one
+ * device for which it is possible.
+ */
 export function checkFor({ names, checks }: InputTargets, device: string | undefined): InputCheck | string {
+  if (device === undefined && checks.length > 1) return checkOfAny(checks);
   const place = placeOfDevice(names, device);
   return typeof place === 'string' ? place : (checks[place] ?? 'This device has no board.');
+}
+
+function checkOfAny(checks: readonly InputCheck[]): InputCheck {
+  return (action, course, movable) => {
+    const asked = reachesAll(action) ? checks : checks.slice(0, 1);
+    const problems = asked.map((check) => check(action, course, movable));
+    return problems.includes(null) ? null : (problems[0] ?? null);
+  };
 }
 
 /** The hardware of a device, as far as an action depends on it. */
@@ -91,7 +106,9 @@ export function createInputCheck({ board, robot, options }: Plugged, began: Scen
       case 'radio':
         return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
       case 'remote':
-        return isRemoteKey(action.key) ? null : `remote: ${keyProblem(action.key, remoteNames)}`;
+        return isRemoteKey(action.key)
+          ? remoteProblem(action.key, { board, robot })
+          : `remote: ${keyProblem(action.key, remoteNames)}`;
       case 'stick':
       case 'gamepad':
         return robot === null && holdsGamepad(options) ? gamepadProblem(action) : NO_GAMEPAD;
@@ -116,6 +133,27 @@ export function createInputCheck({ board, robot, options }: Plugged, began: Scen
 }
 
 const remoteNames = remoteKeys.map(([name]) => name);
+
+/** True if something of a device receives the infrared remote control. */
+export const hearsRemote = ({
+  board,
+  robot,
+}: Pick<Plugged, 'robot'> & { readonly board: { readonly id: string } }): boolean =>
+  robot !== null && robot.hearsRemote !== false && robot.board === board.id;
+
+/** The problem of a key of the remote control that nothing receives. */
+function remoteProblem(key: RemoteKey, plugged: Pick<Plugged, 'board' | 'robot'>): string | null {
+  if (hearsRemote(plugged)) return null;
+  const { board, robot } = plugged;
+  const who =
+    robot === null
+      ? `a ${board.name} without a robot has`
+      : isMisplugged(plugged)
+        ? `the ${robot.name} is on another board than its own, the ${findBoard(robot.board)?.name ?? robot.board}, and has`
+        : `the ${robot.name} has`;
+  const able = robotTypes.filter((type) => hearsRemote({ robot: type, board: { id: type.board } }));
+  return `remote: nothing receives the key "${key}", as ${who} no infrared receiver. Robots with one: ${able.map(({ id }) => id).join(', ')}.`;
+}
 
 const NO_GAMEPAD =
   'This device has no gamepad. Give it one: --device "NAME=PROGRAM.py,robot=none,option=gamepad", with a micro:bit.';

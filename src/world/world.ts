@@ -1,5 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { Stop } from '#core/stop';
+import { addedTo, type Stop } from '#core/stop';
 import type { Chassis, ChassisType } from './chassis';
 import { createPaintedFloor } from './ground/painted-floor';
 import type { BlockBody } from './physics/block-body';
@@ -50,7 +50,7 @@ export interface World {
   /** Lays a picture under strokes and fields, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
   /** Calls something each time before strokes, fields or the picture change. */
-  beforePaint(act: () => void): void;
+  beforePaint(act: () => void): Stop;
   /**
    * @param nowUs clock of the program that drives it: each duty acts from the moment at which it is set, also within a
    *   step. It began with the world. Left out: from the next step on
@@ -193,12 +193,6 @@ const edgesOf = (size: WorldSize): Obstacle[] =>
 /** True if a place is inside the arena. */
 const holds = ({ widthMm, heightMm }: WorldSize, { x, y }: Vec): boolean =>
   x >= 0 && x <= widthMm && y >= 0 && y <= heightMm;
-
-/** Adds something to a set; it can be taken away again. */
-function addedTo<T>(set: Set<T>, one: T): Stop {
-  set.add(one);
-  return () => void set.delete(one);
-}
 
 /** The colour of a solid, if it has one. */
 const sharesOf = ({ shares }: { readonly shares?: Shares }): { readonly shares?: Shares } =>

@@ -11,7 +11,8 @@ import words from './words';
 export function reasonText({ code, params: given, advice }: Reason, language: Language): string {
   const params = shownIn(given);
   const { reasons, more } = words;
-  const besides = (['allowed', 'left', 'near', 'limit'] as const).filter((name) => params[name] !== undefined);
+  const isSaid = (name: string): boolean => params[name] !== undefined && params[name] !== '';
+  const besides = (['allowed', 'left', 'near', 'limit', 'column'] as const).filter(isSaid);
   const said = [reasons[code], ...besides.map((name) => more[name])].map((text) => filledIn(text[language], params));
   // What the board says of an error ends with no full stop.
   return advice === undefined ? said.join(' ') : `${said.join(' ')} – ${unseenShown(advice[language])}`;

@@ -137,12 +137,17 @@ export type Fact =
   /** No `delay` or `sleep` is longer. */
   | { readonly type: 'delay'; readonly most: number };
 
+/** Types of checks of what a program shows, sounds, sends and writes. */
+export const showsTypes = [
+  ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
+] as const satisfies readonly Shows['type'][];
+
 /** All types of checks, in the order in which they are offered. */
 export const checkTypes = [
   ...(['goals', 'reach', 'stop', 'stay', 'laps', 'checkpoints', 'belongs', 'covered'] as const),
   ...(['tiles', 'score'] as const),
   ...(['touches', 'faster', 'later'] as const),
-  ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
+  ...showsTypes,
   ...(['loop', 'calls', 'lines', 'delay'] as const),
 ] as const satisfies readonly CheckKind['type'][];
 

@@ -97,12 +97,15 @@ export const checkAbout = command({
 
 type CheckGiven = Given<typeof options>;
 
+const NO_TABLE = '--decimals: there is no table for a spreadsheet. Add --table FILE.csv.';
+
 /** Reads the words after `parcours check`. */
 function readCheck(words: readonly string[], given: CheckGiven, { variables }: Around): CheckOptions | Problem {
   const language = languageOf(given.last('lang'));
   if ('problem' in language) return language;
   const form = formOf(given.last('decimals'), language.lang);
   if ('problem' in form) return form;
+  if (given.has('decimals') && !given.has('table')) return { problem: NO_TABLE };
   const work = given.has('merge') ? nothingToRun(words, given) : workOf(words, given, variables);
   if (work !== null && 'problem' in work) return work;
   return {

@@ -13,14 +13,13 @@ import { equalTexts, otherTaskTexts, remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
 import type { Group } from '#hint/groups/groups';
-import type { RunFacts } from '#hint/groups/run-facts';
 import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
 import { CountProgress, refuse, writeReports } from '../results-out';
 import { printable, type Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
-import { factsOfAll, groupSaid, groupsIn, reportGroups } from './groups';
+import { groupSaid, groupsIn, lookAtAll, reportGroups, type Looks } from './groups';
 import { readTask, titleOf, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from '../shard';
@@ -32,8 +31,8 @@ import words from './words';
 /** Results in the order of the hand-ins, with their task. */
 interface Checked extends NamedTask {
   readonly results: readonly NamedResult[];
-  /** The facts of the runs, by name; left out: no groups are wanted. */
-  readonly facts?: ReadonlyMap<string, RunFacts>;
+  /** Facts about the runs; left out: no groups are wanted. */
+  readonly looks?: Looks;
 }
 
 type Problem = { readonly problem: string };
@@ -48,7 +47,7 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
   const found = classResult(checked.name, checked.results, options.lang);
-  const groups = checked.facts === undefined ? null : groupsIn(found, checked.task, checked.facts);
+  const groups = checked.looks === undefined ? null : groupsIn(found, checked.task, checked.looks);
   const problems = writeAll(found, checked, groups, options);
   const [passed, of] = [passedOf(found), found.handIns.length];
   if (options.json)
@@ -135,10 +134,10 @@ async function runAll(
   };
   const running = { jobs: work.jobs, folder, keepsWays: report !== null || options.groups, progress };
   const results = await checkAll(task, mine, start, { ...running, ...(!quiet && { last: lookForEqual }) });
-  const facts = options.groups ? await factsOfAll(task, results, { sources: mine, firmware: await firmware, jobs: work.jobs }) : undefined; // prettier-ignore
+  const looks = options.groups ? await lookAtAll(task, results, { sources: mine, firmware: await firmware, jobs: work.jobs }) : undefined; // prettier-ignore
   terminal.clearProgress();
   for (const text of equal) terminal.message(`parcours: ${text}`);
-  return { ...read, results, ...(facts && { facts }) };
+  return { ...read, results, ...(looks && { looks }) };
 }
 
 /** Shows the progress of hand-ins, and how many of them have passed. */

@@ -161,6 +161,8 @@ describe('parcours check', () => {
   it.each([
     [['check', 'closed-line', 'nowhere/'], 'nowhere/: there is no such file.'],
     [['check', 'no-such-course', 'package.json'], 'There is no ready course "no-such-course" either.'],
+    [['check', 'closed-lin', 'package.json'], 'Did you mean closed-line?'],
+    [['check', 'closed-line', 'bin', '--decimals', 'comma'], '--decimals: there is no table for a spreadsheet.'],
     [['check', 'package.json', 'README.md'], 'package.json: '],
     [['check', '--merge', 'src'], 'src: is no folder of results'],
     [['check', 'closed-line', 'bin', '--csv', 'a', '--junit', 'a'], '--junit and --csv: a can be only one of them.'],

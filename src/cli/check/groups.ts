@@ -1,6 +1,7 @@
 import { Asker, inLanes, longestMs } from '#check/lane';
 import type { ClassResult, NamedResult } from '#check/report/class-result';
 import type { ReportGroup } from '#check/report/groups-html';
+import type { Reason } from '#check/result';
 import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 import type { Language } from '#core/languages';
@@ -12,13 +13,20 @@ import { every, threads } from '../threads/threads';
 import type { FactsRequest } from './facts-worker';
 import type { CheckerData } from './pool-messages';
 
-/** The facts of the runs of checked hand-ins by their names. Those that have not passed are run once more. */
-export async function factsOfAll(
+/** Facts about the runs of checked hand-ins by their names, and why some could not be looked at. */
+export interface Looks {
+  readonly facts: ReadonlyMap<string, RunFacts>;
+  readonly unseen: ReadonlyMap<string, Reason>;
+}
+
+/** Looks at the runs of checked hand-ins: those that have not passed are run once more. */
+export async function lookAtAll(
   task: ClassTask,
   results: readonly NamedResult[],
   { sources, firmware, jobs }: { readonly sources: readonly Source[]; readonly firmware: WebAssembly.Module; readonly jobs: number }, // prettier-ignore
-): Promise<ReadonlyMap<string, RunFacts>> {
-  const found = new Map<string, RunFacts>();
+): Promise<Looks> {
+  const facts = new Map<string, RunFacts>();
+  const unseen = new Map<string, Reason>();
   const start = threads<FactsRequest, RunFacts | null>('facts-worker', (): Omit<CheckerData, 'shared'> => {
     return { task: projectOfTask(task), firmware, starts: [] };
   });
@@ -30,19 +38,23 @@ export async function factsOfAll(
     const content = source === undefined ? null : await contentOf(source);
     if (content === null || 'problem' in content) return;
     const ending = await lane.ask({ handIn: content.handIn, result });
-    if ('result' in ending && ending.result !== null) found.set(name, ending.result);
+    if ('reason' in ending) unseen.set(name, ending.reason);
+    else if (ending.result !== null) facts.set(name, ending.result);
   });
-  return found;
+  return { facts, unseen };
 }
 
 /** The groups of a class. */
 export const groupsIn = (
   { handIns }: ClassResult,
   { project }: ClassTask,
-  facts: ReadonlyMap<string, RunFacts>,
+  { facts, unseen }: Looks,
 ): readonly Group[] =>
   groupsOf(
-    handIns.map(({ name, result }) => ({ name, result, facts: facts.get(name) ?? null })),
+    handIns.map(({ name, result }) => {
+      const reason = unseen.get(name);
+      return { name, result, facts: facts.get(name) ?? null, ...(reason && { unseen: reason }) };
+    }),
     project.scene.size,
   );
 

@@ -7,7 +7,7 @@ import { seriesLinkOf } from '#intake/address';
 import { limits, stemOf } from '#intake/formats';
 import { documentOfText, taskIn } from '#intake/text';
 import { isNoFile, readLimited } from '../read-files';
-import { readyCourse, readyProject, readyTitle } from '../ready-courses';
+import { noReadyCourse, readyCourse, readyProject, readyTitle } from '../ready-courses';
 import { addressProblem, documentAt, isAddress, shortened } from '../read-work';
 import { partsOf, seriesInLink, taskInFile, taskInLink, withoutReload, type OpenedTask } from './series-task';
 
@@ -75,8 +75,10 @@ async function namedBy(word: string): Promise<OpenedTask | NamedSeries | Problem
   const ready = isNoFile(where) ? readyProject(where) : null;
   if (ready !== null) return which === '' ? { project: ready, name: where } : isSingle(where, which);
   const file = readLimited(where, limits.json);
-  if ('problem' in file)
-    return isId(where) ? { problem: `${file.problem} There is no ready course "${where}" either.` } : file;
+  if ('problem' in file) {
+    const more = noReadyCourse(where);
+    return more === null ? file : { problem: `${file.problem} ${more}` };
+  }
   const document = documentOfText(file.text, readyCourse);
   if (document.kind === 'series') {
     const { series } = document;
@@ -107,8 +109,6 @@ const saidOf = (word: string, opened: OpenedTask | Problem): OpenedTask | Proble
 const isSingle = (where: string, which: string): Problem => ({
   problem: `${where}: is one task and no series. Leave out #${which}.`,
 });
-
-const isId = (word: string): boolean => /^[\w-]+$/.test(word);
 
 /** The task's name for reports: its id, else the title in its series or of its ready course, else its course's name. */
 export const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>

@@ -154,6 +154,8 @@ export const classReportAbout = command({
     if ('problem' in language) return language;
     const form = formOf(given.last('decimals'), language.lang);
     if ('problem' in form) return form;
+    if (given.has('decimals') && !given.has('csv'))
+      return { problem: '--decimals: there is no table for a spreadsheet. Add --csv FILE.csv.' };
     const own = { ...day, ...form, report: given.last('report'), csv: given.last('csv') };
     return requestOf('report', words, given, own);
   },

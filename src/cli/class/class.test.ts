@@ -124,6 +124,7 @@ describe('the words behind parcours class', () => {
     [['set', '8b.json', '--pass=0'], '--pass: "0" is neither "even" nor a whole number of per cent from 1 to 99.'],
     [['set', '8b.json', '--due=bend'], '--due: "bend" is no TASK=DAY such as bend=2026-11-30.'],
     [['report', '8b.json', '--decimals=dot'], '--decimals: "dot" is neither "point" nor "comma".'],
+    [['report', '8b.json', '--decimals=point'], '--decimals: there is no table for a spreadsheet. Add --csv FILE.csv.'],
     [['add', '8b.json', 'a', 'b', '--jobs=0'], '--jobs: "0" is not a whole number from 1 to 256.'],
   ])('that are %j are told what is missing', (words, problem) => expect(read(...words)).toEqual({ problem }));
 

@@ -26,6 +26,8 @@ const least: Readonly<Record<CommandName, readonly string[]>> = {
 
 /** Options that are nothing without another one. */
 const needs: Readonly<Record<string, readonly string[]>> = {
+  'check --decimals': ['--table', 't.csv'],
+  'class report --decimals': ['--csv', 't.csv'],
   'replay --hit': ['--line', 'main.py:14'],
   'convert --firmware': ['--as', 'hex', '--firmware', 'a.hex'],
   'convert --board': ['--as', 'hex', '--firmware', 'a.hex'],

@@ -74,6 +74,19 @@ describe('groups of a class', () => {
     ]);
   });
 
+  it('say of what could not be looked at just that, and why', () => {
+    const lost: ToGroup = {
+      ...failed('b', { fact: 'unmoved' }),
+      facts: null,
+      unseen: { code: 'unloaded', params: {} },
+    };
+    const unchecked: ToGroup = { name: 'c', result: unreadable([], { code: 'unloaded', params: {} }), facts: null };
+    expect(said([lost, unchecked, failed('a', { fact: 'unmoved' })])).toEqual([
+      '1 never starts |  | a',
+      '2 could not be looked at | A part of Parcours does not load. Check the connection and try again. | b,c',
+    ]);
+  });
+
   it('are never more than ten: the smallest become one, and each hand-in is in one of them', () => {
     const all = Array.from({ length: 30 }, (_, place) => left(`n${place}`, 3, Math.min(place, 20)));
     const groups = groupsOf(all, SIZE);

@@ -14,6 +14,8 @@ export interface ToGroup {
   readonly result: CheckResult;
   /** The facts of its run; `null`: it has passed, or was not run. */
   readonly facts: RunFacts | null;
+  /** Why its run could not be looked at; left out: it could. */
+  readonly unseen?: Reason;
 }
 
 /** The common feature of a group, with its values. */
@@ -32,7 +34,7 @@ export type GroupKind =
   | { readonly kind: 'waits'; readonly name: string }
   | { readonly kind: 'error'; readonly type: string }
   /** `null`: not the same of all. */
-  | { readonly kind: 'reason'; readonly reason: Reason | null }
+  | { readonly kind: 'reason' | 'unseen'; readonly reason: Reason | null }
   | { readonly kind: 'other-task' | 'unread' | 'others' };
 
 /** Hand-ins whose runs did the same. */
@@ -88,7 +90,7 @@ export function groupsOf(all: readonly ToGroup[], size: Point): readonly Group[]
 
 const sortedAs = (one: ToGroup, is: GroupKind): Sorted => {
   const failed = one.facts?.world ?? one.result.worlds.find(({ passed }) => !passed)?.id ?? null;
-  const world = is.kind === 'other-task' ? null : failed;
+  const world = ['other-task', 'unseen'].includes(is.kind) ? null : failed;
   return { one, is, world, base: `${baseOf(is)}${world === null ? '' : `@${world}`}` };
 };
 
@@ -112,11 +114,21 @@ interface Sorted {
 const startOf = ({ seconds }: Group): number => seconds?.[0] ?? Infinity;
 
 const rank = ({ is }: Group): number =>
-  is.kind === 'passed' ? 0 : is.kind === 'unread' ? 4 : is.kind === 'other-task' ? 3 : is.kind === 'others' ? 2 : 1;
+  is.kind === 'passed'
+    ? 0
+    : ['unread', 'unseen'].includes(is.kind)
+      ? 4
+      : is.kind === 'other-task'
+        ? 3
+        : is.kind === 'others'
+          ? 2
+          : 1;
 
-function kindOf({ name, result, facts }: ToGroup, sides: ReadonlyMap<string, PassedSide>): GroupKind {
+function kindOf({ name, result, facts, unseen }: ToGroup, sides: ReadonlyMap<string, PassedSide>): GroupKind {
   if (result.passed) return { kind: 'passed', side: sides.get(name) ?? null };
   if (isForOtherTask(result)) return { kind: 'other-task' };
+  const reason = unseen ?? uncheckedFor(result);
+  if (reason !== null) return { kind: 'unseen', reason };
   if (isUnread(result)) return { kind: 'unread' };
   if (facts === null) return kindOfReason(reasonIn(result));
   const { happened, departure, next, stays, bend } = facts;
@@ -141,7 +153,11 @@ function kindOf({ name, result, facts }: ToGroup, sides: ReadonlyMap<string, Pas
   }
 }
 
-/** The kind by the reason alone, of a run that could not be looked at. */
+/** Why a hand-in was not even checked, where that is no matter of its own; else `null`. */
+const uncheckedFor = ({ remarks }: CheckResult): Reason | null =>
+  remarks.some(({ params }) => params['why'] === 'unloaded') ? { code: 'unloaded', params: {} } : null;
+
+/** The kind by the reason alone, of a run that was not run again. */
 function kindOfReason(reason: Reason): GroupKind {
   const { code, params } = reason;
   switch (code) {
@@ -239,7 +255,7 @@ const lengthBetween = ([x, y]: Point, [toX, toY]: Point): number =>
 
 /** No more groups than that: the smallest that have not passed become one. */
 function fewer(parts: readonly (readonly Sorted[])[]): readonly (readonly Sorted[])[] {
-  const isOwn = ([first]: readonly Sorted[]): boolean => first !== undefined && !['passed', 'unread', 'other-task'].includes(first.is.kind); // prettier-ignore
+  const isOwn = ([first]: readonly Sorted[]): boolean => first !== undefined && !['passed', 'unread', 'unseen', 'other-task'].includes(first.is.kind); // prettier-ignore
   const own = parts.filter(isOwn).toSorted((one, other) => other.length - one.length);
   const apart = parts.filter((part) => !isOwn(part));
   const room = MOST_GROUPS - apart.length;
@@ -267,8 +283,8 @@ function groupOf(those: readonly Sorted[], size: Point | null): Group {
 /** The kind of hand-ins of one kind; a reason that is not the same of all is not told of all. */
 function kindOfAll([first, ...others]: readonly Sorted[]): GroupKind {
   const is = first?.is ?? { kind: 'others' };
-  if (is.kind !== 'reason') return is;
-  return others.every((other) => isSame(other.is, is)) ? is : { kind: 'reason', reason: null };
+  if (is.kind !== 'reason' && is.kind !== 'unseen') return is;
+  return others.every((other) => isSame(other.is, is)) ? is : { ...is, reason: null };
 }
 
 function secondsOf({ is, one: { result, facts } }: Sorted): number | null {

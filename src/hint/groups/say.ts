@@ -23,7 +23,7 @@ export function groupTitle({ is, members, region }: Group, language: Language): 
 /** When, where or why it happened, in a few words; empty: there is nothing more to say. */
 export function groupFact(group: Group, firstWorld: string, language: Language): string {
   const { is, world } = group;
-  const reason = is.kind === 'reason' ? is.reason : null;
+  const reason = 'reason' in is ? is.reason : null;
   const said = reason === null ? timeText(group, language) : reasonText(reason, language);
   const where = world === null || world === firstWorld ? '' : filledIn(words.world[language], { id: worldName({ id: world }) }); // prettier-ignore
   return [...(is.kind === 'error' ? [is.type] : []), said, where].filter((text) => text !== '').join(' · ');
@@ -51,7 +51,7 @@ export function groupSign({ is: { kind } }: Group): 'passed' | 'wrong' | 'missin
 
 const MISSING: readonly GroupKind['kind'][] = [
   ...(['stays', 'ended', 'ended-near', 'stands', 'reached', 'slow', 'unmoved', 'empty', 'waits', 'reason'] as const),
-  ...(['other-task', 'unread', 'others'] as const),
+  ...(['other-task', 'unread', 'unseen', 'others'] as const),
 ];
 
 const TITLES = { 'ended-near': 'endedNear', 'other-task': 'otherTask' } as const;

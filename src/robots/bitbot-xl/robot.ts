@@ -83,6 +83,7 @@ function attach(context: RobotContext): Robot {
     board.i2c.attach(LINE_ADDRESS, createPca9557(levels)),
     board.i2c.attach(EEPROM_ADDRESS, createEeprom()),
     attachHcSr04(clock, { trigger: sonarWire, echo: sonarWire }, sonar.distanceMm, echoOf(context.options)),
+    line.stop,
     arms.stop,
     ...lightSensors.map(({ stop }) => stop),
     drive.stop,

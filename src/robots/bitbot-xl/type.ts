@@ -67,5 +67,6 @@ export const bitbotXl: RobotType = {
   measuring: 'from mbbitbot import *\nfrom mbbitbot import right as left\n\ndelay = sleep',
   driverNames: ['bitbotxl', 'bitbot'], // GMC's module is BitBotXL
   options: [echoOption, incidenceOption, ...colourOptions, cameraOption],
+  hearsRemote: false,
   mountMm: null,
 };

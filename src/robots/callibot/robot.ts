@@ -97,7 +97,7 @@ function attach(context: RobotContext): Robot {
     },
     model,
   );
-  const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), motors.stop];
+  const stops = [...plugIn(context, controller), line.stop, servos.stop, () => bumper.stop(), motors.stop];
 
   const lights = (): RobotLights => ({ ...noLights, leds: { ...leds }, rgb: [...rgb] });
   const state = (): RobotState => ({

@@ -93,5 +93,6 @@ export const callibot: RobotType = {
     cameraOption,
     ...attachmentOptions(SERVO_PORTS),
   ],
+  hearsRemote: false,
   mountMm: { x: 60, y: 0 },
 };

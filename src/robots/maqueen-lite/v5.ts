@@ -22,6 +22,7 @@
  * values in neither of them see SOURCES.md.
  */
 import type { Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 import { BOTH_SIDES } from '#devices/dc-motor';
 import { bitsOf, liveRegisters, memoryRegisters, wordRegisters, type RegisterPart } from '#devices/i2c-registers';
 import type { Motors } from '../mounting';
@@ -75,6 +76,8 @@ export interface V5 {
   isLit(side: 0 | 1): boolean;
   /** Call it after each step of the world. */
   step(): void;
+  /** Call it when the robot goes. */
+  readonly stop: Stop;
 }
 
 /** Places and spot sizes of the line sensors, in mm on the real robot. */
@@ -121,6 +124,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
       }),
     ],
     isLit: (side) => lights[side].isLit(),
+    stop: line.stop,
     step: () => {
       line.moved();
       if (!isWalking) return;
@@ -156,6 +160,7 @@ function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Li
       isStale = false;
       return row;
     },
+    stop: () => row?.stop(),
   };
 }
 

@@ -85,6 +85,7 @@ function attach(context: RobotContext): Robot {
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => sonar.distanceMm()),
     attachIrReceiver(board.wire('P16'), context.infrared),
+    line.stop,
     servos.stop,
     drive.stop,
   ];

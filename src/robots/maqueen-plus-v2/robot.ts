@@ -82,6 +82,7 @@ function attach(context: RobotContext): Robot {
     attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, echoOf(options)),
     ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
     attachIrReceiver(board.wire('P16'), context.infrared),
+    line.stop,
     underglow.stop,
     servos.stop,
     motors.stop,

@@ -57,6 +57,7 @@ function attach(context: RobotContext): Robot {
   const stops: readonly Stop[] = [
     ...listenToServos(context, SERVO_PORTS, (port, angleDeg) => servos.set(port, angleDeg)),
     attachIrReceiver(board.wire('P16'), context.infrared),
+    line.stop,
     ...(sonar === null ? [] : [sonar.stop]),
     ...(lidar === null ? [] : [lidar.stop]),
     underglow.stop,

@@ -81,7 +81,7 @@ function attach(context: RobotContext): Robot {
     },
     sidesOf(options['sides']),
   );
-  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), infrared.stop, servos.stop, motors.stop];
+  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), infrared.stop, line.stop, servos.stop, motors.stop];
 
   const lights = (): RobotLights => ({
     ...noLights,

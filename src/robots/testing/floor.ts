@@ -15,7 +15,7 @@ import { bodyOf, type OnSet, type Robot, type RobotBuild, type RobotContext } fr
 /** Surroundings without anything: a bare floor without end under an ideal robot of its usual size and options. */
 export const nothingAround = {
   ground: () => 1,
-  beforePaint: () => undefined,
+  beforePaint: () => () => undefined,
   distance: () => ({ distanceMm: Infinity, hitMm: null }),
   depths: () => [],
   light: () => [0.85, 0.85, 0.82],

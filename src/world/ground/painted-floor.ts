@@ -1,3 +1,4 @@
+import { addedTo, type Stop } from '#core/stop';
 import type { FieldShape, FloorGrid, Shares, StrokeHandle, StrokeShape } from '../shapes';
 import { createGround, type Ground } from './ground';
 
@@ -6,7 +7,7 @@ export interface PaintedFloor extends Ground {
   /** Mean shares of red, green and blue light under a round spot, each 1 on bare floor. */
   sharesAt(x: number, y: number, radiusMm: number): Shares;
   /** Calls something each time before the floor changes. */
-  beforePaint(act: () => void): void;
+  beforePaint(act: () => void): Stop;
 }
 
 /** Something that was painted: on the ground of infrared, and on those of the colours once there are any. */
@@ -68,7 +69,7 @@ export function createPaintedFloor(): PaintedFloor {
       picture = grid;
       for (const ground of [infrared, ...colors]) ground.setFloor(grid);
     },
-    beforePaint: (act) => void beforePaint.add(act),
+    beforePaint: (act) => addedTo(beforePaint, act),
     reflectanceAt: (x, y, radiusMm) => infrared.reflectanceAt(x, y, radiusMm),
     sharesAt(x, y, radiusMm) {
       const [red = 1, green = 1, blue = 1] = withColors().map((ground) => ground.reflectanceAt(x, y, radiusMm));

@@ -2,7 +2,7 @@ import type { Refusal } from '#embed/simulator';
 import { movableIds } from '#simulation/at-once';
 import { reachesAll, type InputAction } from '#simulation/input';
 import { placeOfDevice } from '#simulation/several/place-of-device';
-import { createInputCheck } from '#simulation/run-problem';
+import { checkFor, createInputCheck } from '#simulation/run-problem';
 
 import type { RunParts } from '../../session/run/parts';
 import type { WorkParts } from '../../session/work/model/parts';
@@ -33,13 +33,17 @@ export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts)
   return {
     isOwn: () => isOwn,
     take(action, device) {
-      const place = placeOfDevice(work.devices.value, device);
+      const names = work.devices.value;
+      const place = placeOfDevice(names, device);
       if (typeof place === 'string') return place;
-      const hardware = hardwareNow(parts, place);
-      if (hardware === null) return 'The course names a board or a robot that this app does not have.';
       const scene = work.scene.value;
-      const check = createInputCheck(hardware, scene);
-      const problem = check(action, scene, movableIds(new Set(), scene, scene));
+      const checks = names.flatMap((_, at) => {
+        const hardware = hardwareNow(parts, at);
+        return hardware === null ? [] : [createInputCheck(hardware, scene)];
+      });
+      if (checks.length < names.length) return 'The course names a board or a robot that this app does not have.';
+      const check = checkFor({ names, checks }, device);
+      const problem = typeof check === 'string' ? check : check(action, scene, movableIds(new Set(), scene, scene));
       if (problem !== null) return problem;
       const isTaken = act(action, device === undefined && reachesAll(action) ? undefined : place);
       return isTaken ? null : 'The task that is open is done without the hand.';

@@ -16,6 +16,14 @@ describe('the panel of what is in the hand', () => {
     expect(keys[8]?.attributes('aria-label')).toBe('Pfeil nach oben, sendet 10');
   });
 
+  it('says instead that nothing receives it, where no robot has a receiver', () => {
+    const page = createPage();
+    page.settings.change({ robot: 'callibot' });
+    const mounted = mountOn(page, HandPanel);
+    expect(mounted.find('.remote').exists()).toBe(false);
+    expect(mounted.get('[data-testid=remote-unheard]').text()).toMatch(/Infrarotempfänger/);
+  });
+
   it('plugs a micro:bit without a robot into a gamepad, and takes it out again', async () => {
     const page = createPage();
     page.settings.change({ robot: 'none' });

@@ -21,12 +21,12 @@ const row = (name: string, passed: boolean): Row => {
 };
 
 /** Groups whose workers answer at once, and the names of the programs they were asked about. */
-function groupsWith(rows: readonly Row[], others: GroupHint['changes'] = [null]) {
+function groupsWith(rows: readonly Row[], others: GroupHint['changes'] = [null], isThere = () => true) {
   const [looked, searched]: [string[], string[][]] = [[], []];
   const thread =
     <Request, Result>(answer: (request: Request) => Result): Start<Request, Result> =>
     (heard) => ({
-      ask: (request) => queueMicrotask(() => heard({ result: answer(request) })),
+      ask: (request) => queueMicrotask(() => heard(isThere() ? { result: answer(request) } : { unloaded: true })),
       pulse: () => ({ beat: 0, world: 0 }),
       stop: () => undefined,
     });
@@ -89,6 +89,23 @@ describe('the groups of the class on the page', () => {
     await groups.search(group!);
     const other = group!.members.find((name) => name !== group!.example);
     expect(groups.hintsInWords(group!, 'en').get(other!)).toMatch(/^A number in line 1 is too big\. .*a smaller one/);
+  });
+
+  it('say what could not be looked at or searched as a part of the page did not load, and search again later', async () => {
+    let isThere = false;
+    const { groups, model } = groupsWith([row('b', false)], [null], () => isThere);
+    await groups.look();
+    expect(groups.groups.value).toMatchObject([{ is: { kind: 'unseen', reason: { code: 'unloaded' } } }]);
+    isThere = true;
+    model.rows.value = [row('b', false)];
+    await groups.look();
+    const [group] = groups.groups.value;
+    isThere = false;
+    await groups.search(group!);
+    expect(groups.hintOf(group!)).toBe('unloaded');
+    isThere = true;
+    await groups.search(group!);
+    expect(groups.hintOf(group!)).toMatchObject({ holds: 1 });
   });
 
   it('end a search with the group that is closed, and begin it anew', async () => {

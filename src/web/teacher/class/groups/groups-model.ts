@@ -4,7 +4,7 @@ import { Asker, inLanes, type Every, type Start } from '#check/lane';
 import type { CheckResult } from '#check/result';
 import { secondsOf, type ClassTask } from '#check/task/task';
 import type { GroupHint } from '#hint/groups/group-hint';
-import { groupsOf, type Group } from '#hint/groups/groups';
+import { groupsOf, type Group, type ToGroup } from '#hint/groups/groups';
 import { needsRun } from '#hint/groups/needs-run';
 import type { RunFacts } from '#hint/groups/run-facts';
 import { isHidden } from '#hint/groups/say';
@@ -24,8 +24,11 @@ export interface GroupsPorts {
   readonly lanes: number;
 }
 
-/** The search for the hint to a group. `nothing`: it could not be searched. */
-export type Searched = 'searching' | 'nothing' | GroupHint;
+/** The search for the hint to a group. `nothing`: it could not be searched; `unloaded`: as a part of the code did not come. */
+export type Searched = 'searching' | 'nothing' | 'unloaded' | GroupHint;
+
+/** The facts of a run that was looked at, or why it could not be. */
+type Look = Pick<ToGroup, 'facts' | 'unseen'>;
 
 /** A search with the results of the hand-ins that it was about: with other ones it is about other programs. */
 interface Kept {
@@ -48,12 +51,12 @@ export class GroupsModel {
   /** Number of hand-ins whose runs are not looked at yet, or that are being checked. */
   readonly waiting = computed(() => this.model.rows.value.length - this.known.value.length);
   private readonly hints: ShallowRef<ReadonlyMap<string, Kept>> = shallowRef(new Map());
-  private readonly facts: ShallowRef<ReadonlyMap<CheckResult, RunFacts | null>> = shallowRef(new Map());
+  private readonly looks: ShallowRef<ReadonlyMap<CheckResult, Look>> = shallowRef(new Map());
   private readonly known = computed(() =>
     this.model.rows.value.flatMap(({ name, result, handIn }) => {
       if (result === null) return [];
-      const facts = this.facts.value.get(result);
-      return facts === undefined && needsRun(result) && handIn !== null ? [] : [{ name, result, facts: facts ?? null }];
+      const look = this.looks.value.get(result);
+      return look === undefined && needsRun(result) && handIn !== null ? [] : [{ name, result, facts: null, ...look }];
     }),
   );
   private isLooking = false;
@@ -98,7 +101,8 @@ export class GroupsModel {
   /** Searches the hint to a group, and ends another search. A group that fails in a hidden world alone has none. */
   async search(group: Group): Promise<void> {
     const task = this.model.task.value?.task;
-    if (task === undefined || isHidden(group, task) || this.hintOf(group) !== undefined) return;
+    const before = this.hintOf(group);
+    if (task === undefined || isHidden(group, task) || (before !== undefined && before !== 'unloaded')) return;
     this.stopSearch();
     const { turn } = this;
     const [results, handIns] = [this.resultsOf(group), this.handInsOf(group)];
@@ -112,7 +116,8 @@ export class GroupsModel {
       const asker = (this.searching = new Asker(start, this.ports.every, LONG_MS));
       const ending = await asker.ask({ handIns, budget: BUDGET });
       asker.stop();
-      say(('result' in ending ? ending.result : null) ?? 'nothing');
+      const isUnloaded = 'reason' in ending && ending.reason.code === 'unloaded';
+      say(isUnloaded ? 'unloaded' : (('result' in ending ? ending.result : null) ?? 'nothing'));
     } catch {
       say('nothing');
     }
@@ -160,7 +165,7 @@ export class GroupsModel {
 
   private unseen(): readonly Row[] {
     return this.model.rows.value.filter(
-      ({ result, handIn }) => result !== null && handIn !== null && needsRun(result) && !this.facts.value.has(result),
+      ({ result, handIn }) => result !== null && handIn !== null && needsRun(result) && !this.looks.value.has(result),
     );
   }
 
@@ -173,7 +178,8 @@ export class GroupsModel {
     await inLanes(rows, lanes, async ({ handIn, result }, _, lane) => {
       if (handIn === null || result === null) return;
       const ending = await lane.ask({ handIn, result });
-      this.facts.value = new Map([...this.facts.value, [result, 'result' in ending ? ending.result : null]]);
+      const look = 'result' in ending ? { facts: ending.result } : { facts: null, unseen: ending.reason };
+      this.looks.value = new Map([...this.looks.value, [result, look]]);
     });
   }
 
