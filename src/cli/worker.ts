@@ -150,7 +150,7 @@ function runToEnd(simulation: Simulation, task: WorkerTask, takeRadio: () => rea
 }
 
 async function work(task: WorkerTask): Promise<void> {
-  const checked = fitRun(task.setup);
+  const checked = fitRun(task.setup, task.replay === null);
   if ('problem' in checked) {
     post({ type: 'refused', problem: checked.problem });
     return;

@@ -17,6 +17,6 @@ export type RunAnswer = RunResult | { readonly refused: string };
 
 /** Makes a run. */
 export function answerRun({ setup, end, withDrive }: RunRequest, runner: Runner): Promise<RunAnswer> {
-  const checked = fitRun(setup);
+  const checked = fitRun(setup, true);
   return 'problem' in checked ? Promise.resolve({ refused: checked.problem }) : ranTo(setup, end, runner, withDrive);
 }

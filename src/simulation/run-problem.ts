@@ -20,23 +20,31 @@ import type { RunSetup } from './run-setup';
 /**
  * Checks whether a set-up can run: not with an unknown robot or board, a robot inside a wall, an impossible input.
  *
+ * @param isNew its inputs are given now, not recorded: then one that has no effect is a mistake, too
  * @returns one or several lines that name place and value, or the run's devices
  */
-export function fitRun(setup: RunSetup): { readonly devices: readonly FittedDevice[] } | { readonly problem: string } {
+export function fitRun(
+  setup: RunSetup,
+  isNew = false,
+): { readonly devices: readonly FittedDevice[] } | { readonly problem: string } {
   const { reality, scene } = setup;
   if (!(reality >= 0 && reality <= 1))
     return { problem: `Reality ${String(reality)} is not within 0 (ideal) … 1 (like a used school robot).` };
   const fitted = fitDevices(setup);
   if ('problem' in fitted) return fitted;
-  const problem = runRefusal(scene)?.message ?? inputsProblem(setup, fitted.devices);
+  const problem = runRefusal(scene)?.message ?? inputsProblem(setup, fitted.devices, isNew);
   return problem === null ? fitted : { problem };
 }
 
 /** A problem of the replayed log, with the place of its entry. Each is checked against the course as it is then. */
-function inputsProblem({ scene, inputs = [] }: RunSetup, devices: readonly FittedDevice[]): string | null {
+function inputsProblem(
+  { scene, inputs = [] }: RunSetup,
+  devices: readonly FittedDevice[],
+  isNew: boolean,
+): string | null {
   const targets = {
     names: devices.map(({ setup }) => setup.name),
-    checks: devices.map(({ hardware }) => createInputCheck(hardware, scene)),
+    checks: devices.map(({ hardware }) => createInputCheck(hardware, scene, isNew)),
   };
   const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
   let course = scene;
@@ -93,8 +101,9 @@ type Plugged = Pick<Hardware, 'board' | 'robot' | 'options'>;
  * Makes the check of one device of a run.
  *
  * @param began the course that the run begins with
+ * @param isNew see `fitRun`
  */
-export function createInputCheck({ board, robot, options }: Plugged, began: Scene): InputCheck {
+export function createInputCheck({ board, robot, options }: Plugged, began: Scene, isNew = true): InputCheck {
   const sensors = askedSensors(board);
   return (action, course, movable) => {
     switch (action.type) {
@@ -106,9 +115,9 @@ export function createInputCheck({ board, robot, options }: Plugged, began: Scen
       case 'radio':
         return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
       case 'remote':
-        return isRemoteKey(action.key)
-          ? remoteProblem(action.key, { board, robot })
-          : `remote: ${keyProblem(action.key, remoteNames)}`;
+        if (!isRemoteKey(action.key)) return `remote: ${keyProblem(action.key, remoteNames)}`;
+        // Recordings of before may have it.
+        return isNew ? remoteProblem(action.key, { board, robot }) : null;
       case 'stick':
       case 'gamepad':
         return robot === null && holdsGamepad(options) ? gamepadProblem(action) : NO_GAMEPAD;

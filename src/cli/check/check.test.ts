@@ -289,7 +289,7 @@ describe('parcours check', () => {
     cpSync('dist/cli', copy, { recursive: true });
     const worker = join(copy, 'check-worker.mjs');
     // The first program that is asked for hangs in its world; asked once more, without that world, it has a result.
-    const hang = "import { parentPort as port } from 'node:worker_threads';\nport.on('message', ({ handIn, lost }) => { if (!lost && handIn.project.files[0].text.includes('hang')) for (;;); });\n"; // prettier-ignore
+    const hang = "import { parentPort as port } from 'node:worker_threads';\nport.on('message', ({ handIn, lost }) => { if (!lost && handIn?.project.files[0].text.includes('hang')) for (;;); });\n"; // prettier-ignore
     writeFileSync(worker, hang + readFileSync(worker, 'utf8'));
     const pupilsHere = classOf('hanging', { 'a.py': '# hang\n', 'b.py': RIGHT });
     const { status, stdout } = spawnSync(process.execPath, [join(copy, 'main.mjs'), 'check', 'closed-line', pupilsHere, '--json', '--jobs', '1'], { encoding: 'utf8' }); // prettier-ignore
