@@ -1,10 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import { plainWorld, type WorldVariant } from '#check/task/task';
 import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
-import { courseOfWorld } from '#check/task/world-course';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
-import { facing, frameOf, movedThing, nextThing, thingAt, turnedThing, withEdit, withTagsOf } from './world-things';
+import type { Scene, SceneObject } from '#scene/scene';
+import {
+  facing,
+  frameOf,
+  movedThing,
+  nextThing,
+  sceneOfWorld,
+  thingAt,
+  turnedThing,
+  withEdit,
+  withRow,
+} from './world-things';
 import { objectEdit } from './world-objects';
 
 const wall = { type: 'wall', id: 'w', from: [500, 300], to: [500, 600], thickness: 10 } as const;
@@ -56,11 +65,7 @@ describe('a thing of a small arena', () => {
 describe('a hidden world', () => {
   const task = taskWith(scene);
   const hidden: WorldVariant = { ...plainWorld, id: '2', hidden: true };
-  const sceneOf = (world: WorldVariant): Scene => {
-    const course = courseOfWorld(task.project.scene, world);
-    if ('problem' in course) throw new Error(course.problem);
-    return course.scene;
-  };
+  const sceneOf = (world: WorldVariant): Scene => sceneOfWorld(task, world);
   const after = (world: WorldVariant, thing: string | null, x: number): WorldVariant => ({
     ...world,
     ...withEdit(task, world, sceneOf(world), movedThing(sceneOf(world), thing, { x, y: 0 })!),
@@ -83,10 +88,7 @@ describe('a hidden world', () => {
     const tag = { type: 'tag', id: 'tag', at: [270, 300], number: 7, side: 60, angle: 180 } as const;
     const course = sceneWith([block, tag, targetAt(700, 450)]);
     const own = taskWith(course);
-    const shown = (world: WorldVariant): Scene => {
-      const made = courseOfWorld(course, world);
-      return 'scene' in made ? made.scene : course;
-    };
+    const shown = (world: WorldVariant): Scene => sceneOfWorld(own, world);
     const by = (world: WorldVariant, edit: SceneEdit): WorldVariant => ({
       ...world,
       ...withEdit(own, world, shown(world), edit),
@@ -96,12 +98,57 @@ describe('a hidden world', () => {
     const turned = by(hidden, turnedThing(course, 'b', 90)!);
     expect(shown(turned).objects[1]).toEqual({ ...tag, at: [300, 270], angle: 270 });
     expect(by(moved, movedThing(shown(moved), 'b', { x: -40, y: 0 })!).edits).toEqual([]);
-    // As the list of differences does it.
-    const row = { ...hidden, edits: [objectEdit('b', null)] };
-    const gone = { ...row, edits: withTagsOf(course, row, 'b', null) };
-    expect(shown(gone).objects).toHaveLength(1);
-    const far = { ...block, at: [500, 300] as const };
-    const put = { ...gone, edits: gone.edits.with(0, objectEdit('b', far)) };
-    expect(shown({ ...put, edits: withTagsOf(course, put, 'b', far) }).objects[1]).toEqual({ ...tag, at: [470, 300] });
+  });
+
+  describe('in its list of differences', () => {
+    const block = { type: 'block', id: 'b', at: [300, 300], size: [60, 60], angle: 0 } as const;
+    const tag = { type: 'tag', id: 'tag', at: [270, 300], number: 7, side: 60, angle: 180 } as const;
+    const far = { ...block, at: [500, 300] } as const;
+    const course = sceneWith([block, tag, targetAt(700, 450)]);
+    const own = taskWith(course);
+    const shown = (world: WorldVariant): readonly SceneObject[] => sceneOfWorld(own, world).objects.slice(0, -1);
+    /** The world with the row of an object at a place; `undefined`: the row is binned. */
+    const put = (world: WorldVariant, place: number, made: SceneObject | null | undefined): WorldVariant => {
+      const rows = made === undefined ? [] : [objectEdit('b', made)];
+      return {
+        ...world,
+        edits: withRow(
+          own,
+          world,
+          world.edits.toSpliced(place, 1, ...rows),
+          'b',
+          made ?? (made === null ? null : block),
+        ),
+      };
+    };
+
+    it('leaves a block out with its tag, and has both again, where the block is put', () => {
+      const gone = put(hidden, 0, null);
+      expect(shown(gone)).toEqual([]);
+      expect(shown(put(gone, 0, far))).toEqual([far, { ...tag, at: [470, 300] }]);
+      const back = put(gone, 0, block);
+      expect([shown(back), back.edits]).toEqual([[block, tag], [objectEdit('b', block)]]);
+      expect(put(gone, 0, undefined).edits).toEqual([]);
+    });
+
+    it('leaves a tag alone that is left out, whatever becomes of its block', () => {
+      const world = { ...hidden, edits: [objectEdit('tag', null)] };
+      const moved = put(world, 1, far);
+      expect(shown(moved)).toEqual([far]);
+      expect(put(moved, 1, undefined).edits).toEqual(world.edits);
+    });
+
+    it('leaves a tag where it stands elsewhere, and moves it where it is on its block', () => {
+      const apart = { ...tag, at: [600, 500] } as const;
+      const world = { ...hidden, edits: [objectEdit('tag', apart)] };
+      const moved = put(world, 1, far);
+      expect(shown(moved)).toEqual([far, apart]);
+      expect(shown(put(moved, 1, null))).toEqual([apart]);
+      expect(shown(put(put(moved, 1, null), 1, undefined))).toEqual([block, apart]);
+      const other = { ...tag, at: [330, 300], angle: 0 } as const;
+      const turned = put({ ...hidden, edits: [objectEdit('tag', other)] }, 1, far);
+      expect(shown(turned)).toEqual([far, { ...other, at: [530, 300] }]);
+      expect(shown(put(turned, 1, undefined))).toEqual([block, other]);
+    });
   });
 });

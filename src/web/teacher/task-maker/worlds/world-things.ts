@@ -1,4 +1,5 @@
 import type { ClassTask, WorldVariant } from '#check/task/task';
+import { courseOfWorld } from '#check/task/world-course';
 import { fullTurnDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
@@ -63,20 +64,34 @@ export function facing({ robot: { at } }: Scene, place: Vec, stepDeg: number): S
   return { type: 'robot', robot: { at, heading: fullTurnDeg(steppedDeg(directionDeg(toVec(at), place), stepDeg)) } };
 }
 
-/** The edits of a world with the tags of a thing where that is: as it is made there, or left out (`null`). */
-export function withTagsOf(
-  course: Scene,
+/** The course of a world; that of its task if the world cannot be made. */
+export function sceneOfWorld({ project: { scene } }: ClassTask, world: WorldVariant): Scene {
+  const made = courseOfWorld(scene, world);
+  return 'scene' in made ? made.scene : scene;
+}
+
+/**
+ * The edits of a world after a change of its list: `edits` has the object put down as it is made, or left out (`null`), and
+ * the tags that are on it in that world go along. With one that was left out, those come back that are not there either.
+ */
+export function withRow(
+  task: ClassTask,
   world: WorldVariant,
+  edits: WorldVariant['edits'],
   id: string,
   made: SceneObject | null,
 ): WorldVariant['edits'] {
-  const { objects } = applyEdit(course, withStuck(course, objectEdit(id, made)));
-  let { edits } = world;
-  for (const tag of tagsStuckTo(course, [id])) {
-    const there = objects.find((object) => object.id === tag.id) ?? null;
-    edits = withObject(course, { ...world, edits }, tag.id, there);
-  }
-  return edits;
+  const course = task.project.scene;
+  const scene = sceneOfWorld(task, world);
+  const isIn = (one: SceneObject): boolean => scene.objects.some((other) => other.id === one.id);
+  const thing = course.objects.find((object) => object.id === id);
+  const isBack = thing !== undefined && !isIn(thing);
+  const tags = isBack ? tagsStuckTo(course, [id]).filter((tag) => !isIn(tag)) : [];
+  const before = isBack ? { ...course, objects: [thing, ...tags] } : scene;
+  let next = edits;
+  for (const tag of tags) next = withObject(course, { ...world, edits: next }, tag.id, made === null ? null : tag);
+  const own = objectEdit(id, made);
+  return withEdit(task, { ...world, edits: next }, applyEdit(before, own), withStuck(before, own)).edits;
 }
 
 /** The difference of a hidden world after an edit of its course; `scene`: the world's course before it. */
