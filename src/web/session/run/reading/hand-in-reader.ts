@@ -31,6 +31,9 @@ const LOOK_MS = 200;
  */
 export const READ_MS = 20_000;
 
+/** What may come out otherwise a second time: the machine was busy, or a part of the code did not come. */
+const AGAIN: readonly Unread['code'][] = ['slow', 'unloaded'];
+
 /** Files that were handed in together. */
 interface Batch {
   readonly number: number;
@@ -44,8 +47,8 @@ export interface OpenedHandIns {
 }
 
 /**
- * Reads hand-ins beside the page, one after the other. One that does not finish is tried a second time in a new worker:
- * the machine may have been busy. If it fails again, it is reported, and the others follow.
+ * Reads hand-ins beside the page, one after the other. One that does not finish, or whose reader does not come, is tried a
+ * second time in a new worker. If it fails again, it is reported, and the others follow.
  */
 export class HandInReader {
   private thread: ReaderThread | null = null;
@@ -93,7 +96,7 @@ export class HandInReader {
 
   private async twice<T extends object>(attempt: () => Promise<T | Problem>): Promise<T | Problem> {
     const first = await attempt();
-    return 'problem' in first && first.problem.code === 'slow' ? attempt() : first;
+    return 'problem' in first && AGAIN.includes(first.problem.code) ? attempt() : first;
   }
 
   private inTurn<T>(work: () => Promise<T>): Promise<T> {
