@@ -5,6 +5,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { sceneDefaults } from '#scene/scene';
 import { createPage } from '../../../app/testing/page';
 import { mountOn } from '../../../app/testing/mount-on';
+import { loadTexts, showLanguage } from '../../../kit/i18n';
 import { nameToSave } from '../../../session/work/work-name';
 import CardInPlace from './CardInPlace.vue';
 
@@ -157,7 +158,17 @@ describe('a card in several languages', () => {
     expect(work.scene.value.task.card?.translations ?? []).toEqual([]);
   });
 
-  it('has the keyboard at the first language once it has languages, and at the picture once that is removed', async () => {
+  it('has the keyboard at the language that is pressed once it has languages', async () => {
+    await loadTexts('fr');
+    showLanguage('fr');
+    cardPage();
+    await press('maker-more-languages');
+    await nextTick();
+    expect(document.activeElement?.getAttribute('data-testid')).toBe('card-language-fr');
+    expect(document.activeElement?.getAttribute('aria-pressed')).toBe('true');
+  });
+
+  it('has the keyboard at its own language once it has languages, and at the picture once that is removed', async () => {
     const { work } = cardPage();
     await press('maker-more-languages');
     await nextTick();
