@@ -94,6 +94,16 @@ export const terms = [
     not: { fr: words('remises?', '(?:le|un|du|ce|chaque) rendu', '(?:les|des|ces) rendus'), en: words('submissions?') },
   },
   {
+    thing: 'how much a robot is like a used one',
+    say: { de: 'Abnutzung', fr: 'usure', it: 'usura', en: 'wear' },
+    not: {
+      de: words('Zustand des Roboters'),
+      fr: words('état du robot'),
+      it: words('(?:condizioni|stato) del robot'),
+      en: words('condition of the robot'),
+    },
+  },
+  {
     thing: 'a world that the class does not see',
     say: { de: 'verborgene Welt', fr: 'monde caché', it: 'mondo nascosto', en: 'hidden world' },
     not: { de: words('versteckte[nr]? Welt~'), en: words('secret worlds?') },
