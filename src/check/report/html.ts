@@ -8,7 +8,7 @@ import { countedPoints, passedOf, type ClassResult, type Counted, type NamedResu
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
 import { pageOf } from './page';
-import { otherTaskTexts, remarkText } from './say';
+import { otherTaskTexts, remarkBeside } from './say';
 import reportWords from './words';
 import styles from './report.css?raw';
 import { isUnread, reasonsAgainst, secondsText } from './texts';
@@ -126,7 +126,7 @@ function rowOf(
   const [first] = result.worlds;
   const said = [
     ...(result.passed ? [] : reasonsAgainst(result, language)),
-    ...result.remarks.map((remark) => remarkText(remark, language)),
+    ...result.remarks.map((remark) => remarkBeside(remark, language)),
     ...(note === '' ? [] : [note]),
   ];
   const touches = result.worlds.reduce((sum, world) => sum + world.touches, 0);
@@ -172,7 +172,7 @@ function sheetOf(
     ({ id, passed, reason }) =>
       `<li>${markOf(passed)} ${askedOf(task, id, language)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
   );
-  const remarks = result.remarks.map((remark) => `<li>${escaped(remarkText(remark, language))}</li>`);
+  const remarks = result.remarks.map((remark) => `<li>${escaped(remarkBeside(remark, language))}</li>`);
   const figures = result.worlds.map((world) => {
     const label = filledIn(words.world[language], { id: worldName(world) });
     const seconds = secondsOf(world);

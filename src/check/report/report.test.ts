@@ -56,6 +56,12 @@ describe('the result of a class', () => {
     expect(htmlOf(classResult('t', all.slice(0, 1), 'en'), task, 'en', { isTable: true })).toContain('<table>');
   });
 
+  it('says once of each hand-in in its table and on its sheet that it cannot be read, and why', async () => {
+    const html = htmlOf(classResult('t', await results(), 'en'), task, 'en');
+    expect(html.split(/cannot be read/i)).toHaveLength(3);
+    expect(html.split('This is not a zip, or only a part of one.')).toHaveLength(3);
+  });
+
   it('is a line of JSON without the time of this computer', async () => {
     const found = classResult('t', await results(), 'en');
     expect(JSON.parse(jsonOf(found, task, 'en'))).toMatchObject({

@@ -23,12 +23,25 @@ export const unreadText = ({ code, params }: Unread, language: Language): string
   filledIn(words.unread[code][language], shownIn(params));
 
 /** A sentence of a remark to the teacher. */
-export function remarkText({ code, params: said }: Remark, language: Language): string {
-  const params = shownIn(said);
-  const why = unreadCodes.find((one) => one === params['why']);
-  const problem = why && unreadText({ code: why, params: said }, language);
-  return filledIn(words.remarks[code][language], problem === undefined ? params : { problem });
+export function remarkText(remark: Remark, language: Language): string {
+  const { code, params } = remark;
+  const why = whyUnread(remark);
+  return filledIn(
+    words.remarks[code][language],
+    why === undefined ? shownIn(params) : { problem: unreadText({ code: why, params }, language) },
+  );
 }
+
+/** The same beside a result in words, which says itself that a hand-in cannot be read: here is only why. */
+export function remarkBeside(remark: Remark, language: Language): string {
+  const why = whyUnread(remark);
+  if (why === undefined) return remarkText(remark, language);
+  const text = words.unread[why][language]; // in some languages it goes on after a colon
+  return filledIn(text.charAt(0).toUpperCase() + text.slice(1), shownIn(remark.params));
+}
+
+/** Why a hand-in cannot be read, if a remark says so. */
+const whyUnread = ({ params }: Remark): Unread['code'] | undefined => unreadCodes.find((one) => one === params['why']);
 
 /** A sentence for each other task that hand-ins belong to: perhaps the wrong one is open. */
 export const otherTaskTexts = (found: ClassResult, language: Language): readonly string[] =>

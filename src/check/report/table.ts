@@ -5,7 +5,7 @@ import type { CheckOutcome } from '../result';
 import { checkText } from '../task/check-text';
 import { mostPoints, worldName, type ClassTask } from '../task/task';
 import { countedPoints, shownName, type ClassResult, type NamedResult } from './class-result';
-import { reasonText, remarkText } from './say';
+import { reasonText, remarkBeside } from './say';
 import { isUnread } from './texts';
 import reportWords from './words';
 
@@ -77,7 +77,7 @@ export function tableOf(
   const rows = handIns.map((one) => [
     shownName(one),
     ...(isUnread(one.result) ? nothing() : figures(one)),
-    one.result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
+    one.result.remarks.map((remark) => remarkBeside(remark, language)).join(' · '),
     ...noteOf(one),
   ]);
   return spreadsheetText([headings, ...rows], form);

@@ -9,7 +9,7 @@ import { groupsHtmlOf } from '#check/report/groups-html';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
 import { tableOf } from '#check/report/table';
-import { equalTexts, otherTaskTexts, remarkText } from '#check/report/say';
+import { equalTexts, otherTaskTexts, remarkBeside } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import { hiddenWorlds, type ClassTask } from '#check/task/task';
 import type { Group } from '#hint/groups/groups';
@@ -241,7 +241,7 @@ function lineOf({ name, shown = name, result }: NamedResult, { lang }: CheckOpti
   const told = [
     ...(time === null ? [] : [secondsText(time)]),
     ...(passed ? [] : reasonsAgainst(result, lang)),
-    ...remarks.map((remark) => remarkText(remark, lang)),
+    ...remarks.map((remark) => remarkBeside(remark, lang)),
   ];
   const figures = isUnread(result) ? [word, shown] : [word, shown, points];
   // What a program's error says stays in its line.
