@@ -5,6 +5,7 @@ import { nextTick } from 'vue';
 import { remoteKeys } from '#devices/nec-remote';
 import { mountOn } from '../../../app/testing/mount-on';
 import { createPage } from '../../../app/testing/page';
+import { startRun } from '../../../app/testing/run';
 import HandPanel from './HandPanel.vue';
 import StickPad from './StickPad.vue';
 
@@ -38,6 +39,19 @@ describe('the panel of what is in the hand', () => {
     await box.setValue(false);
     await nextTick();
     expect(mounted.find('.gamepad').exists()).toBe(false);
+  });
+
+  it('tells the keys of the keyboard that do something: those of the gamepad only while there is one', async () => {
+    const robot = createPage();
+    const beside = mountOn(robot, HandPanel);
+    await startRun(robot);
+    expect(beside.get('.hint').text()).toBe('Tippen, oder Tasten der Tastatur: Pfeile, 0–9.');
+    const page = createPage();
+    page.settings.change({ robot: 'none' });
+    const mounted = mountOn(page, HandPanel);
+    await mounted.get('[data-testid=plug-gamepad]').setValue(true);
+    await startRun(page);
+    expect(mounted.get('.hint').text()).toBe('Tippen, oder Tasten der Tastatur: Pfeile, C, D, E, F, Z.');
   });
 
   it('has no gamepad for a board that is on a robot', () => {
