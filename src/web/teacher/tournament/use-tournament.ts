@@ -34,11 +34,7 @@ export const tournamentOf = lateModel(() => {
     lanes: laneCount(),
   });
   // What was set up by hand would be lost as well.
-  askBeforeLeaving(
-    () =>
-      model.isUnsaved.value ||
-      (model.programs.value.length > 0 && model.phase.value !== 'over' && model.told.value === null),
-  );
+  askBeforeLeaving(() => model.isUnsaved.value || model.hasUnsavedPrograms.value);
   return model;
 });
 

@@ -162,6 +162,30 @@ describe('a tournament on the page', () => {
     expect([model.phase.value, model.count.value]).toEqual(['enter', 1]);
   });
 
+  it('has nothing to lose that is in a file: not while that is played again, and not its programs after that', async () => {
+    const { model, answer } = tournament();
+    const isLost = (): readonly boolean[] => [model.isUnsaved.value, model.hasUnsavedPrograms.value];
+    await model.add(['a', 'b'].map((name) => source(name)));
+    expect(isLost()).toEqual([false, true]);
+    void model.start();
+    await answer();
+    const read = parseTournament(model.file() ?? '');
+    if ('problem' in read) throw new Error(read.problem);
+    model.noteSaved();
+    expect(isLost()).toEqual([false, false]);
+    model.enter();
+    expect(isLost()).toEqual([false, false]);
+    model.remove('a');
+    expect(isLost()).toEqual([false, true]);
+    void model.open(read.tournament);
+    await answer(1);
+    expect([model.stages.value[0]?.ended.length, ...isLost()]).toEqual([1, false, false]);
+    model.enter();
+    expect(isLost()).toEqual([false, false]);
+    await model.add([source('c')]);
+    expect(isLost()).toEqual([false, true]);
+  });
+
   it('has no brackets in a course for one, whatever was chosen for another', async () => {
     const { model } = tournament();
     const { robots: _, ...task } = scene.task;

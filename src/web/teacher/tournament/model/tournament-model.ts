@@ -99,13 +99,24 @@ export class TournamentModel {
     return { name: course.name, scene: course.scene, programs, mode, seeds: this.seeds.value };
   });
   readonly draw = computed((): Draw | null => this.entry.value && drawOf(this.entry.value));
-  /** True if there is a result that was not saved. */
+  /** True if there is a result that was not saved. One that is played again is in its file. */
   readonly isUnsaved = computed(
-    () => this.stages.value.some(({ ended }) => ended.length > 0) && this.stages.value !== this.saved.value,
+    () =>
+      this.told.value === null &&
+      this.stages.value.some(({ ended }) => ended.length > 0) &&
+      this.stages.value !== this.saved.value,
+  );
+  /** True if there are programs that were chosen here and are in no file of a tournament. */
+  readonly hasUnsavedPrograms = computed(
+    () =>
+      this.programs.value.length > 0 && this.phase.value !== 'over' && this.programs.value !== this.savedPrograms.value,
   );
   private readonly saved: ShallowRef<readonly LiveStage[]> = shallowRef([]);
+  private readonly savedPrograms: ShallowRef<readonly Program[]> = shallowRef([]);
   /** The entry that is being played, from its start until it is set up anew; `null`: none. */
   private playing: Entry | null = null;
+  /** The programs of that entry, with those that cannot play. */
+  private playingPrograms: readonly Program[] = [];
   private whole: readonly Stage[] = [];
   private sources = new Map<string, Source>();
   private readonly known = new Map<string, MatchResult>();
@@ -156,6 +167,7 @@ export class TournamentModel {
     this.course.value = { name, from: 'file', scene };
     this.sources.clear();
     this.programs.value = programs.map((one) => ({ name: one.name, shown: one.name, files: one.files, problem: null }));
+    this.savedPrograms.value = this.programs.value;
     this.mode.value = mode;
     this.seeds.value = seeds;
     this.told.value = told;
@@ -175,6 +187,7 @@ export class TournamentModel {
   async start(): Promise<void> {
     this.stop();
     const { turn } = this;
+    if (this.playing === null) this.playingPrograms = this.programs.value;
     const entry = (this.playing ??= this.entry.value);
     if (entry === null) return;
     this.phase.value = 'playing';
@@ -189,7 +202,6 @@ export class TournamentModel {
       if (turn !== this.turn) return;
       this.whole = found ?? [];
       this.phase.value = found === null ? 'stopped' : 'over';
-      if (this.told.value !== null) this.saved.value = this.stages.value;
     } catch (error) {
       if (turn !== this.turn) return;
       this.failure.value = troubleKey(error);
@@ -211,9 +223,10 @@ export class TournamentModel {
     return entry === null || this.phase.value !== 'over' ? null : tournamentFile(entry, this.whole);
   }
 
-  /** Marks the present result as saved. */
+  /** Marks the present result as saved, and the programs with which it was played. */
   noteSaved(): void {
     this.saved.value = this.stages.value;
+    this.savedPrograms.value = this.playingPrograms;
   }
 
   /** The run of a match of a stage; `null`: there is none. */
