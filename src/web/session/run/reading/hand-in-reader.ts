@@ -31,7 +31,7 @@ const LOOK_MS = 200;
  */
 export const READ_MS = 20_000;
 
-/** What may come out otherwise a second time: the machine was busy, or a part of the code did not come. */
+/** Problems that may not come a second time: the machine was busy, or a part of the code did not come. */
 const AGAIN: readonly Unread['code'][] = ['slow', 'unloaded'];
 
 /** Files that were handed in together. */
