@@ -3,16 +3,13 @@ import { check } from '#check/check';
 import type { CheckRequest } from '#check/lane';
 import { answering } from '../threads/answering';
 import { taskIn } from '../threads/task-in';
-import { BEAT, WORLD } from '../threads/threads';
+import { beatIn } from '../threads/threads';
 import type { CheckerData } from './pool-messages';
 
 answering((data) => {
   const { task: project, firmware, starts, shared } = data as CheckerData;
   const task = taskIn(project);
-  const beat = (world: number): void => {
-    Atomics.store(shared, WORLD, world);
-    Atomics.add(shared, BEAT, 1);
-  };
+  const beat = beatIn(shared);
   return (request) => {
     const { handIn, lost } = request as CheckRequest;
     return check(task, handIn, { firmware, beat, starts, ...(lost !== undefined && { lost }) });

@@ -4,7 +4,7 @@ import type { CheckResult } from '#check/result';
 import { factsOf } from '#hint/groups/run-facts';
 import { answering } from '../threads/answering';
 import { taskIn } from '../threads/task-in';
-import { BEAT } from '../threads/threads';
+import { beatIn } from '../threads/threads';
 import type { CheckerData } from './pool-messages';
 
 /** A checked hand-in. */
@@ -16,7 +16,7 @@ export interface FactsRequest {
 answering((data) => {
   const { task: project, firmware, shared } = data as CheckerData;
   const task = taskIn(project);
-  const beat = (): void => void Atomics.add(shared, BEAT, 1);
+  const beat = beatIn(shared);
   return (request) => {
     const { handIn, result } = request as FactsRequest;
     return factsOf(task, handIn, result, { firmware, beat });

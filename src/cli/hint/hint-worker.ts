@@ -3,16 +3,13 @@ import { hintFor } from '#hint/hint';
 import type { HintRequest } from '#hint/hint-lane';
 import { answering } from '../threads/answering';
 import { taskIn } from '../threads/task-in';
-import { BEAT, WORLD } from '../threads/threads';
+import { beatIn } from '../threads/threads';
 import type { HinterData } from './hint-thread';
 
 answering((data) => {
   const { task: project, firmware, shared } = data as HinterData;
   const task = taskIn(project);
-  const beat = (place: number): void => {
-    Atomics.store(shared, WORLD, place);
-    Atomics.add(shared, BEAT, 1);
-  };
+  const beat = beatIn(shared);
   return (request) => {
     const { handIn, budget } = request as HintRequest;
     return hintFor(task, handIn, { firmware, budget, beat });

@@ -2,15 +2,23 @@ import type { Answer, Every, Start } from '#check/lane';
 import { threadOf, type Script } from './thread';
 
 /** Index of the shared word that a thread counts up while time passes. */
-export const BEAT = 0;
+const BEAT = 0;
 
 /** Index of the shared word that holds the place of the world that is being run. */
-export const WORLD = 1;
+const WORLD = 1;
 
 /** Shared words, see `BEAT` and `WORLD`, as a part of a thread's initial data. */
 export interface SharedWords {
   readonly shared: Int32Array;
 }
+
+/** The sign of life of a thread, with the place of the world that it runs; without one it is in the first. */
+export const beatIn =
+  (shared: Int32Array) =>
+  (world = 0): void => {
+    Atomics.store(shared, WORLD, world);
+    Atomics.add(shared, BEAT, 1);
+  };
 
 /**
  * Starts threads of Node that answer one request after the other.
