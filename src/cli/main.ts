@@ -31,7 +31,8 @@ const FIRST: { readonly [Command in Asked['type']]?: Script } = {
 /** Carries a command out. Its code is fetched now: help and messages need nothing of the simulation. */
 async function carryOut(asked: Asked): Promise<number> {
   const first = FIRST[asked.type];
-  if (first !== undefined) loadAhead(first);
+  const onlyJoins = (asked.type === 'check' || asked.type === 'sweep') && asked.options.work === null;
+  if (first !== undefined && !onlyJoins) loadAhead(first);
   switch (asked.type) {
     case 'help':
       return write((await import('./commands/help')).helpText(asked.options.about));

@@ -57,6 +57,13 @@ export function taskOf(project: Project): ReadTask {
   return lost === undefined ? read : refused(lost.path, lostProblem(lost));
 }
 
+/** The task of a project that was read before, on the other side of a thread. Throws if it has none. */
+export function taskReadBefore(project: Project): ClassTask {
+  const read = taskOf(project);
+  if ('problem' in read) throw new Error(read.problem);
+  return read.task;
+}
+
 /** True if the goals of the course are required but it has none. */
 export const lacksGoals = ({ checks, project }: ClassTask): boolean =>
   checks.some(({ type }) => type === 'goals') && !hasTask(project.scene);

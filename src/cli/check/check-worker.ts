@@ -1,14 +1,14 @@
 /** A thread that checks one hand-in after the other. */
 import { check } from '#check/check';
 import type { CheckRequest } from '#check/lane';
+import { taskReadBefore } from '#check/task/read-task';
 import { answering } from '../threads/answering';
-import { taskIn } from '../threads/task-in';
 import { beatIn } from '../threads/threads';
 import type { CheckerData } from './pool-messages';
 
 answering((data) => {
   const { task: project, firmware, starts, shared } = data as CheckerData;
-  const task = taskIn(project);
+  const task = taskReadBefore(project);
   const beat = beatIn(shared);
   return (request) => {
     const { handIn, lost } = request as CheckRequest;

@@ -1,7 +1,5 @@
 /** The services of a worker. Each is loaded when it is opened: no run needs their code. */
-import { taskOf } from '#check/task/read-task';
-import type { ClassTask } from '#check/task/task';
-import type { Project } from '#project/project';
+import { taskReadBefore } from '#check/task/read-task';
 
 import type { Opening, ServiceName, Services } from './protocol';
 
@@ -23,19 +21,12 @@ const part = <T>(coming: Promise<T>): Promise<T> =>
     throw new Unloaded(String(error));
   });
 
-/** A task of the page, which has read it, too. */
-function taskIn(project: Project): ClassTask {
-  const read = taskOf(project);
-  if ('problem' in read) throw new Error(read.problem);
-  return read.task;
-}
-
 type Open<Name extends ServiceName> = (open: Services[Name]['open'], means: Means) => Promise<Serve<Name>>;
 
 const services: { readonly [Name in ServiceName]: Open<Name> } = {
   async check({ task: project, starts }, means) {
     const { check } = await part(import('#check/check'));
-    const task = taskIn(project);
+    const task = taskReadBefore(project);
     return ({ handIn, lost }) => check(task, handIn, { ...means, starts, ...(lost !== undefined && { lost }) });
   },
   async runs(_, { firmware, beat }) {
@@ -44,17 +35,17 @@ const services: { readonly [Name in ServiceName]: Open<Name> } = {
   },
   async hint({ task: project }, { firmware, beat }) {
     const { hintFor } = await part(import('#hint/hint'));
-    const task = taskIn(project);
+    const task = taskReadBefore(project);
     return ({ handIn, budget }) => hintFor(task, handIn, { firmware, budget, beat });
   },
   async facts({ task: project }, { firmware, beat }) {
     const { factsOf } = await part(import('#hint/groups/run-facts'));
-    const task = taskIn(project);
+    const task = taskReadBefore(project);
     return ({ handIn, result }) => factsOf(task, handIn, result, { firmware, beat: () => beat(0) });
   },
   async 'group-hint'({ task: project }, { firmware, beat }) {
     const { groupHint } = await part(import('#hint/groups/group-hint'));
-    const task = taskIn(project);
+    const task = taskReadBefore(project);
     return ({ handIns, budget }) => groupHint(task, handIns, { firmware, budget, beat: () => beat(0) });
   },
 };
