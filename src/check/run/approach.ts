@@ -11,6 +11,9 @@ import type { Step } from './watcher';
 /** Simulated time between two looks at distances. Chosen: a robot at full speed drives less than a centimetre. */
 const LOOK_US = 20_000;
 
+/** Most places that wait to be measured: a minute's. More would take memory in long runs. */
+const MOST_PLACES = 3000;
+
 /** Measures how near the first robot came to the place that it had to reach next, and when it left the line that leads there. */
 export class Approach {
   private readonly route: Route;
@@ -18,6 +21,8 @@ export class Approach {
   private next: readonly Zone[] = [];
   private outlines: readonly Outline[] = [];
   private nearest: number | null = null;
+  /** The places since it was last measured, in their order: time, x and y of each. Few are ever asked for: most runs pass. */
+  private readonly places: number[] = [];
   /** The last place at which it was measured, and how far from there the robot cannot be nearer than it ever was. */
   private measured = { x: 0, y: 0, roomMm: -1 };
 
@@ -28,11 +33,13 @@ export class Approach {
 
   /** Distance of the middle of the axle from the nearest of the places that were next, in mm; `null`: none. */
   get nearestMm(): number | null {
+    this.measureAll();
     return this.nearest;
   }
 
   /** Simulated time at which it left the line, in µs; `null`: it did not. */
   get leftUs(): number | null {
+    this.measureAll();
     return this.line.leftUs;
   }
 
@@ -41,16 +48,26 @@ export class Approach {
     const at = { x: pose.xMm, y: pose.yMm };
     this.route.pass(at);
     if (nowUs % LOOK_US !== 0) return;
-    this.line.look(nowUs, at);
     const { next } = this.route;
     if (next.length !== this.next.length || next.some((zone, place) => zone !== this.next[place])) {
+      this.measureAll();
       this.next = next;
       this.outlines = next.map(shapeOutline);
       this.nearest = null;
       this.measured.roomMm = -1;
     }
-    const { x, y, roomMm } = this.measured;
-    if (lengthOf(at.x - x, at.y - y) >= roomMm) this.measure(at);
+    this.places.push(nowUs, at.x, at.y);
+    if (this.places.length >= 3 * MOST_PLACES) this.measureAll();
+  }
+
+  private measureAll(): void {
+    const { places } = this;
+    for (let index = 0; index < places.length; index += 3) {
+      const [nowUs = 0, x = 0, y = 0] = places.slice(index, index + 3);
+      this.line.look(nowUs, { x, y });
+      if (lengthOf(x - this.measured.x, y - this.measured.y) >= this.measured.roomMm) this.measure({ x, y });
+    }
+    places.length = 0;
   }
 
   private measure(at: Vec): void {
