@@ -1,3 +1,4 @@
+import { setTimeout as sleep } from 'node:timers/promises';
 import type { Page } from '@playwright/test';
 import type { App } from './app';
 
@@ -25,6 +26,9 @@ export interface Profile {
   restHand(): Promise<void>;
   close(): Promise<void>;
 }
+
+/** Firefox, driven over WebDriver BiDi, now and then answers no more in the middle of leaving a page. */
+const EMPTIED_WITHIN_MS = 15_000;
 
 /** The address of what has the app's storage and loads in no time: here a page is emptied, and filled for the next test. */
 export const STORAGE = './logo.svg';
@@ -62,7 +66,11 @@ export class Lent {
 
   /** Ends the borrowing. */
   async giveBack(): Promise<void> {
-    if (this.profile !== null && !this.isSpoilt) await emptied(this.profile).catch(() => this.spoil());
+    if (this.profile !== null && !this.isSpoilt)
+      await within(EMPTIED_WITHIN_MS, emptied(this.profile)).catch((error: unknown) => {
+        process.stdout.write(`A page is closed instead of lent: ${String(error)}\n`);
+        this.spoil();
+      });
     this.isAtStorage = !this.isSpoilt;
     if (this.isSpoilt) await this.close();
   }
@@ -85,6 +93,20 @@ export class Lent {
         return app.goto(address);
       },
     };
+  }
+}
+
+/** Waits for a promise, and fails after this time. */
+async function within<T>(ms: number, promise: Promise<T>): Promise<T> {
+  const timer = new AbortController();
+  const late = sleep(ms, null, { signal: timer.signal }).then(() => {
+    throw new Error(`It was not empty after ${ms} ms.`);
+  });
+  try {
+    return await Promise.race([promise, late]);
+  } finally {
+    timer.abort();
+    late.catch(() => undefined);
   }
 }
 

@@ -26,23 +26,26 @@ const CHECKS = [
 /**
  * Runs all checks, as many at a time as there are processors.
  *
+ * @param {{ beside?: boolean }} [options] beside: other things run meanwhile, after `setUp`; the checks give way to
+ *   them, one at a time
  * @returns {Promise<{ name: string, passed: number, failed: number, skipped: number, ms: number }[]>}
  */
-export async function check() {
-  await writeWordTypes(join(root, 'src'));
+export async function check({ beside = false } = {}) {
+  if (!beside) await writeWordTypes(join(root, 'src'));
   const waiting = [...CHECKS];
   const results = [];
   const worker = async () => {
-    for (let next = waiting.shift(); next; next = waiting.shift()) results.push(await checkOne(next));
+    for (let next = waiting.shift(); next; next = waiting.shift()) results.push(await checkOne(next, beside));
   };
-  await Promise.all(Array.from({ length: Math.min(availableParallelism(), 4) }, worker));
+  await Promise.all(Array.from({ length: beside ? 1 : Math.min(availableParallelism(), 4) }, worker));
   return results;
 }
 
-async function checkOne({ name, args }) {
+async function checkOne({ name, args }, givesWay) {
   const started = Date.now();
   const { code, output } = await run('node', args, {
     quiet: true,
+    givesWay,
     env: process.stdout.isTTY ? { FORCE_COLOR: '1' } : {},
   });
   const ms = Date.now() - started;

@@ -1,6 +1,7 @@
 // What the scripts print: titled steps with elapsed time. Node built-ins only: it runs before anything is installed.
 import { spawn } from 'node:child_process';
-import { realpathSync } from 'node:fs';
+import { realpathSync, writeFileSync } from 'node:fs';
+import { constants, setPriority } from 'node:os';
 import { fileURLToPath } from 'node:url';
 
 /** The repository's root, with a slash at the end. */
@@ -56,11 +57,12 @@ const leftOfClock = () => (process.stdout.isTTY ? '\r\x1b[K' : '');
  *
  * @param {string} command a program, or `node` for the Node that runs this script
  * @param {readonly string[]} args
- * @param {{ env?: Record<string, string | undefined>, quiet?: boolean, input?: Promise<string> }} [options]
- *   quiet: collect the output instead of showing it; input: what the program reads, once it is known; nothing if that fails
+ * @param {{ env?: Record<string, string | undefined>, quiet?: boolean, input?: Promise<string>, givesWay?: boolean }} [options]
+ *   quiet: collect the output instead of showing it; input: what the program reads, once it is known; nothing if that fails;
+ *   givesWay: it gets the processor only while nothing else wants it
  * @returns {Promise<{ code: number, output: string }>} the exit code (1 when it could not start) and the collected output
  */
-export function run(command, args, { env = {}, quiet = false, input } = {}) {
+export function run(command, args, { env = {}, quiet = false, input, givesWay = false } = {}) {
   const { program, leading, shell } = programFor(command);
   return new Promise((resolve) => {
     let output = '';
@@ -69,7 +71,9 @@ export function run(command, args, { env = {}, quiet = false, input } = {}) {
       env: { ...process.env, ...(process.stdout.isTTY ? {} : { NO_COLOR: '1' }), ...env },
       shell,
       stdio: [input ? 'pipe' : 'ignore', quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit'],
+      detached: givesWay && process.platform === 'linux',
     });
+    if (givesWay) giveWay(child);
     child.stdin?.on('error', () => {}); // it has ended without reading
     input?.then(
       (text) => child.stdin?.end(text),
@@ -80,6 +84,27 @@ export function run(command, args, { env = {}, quiet = false, input } = {}) {
     child.on('error', (error) => resolve({ code: 1, output: `${output}${error.message}\n` }));
     child.on('close', (code) => resolve({ code: code ?? 1, output }));
   });
+}
+
+/**
+ * Puts a program behind all others. Linux shares the time between sessions first (autogroups), so there the program has one
+ * of its own, which a Ctrl-C does not reach by itself.
+ */
+function giveWay(child) {
+  try {
+    setPriority(child.pid, constants.priority.PRIORITY_LOW);
+    if (process.platform === 'linux') writeFileSync(`/proc/${child.pid}/autogroup`, '19');
+  } catch {
+    // It has not started, or the system knows no such thing: then it takes its share.
+  }
+  for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM'])) {
+    const end = () => {
+      child.kill();
+      process.kill(process.pid, signal); // nobody listens any more: it ends as it would have
+    };
+    process.once(signal, end);
+    child.once('close', () => process.off(signal, end));
+  }
 }
 
 /** Like `run`, but a failure ends the step with the program's own words. */

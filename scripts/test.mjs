@@ -52,13 +52,14 @@ await main(import.meta.url, async () => {
   await installBrowsers();
   await installOldBrowsers();
   usableEngines(); // says what will be skipped, and with CI=true refuses, before the long part
-  const rows = [
-    ...(await part('Checks', check)),
+  const checks = part('Checks', () => check({ beside: true })); // in the time that the tests wait
+  const tests = [
     ...(await part('Tests', unitTests)),
     ...(await part('Browsers', async () => {
       await buildApp();
       return browserTests(['--retries=1']); // a browser of a busy machine may miss a moment once, not twice
     })),
   ];
+  const rows = [...(await checks), ...tests];
   if (summarise(rows, Date.now() - started) > 0) process.exitCode = 1;
 });

@@ -33,9 +33,12 @@ export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
   const languages = languagesOf(files.get(LIST) ?? '');
   const parts = partsIn(files);
   const entries = parts.flatMap((part) => part.entries);
+  const readers = readersIn(files);
+  const unusedOf = (part) =>
+    part.folder in KEYED ? unusedKeys(part, files) : unusedTexts(part, readers.get(part.folder) ?? []);
   return [
     ...entries.flatMap((entry) => wrongIn(entry, languages, same)),
-    ...parts.flatMap((part) => (part.folder in KEYED ? unusedKeys(part, files) : unusedTexts(part, files))),
+    ...parts.flatMap(unusedOf),
     ...wrongInBooks(files),
     ...textsInSources(files),
   ];
@@ -158,8 +161,7 @@ function unusedKeys({ folder, keys }, files) {
 }
 
 /** Texts of a part that no source names; a part that no source reads at all. */
-function unusedTexts({ folder, keys }, files) {
-  const readers = readersOf(folder, files);
+function unusedTexts({ folder, keys }, readers) {
   // Those of programs and of the template for robots are read all together, by what belongs to none of them.
   const isAlone = folder.startsWith('src/') && !OF_PROGRAMS.test(folder);
   if (readers.length === 0) return isAlone ? [`${folder}*.json: no source reads it`] : [];
@@ -169,15 +171,23 @@ function unusedTexts({ folder, keys }, files) {
   return keys.filter((key) => !isUsed(key)).map((key) => `${folder}*.json ${key}: used nowhere`);
 }
 
-/** The sources that read a part's words, and how they call them; `null`: they are found by language. */
-function readersOf(folder, files) {
-  return [...files].flatMap(([path, text]) =>
-    Array.from(text.matchAll(/^import (?:type )?(\w+) from '(\.[^']*)';$/gm)).flatMap(([, name, from]) => {
+/**
+ * The sources that read words, by the folder of these, and how they call them; `null`: they are found by language.
+ *
+ * @returns {Map<string, { name: string | null, text: string }[]>}
+ */
+function readersIn(files) {
+  const readers = new Map();
+  for (const [path, text] of files) {
+    for (const [, name, from] of text.matchAll(/^import (?:type )?(\w+) from '(\.[^']*)';$/gm)) {
       const target = posix.join(posix.dirname(path), from);
-      if (target === `${folder}de.json`) return [{ name: null, text }];
-      return `${target.replace(/\/$/, '')}/` === folder ? [{ name, text }] : [];
-    }),
-  );
+      const isOneLanguage = target.endsWith('/de.json');
+      const folder = isOneLanguage ? target.slice(0, -'de.json'.length) : `${target.replace(/\/$/, '')}/`;
+      const before = readers.get(folder) ?? [];
+      readers.set(folder, [...before, { name: isOneLanguage ? null : name, text }]);
+    }
+  }
+  return readers;
 }
 
 /** The members that a source names, followed through names of its own for some of them: `kinds.block`; '' for all of them. */
