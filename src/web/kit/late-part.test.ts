@@ -43,6 +43,20 @@ describe('a late part that does not come', () => {
     expect(notices.current.value).toBeNull();
   });
 
+  it('comes with its style sheet at the second try, which the loader itself asks for once only', () => {
+    document.head.innerHTML = '<link rel="stylesheet" href="/late.css"><link rel="modulepreload" href="/late.js">';
+    const [sheet, script] = Array.from(document.querySelectorAll('link'));
+    for (const lost of [sheet, script]) lost?.dispatchEvent(new Event('error'));
+    document.body.dispatchEvent(new Event('click', { bubbles: true }));
+    const [again, same] = Array.from(document.querySelectorAll('link'));
+    expect(again?.getAttribute('href')).toBe('/late.css');
+    expect(again, 'a new element: only such a one is fetched').not.toBe(sheet);
+    expect(same).toBe(script);
+    again?.dispatchEvent(new Event('error'));
+    window.dispatchEvent(new Event('online'));
+    expect(document.querySelector('link'), 'lost once more').not.toBe(again);
+  });
+
   it('is asked for again by the notice where it is a view, and when the connection is back', async () => {
     const load = vi.fn(() => Promise.reject(new Error('no network')));
     mount(lateView(load));
