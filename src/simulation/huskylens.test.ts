@@ -218,6 +218,6 @@ print('end')`;
     const { xMm = 0, yMm = 0 } = simulation.snapshot().robot?.pose ?? {};
     expect(lines).toEqual(['end']);
     expect([Math.round(xMm), Math.round(yMm)]).toEqual([764, 606]);
-    expect(simulation.traceHash).toBe('c325a84297914685568535c2de9106ba7139ad21f62d3d5ac4aa45ddb44f3a78');
+    expect(simulation.traceHash).toBe('3ce583c6072761a2fe74d9616bff588e52a6c0849f3906e8893fe866fe2f13fb');
   });
 });

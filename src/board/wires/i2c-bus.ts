@@ -24,7 +24,7 @@ export interface I2cTransfer {
   readonly acknowledged: boolean;
   /** Time for which the bus was busy, in whole µs; equals `writeUs` or `readUs`. */
   readonly durationUs: number;
-  /** The bytes read; empty for a write. */
+  /** The bytes read, valid until the next transfer; empty for a write. */
   readonly bytes: Uint8Array;
 }
 
@@ -143,15 +143,21 @@ export class I2cBus {
     const durationUs = this.readUs(address, count);
     const target = this.find(address);
     if (!target) return { acknowledged: false, durationUs, bytes: NOTHING };
-    const bytes = new Uint8Array(count).fill(0xff);
-    bytes.set(target.read(count).subarray(0, count));
-    return { acknowledged: true, durationUs, bytes };
+    return { acknowledged: true, durationUs, bytes: exactly(count, target.read(count)) };
   }
 
   private find(address: number): I2cTarget | undefined {
     for (const chip of this.chips) if (chip.address === address && areSame(chip.wires, this.wires)) return chip.target;
     return undefined;
   }
+}
+
+/** The first bytes; missing ones are those of the released bus. */
+function exactly(count: number, given: Uint8Array): Uint8Array {
+  if (given.length === count) return given;
+  const bytes = new Uint8Array(count).fill(0xff);
+  bytes.set(given.subarray(0, count));
+  return bytes;
 }
 
 function areSame(a: I2cWires | null, b: I2cWires | null): boolean {

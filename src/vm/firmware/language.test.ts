@@ -18,6 +18,55 @@ describe('whole numbers of the board’s MicroPython', () => {
   });
 });
 
+describe('operators of whole numbers', () => {
+  const most = 2n ** 30n - 1n; // of a small int
+  const numbers = [0n, 1n, -1n, 7n, -13n, 46341n, most, -most, -most - 1n, most + 1n];
+  const shifts = [0n, 1n, 29n, 30n, 31n, 32n, 40n];
+  const asPython = (values: readonly (bigint | boolean)[]) =>
+    values.map((value) => (typeof value === 'bigint' ? String(value) : value ? 'True' : 'False')).join(' ');
+  const pairs = numbers.flatMap((a) => numbers.map((b) => [a, b] as const));
+  const printed = (expression: string, given: string) =>
+    `print(*[${expression} for ${given}])`.replaceAll('NUMBERS', `(${numbers.join(', ')})`);
+
+  it.each<[string, (a: bigint, b: bigint) => bigint | boolean]>([
+    ['+', (a, b) => a + b],
+    ['-', (a, b) => a - b],
+    ['*', (a, b) => a * b],
+    ['&', (a, b) => a & b],
+    ['|', (a, b) => a | b],
+    ['<', (a, b) => a < b],
+    ['>', (a, b) => a > b],
+    ['<=', (a, b) => a <= b],
+    ['>=', (a, b) => a >= b],
+    ['==', (a, b) => a === b],
+    ['!=', (a, b) => a !== b],
+  ])('are those of Python where a small int ends, too: a %s b', (operator, result) => {
+    const program = printed(`a ${operator} b`, 'a in NUMBERS for b in NUMBERS');
+    expect(linesOf(program)).toEqual([asPython(pairs.map(([a, b]) => result(a, b)))]);
+  });
+
+  it('shift and turn signs as Python does', () => {
+    const program = [
+      printed('a >> b', `a in NUMBERS for b in (${shifts.join(', ')})`),
+      printed('-a', 'a in NUMBERS'),
+      printed('+a', 'a in NUMBERS'),
+      printed('~a', 'a in NUMBERS'),
+      printed('not a', 'a in NUMBERS'),
+      'print(*[-a for a in (True, False)], *[~a for a in (True, False)], 5 > True, None is None, 5 is 5, "a" is 5)',
+      'err(lambda: 1 >> -1)',
+    ].join('\n');
+    expect(linesOf(program)).toEqual([
+      asPython(numbers.flatMap((a) => shifts.map((b) => a >> b))),
+      asPython(numbers.map((a) => -a)),
+      asPython(numbers),
+      asPython(numbers.map((a) => ~a)),
+      asPython(numbers.map((a) => a === 0n)),
+      '-1 0 -2 -1 True True True False',
+      'ValueError: negative shift count',
+    ]);
+  });
+});
+
 describe('bytes of a whole number', () => {
   it('are cut where they do not fit, and 0 beyond the number’s own, on every board', () => {
     const program = `
@@ -136,6 +185,24 @@ describe('a product that no memory holds', () => {
 });
 
 describe('names of a module', () => {
+  it('come before built-in ones, which are there again without them', () => {
+    const program = `
+def lengths():
+    return len('abc')
+print(lengths())
+len = lambda text: 'mine'
+print(lengths())
+del len
+print(lengths())
+class Odd:
+    def __eq__(self, other): return False
+    def __hash__(self): return 5
+globals()[Odd()] = 1
+print(lengths(), [name for name in ('lengths',) if name in globals()])
+err(lambda: unheard_of)`;
+    expect(linesOf(program)).toEqual(['3', 'mine', '3', "3 ['lengths']", "NameError: name 'unheard_of' isn't defined"]);
+  });
+
   it('are looked up when the program comes to them: errno has its names alone, and none without its import', () => {
     const program = `
 def without():

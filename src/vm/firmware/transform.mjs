@@ -3,7 +3,7 @@
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
 import { askBefore, enterFrame, findScopeEnd, leaveFrame, tellScopes, tellState } from './debugging.mjs';
-import { callDirectly } from './direct-calls.mjs';
+import { callDirectly, shorten } from './direct-calls.mjs';
 import { echoPasted } from './echo-pasted.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
@@ -72,15 +72,16 @@ export function transform(published, report) {
   beTheBoardsVersion(module);
   echoPasted(module);
   fixMemory(module);
-  callDirectly(module);
+  const directCalls = callDirectly(module);
 
   report('spilling pointers for the collector');
   const spilled = build(module, ['spill-pointers']);
-  // Metering comes after. A tick allocates nothing, so pointers need not be spilled for it, and must not be: the
+  // Metering and shorter ways come after. They allocate nothing, so pointers need not be spilled for them, and must not be: the
   // contents of the stack slots would depend on when ticks come, and so on how often the program is suspended. What the
   // (conservative) collector keeps would depend on it, too.
   const metered = splitModule(spilled.emitText());
   spilled.dispose();
+  shorten(metered, directCalls);
   meter(metered, findInterpreter(metered));
   chargeWork(metered, work);
   tellScopes(metered, scopeEnd);
