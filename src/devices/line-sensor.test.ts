@@ -33,6 +33,18 @@ describe('a digital line sensor', () => {
     expect(sensor.isBright()).toBe(true);
   });
 
+  it('looks only when the wire is read, and after each step where something listens', () => {
+    const wire = new Wire('P13');
+    let looks = 0;
+    const sensor = attachLineSensor(wire, { look: () => (++looks % 2 === 0 ? 0 : 1) });
+    for (let step = 0; step < 10; step++) sensor.sample();
+    expect([looks, wire.level, looks]).toEqual([1, 0, 2]);
+    const heard: number[] = [];
+    wire.onLevel((level) => heard.push(level));
+    for (let step = 0; step < 3; step++) sensor.sample();
+    expect(heard).toEqual([1, 0, 1]);
+  });
+
   it('lets the wire float when detached', () => {
     const { wire, sensor } = sensorOver(1);
     sensor.stop();

@@ -87,22 +87,23 @@ export interface LineSensor {
  * Puts a line sensor on a wire and looks at the ground once.
  *
  * The ground below a sensor changes only when the world moves, so the owner calls `sample` after every step of the
- * world; between two steps the wire holds what the last one gave, however often the program reads.
+ * world; between two steps the wire holds what the last one gave, however often the program reads. It looks when the wire is
+ * read, or after each step where something listens to the wire.
  */
-export function attachLineSensor(wire: Wire, { look }: LineView): LineSensor {
+export function attachLineSensor(wire: Wire, view: LineView): LineSensor {
   const output = wire.connect('line sensor');
-  const comparator = createLineComparator({ look }); // it is read after each step: no paint finds it behind
-  let level: Level = comparator.isBright() ? 1 : 0;
-  output.drive(level);
+  const comparator = createLineComparator(view);
+  const level = (): Level => (comparator.isBright() ? 1 : 0);
+  output.drive(level());
   return {
     sample: () => {
       comparator.sample();
-      const next: Level = comparator.isBright() ? 1 : 0;
-      if (next === level) return;
-      level = next;
-      output.drive(level);
+      output.driveLate(level);
     },
     isBright: () => comparator.isBright(),
-    stop: output.detach,
+    stop: () => {
+      comparator.stop();
+      output.detach();
+    },
   };
 }

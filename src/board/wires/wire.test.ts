@@ -160,6 +160,84 @@ describe('a wire', () => {
   });
 });
 
+describe('an end that says late what it drives', () => {
+  /** A chip that may be asked by now; its level at each moment, and how often it was asked. */
+  function lateChip() {
+    const chips = twoChips();
+    const chip = { now: 1 as Level, asked: 0 };
+    const level = (): Level => {
+      chip.asked++;
+      return chip.now;
+    };
+    return { ...chips, chip, tell: () => chips.one.driveLate(level) };
+  }
+
+  it('W12: is asked once when the wire is read, and not before', () => {
+    const { wire, chip, tell } = lateChip();
+    tell();
+    tell();
+    expect(chip.asked).toBe(0);
+    expect([wire.level, wire.level, wire.fraction, chip.asked]).toEqual([1, 1, 1, 1]);
+    chip.now = 0;
+    expect(wire.level).toBe(1);
+    tell();
+    expect([wire.level, chip.asked]).toEqual([0, 2]);
+  });
+
+  it.each<[string, (wire: Wire) => unknown]>([
+    ['its PWM signal', (wire) => wire.pwm],
+    ['its voltage', (wire) => wire.fraction],
+    ['whether it is open', (wire) => wire.isOpen],
+  ])('W12: is asked when somebody asks the wire for %s', (_, ask) => {
+    const { wire, chip, tell } = lateChip();
+    tell();
+    ask(wire);
+    expect(chip.asked).toBe(1);
+  });
+
+  it('W12: is asked at once while somebody listens, also when that begins later', () => {
+    const { wire, chip, tell } = lateChip();
+    tell();
+    const heard: Level[] = [];
+    const stop = wire.onLevel((level) => heard.push(level));
+    expect([heard, chip.asked]).toEqual([[], 1]);
+    chip.now = 0;
+    tell();
+    tell();
+    expect([heard, chip.asked]).toEqual([[0], 3]);
+    stop();
+    tell();
+    expect(chip.asked).toBe(3);
+  });
+
+  it.each<[string, (chips: ReturnType<typeof twoChips>) => void]>([
+    ['drives', ({ two }) => two.drive(1)],
+    ['pulls', ({ two }) => two.pull('down')],
+    ['leaves', ({ two }) => two.detach()],
+    ['says late what it drives, too', ({ two }) => two.driveLate(() => 1)],
+  ])('W12: is asked before another end %s', (_, change) => {
+    const { chip, tell, ...chips } = lateChip();
+    tell();
+    change(chips);
+    expect(chip.asked).toBe(1);
+  });
+
+  it('W12: counts as it was before it drives at once, releases or leaves', () => {
+    const { wire, one, chip, tell } = lateChip();
+    tell();
+    one.drive(1);
+    chip.now = 0;
+    expect(wire.level).toBe(1);
+    tell();
+    one.release();
+    expect([wire.level, chip.asked]).toEqual([0, 2]);
+    tell();
+    one.detach();
+    chip.now = 1;
+    expect([wire.level, chip.asked]).toEqual([0, 3]);
+  });
+});
+
 describe('an LED stream', () => {
   it('S1: arrives byte by byte at everyone who listens on the wire', () => {
     const { board } = createBench();

@@ -32,6 +32,12 @@ export interface WireEnd {
   readonly owner: string;
   /** Drives low or high, replacing what this end drove before. Low wins over everything else that drives (rule W2). */
   drive(level: Level): void;
+  /**
+   * Drives low or high from now on, but says which only once somebody asks, or at once where somebody listens (rule W12).
+   *
+   * @param level tells how it is at the moment; called until the end drives otherwise
+   */
+  driveLate(level: () => Level): void;
   /** Drives a voltage as a fraction of the supply, clamped to 0 … 1. */
   driveAnalog(fraction: number): void;
   /** Drives a PWM signal. */
@@ -62,6 +68,8 @@ export class Wire {
   private readonly serialListeners: Listeners<SerialFrame> = new Set();
   private readonly changes: (() => void)[] = [];
   private telling = false;
+  /** An end that has not been asked yet what it drives by now. */
+  private late: { readonly end: WireEnd; level: () => Level } | null = null;
   private settled: Level = 0;
   private settledPwm: Pwm | null = null;
 
@@ -69,16 +77,19 @@ export class Wire {
 
   /** The present digital level. */
   get level(): Level {
+    this.hear();
     return this.settled;
   }
 
   /** The PWM signal on the wire, or `null` without one. */
   get pwm(): Pwm | null {
+    this.hear();
     return this.settledPwm;
   }
 
   /** The mean voltage as a fraction of the supply, 0 … 1: the value that an analog input measures. */
   get fraction(): number {
+    this.hear();
     const drive = this.winner();
     switch (drive?.kind) {
       case 'analog':
@@ -93,6 +104,7 @@ export class Wire {
 
   /** True while nobody drives the wire and nobody pulls it. */
   get isOpen(): boolean {
+    this.hear();
     return this.ends.every(({ drive, pull }) => drive === null && pull === 'none');
   }
 
@@ -101,37 +113,51 @@ export class Wire {
     const end: EndState = { owner, drive: null, pull: 'none' };
     this.ends.push(end);
     const set = (drive: Drive | null): void => {
+      this.hear();
       end.drive = drive;
       this.settle();
     };
     // What an end does already changes nothing: programs ask for it in loops.
     const drives = (level: Level): boolean => end.drive?.kind === 'level' && end.drive.level === level;
-    return {
+    const drive = (level: Level): void => {
+      this.hear();
+      if (!drives(level)) set({ kind: 'level', level });
+    };
+    const connected: WireEnd = {
       owner,
-      drive: (level) => {
-        if (!drives(level)) set({ kind: 'level', level });
+      drive,
+      driveLate: (level) => {
+        if (this.levelListeners.size > 0) return drive(level());
+        if (this.late?.end !== connected) this.hear();
+        this.late ??= { end: connected, level };
+        this.late.level = level;
       },
       driveAnalog: (fraction) => set({ kind: 'analog', fraction: Math.min(1, Math.max(0, fraction)) }),
       drivePwm: (pwm) => set({ kind: 'pwm', pwm }),
       release: () => {
+        this.hear();
         if (end.drive !== null) set(null);
       },
       pull: (pull) => {
         if (pull === end.pull) return;
+        this.hear();
         end.pull = pull;
         this.settle();
       },
       detach: () => {
         const place = this.ends.indexOf(end);
         if (place < 0) return;
+        this.hear();
         this.ends.splice(place, 1);
         this.settle();
       },
     };
+    return connected;
   }
 
   /** Reports every change of the digital level. */
   onLevel(listener: (level: Level) => void): Stop {
+    this.hear();
     return attach(this.levelListeners, listener);
   }
 
@@ -177,6 +203,13 @@ export class Wire {
       winner ??= drive;
     }
     return winner;
+  }
+
+  /** Asks what an end drives by now, before anybody learns what is on the wire, or changes it. */
+  private hear(): void {
+    const { late } = this;
+    this.late = null;
+    late?.end.drive(late.level());
   }
 
   private settle(): void {
