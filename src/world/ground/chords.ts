@@ -32,6 +32,8 @@ export type Under = number | FloorPicture;
 let starts = new Float64Array(64);
 let ends = new Float64Array(64);
 let count = 0;
+// The chord itself: its foot and its direction. In an array, because each argument with a point becomes an object of its own.
+const chord = new Float64Array(4);
 
 /**
  * Mean reflectance of a disc, by chords. The covered intervals of a chord are computed exactly, piece by piece from the
@@ -44,18 +46,22 @@ export function meanByChords(x: number, y: number, radius: number, pieces: reado
   if (!first) return typeof under === 'number' ? under : under.under(x, y, radius);
   const ux = first.ex * turnCos - first.ey * turnSin;
   const uy = first.ex * turnSin + first.ey * turnCos;
+  chord[2] = ux;
+  chord[3] = uy;
   let mean = 0;
   for (let i = 0; i < CHORDS; i++) {
     const offset = (offsets[i] ?? 0) * radius;
     const half = Math.sqrt(radius * radius - offset * offset);
     const px = x - offset * uy;
     const py = y + offset * ux;
+    chord[0] = px;
+    chord[1] = py;
     count = 1;
     starts[0] = -half;
     ends[0] = half;
     let sum = 0;
     for (const piece of pieces) {
-      sum += piece.painted.reflectance * coveredAnew(piece, px, py, ux, uy);
+      sum += piece.painted.reflectance * coveredAnew(piece);
       if (count === 0) break;
     }
     if (count > 0) sum += uncovered(px, py, ux, uy, under);
@@ -65,13 +71,11 @@ export function meanByChords(x: number, y: number, radius: number, pieces: reado
 }
 
 /** Length of the uncovered part that lies in a piece; it is covered from now on. */
-function coveredAnew(
-  { ax, ay, ex, ey, length, painted }: Segment,
-  px: number,
-  py: number,
-  ux: number,
-  uy: number,
-): number {
+function coveredAnew({ ax, ay, ex, ey, length, painted }: Segment): number {
+  const px = chord[0] ?? NaN;
+  const py = chord[1] ?? NaN;
+  const ux = chord[2] ?? NaN;
+  const uy = chord[3] ?? NaN;
   const half = painted.halfWidth;
   // The chord in the piece's frame: along and across of its foot and of its direction.
   const along = (px - ax) * ex + (py - ay) * ey;

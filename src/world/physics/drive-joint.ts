@@ -106,7 +106,7 @@ export class DriveJoint extends Joint {
     return this.scrubPerSpeed3 * mean * mean * mean * builtUp;
   }
 
-  override solveVelocityConstraints(step: TimeStep): void {
+  override solveVelocityConstraints(): void {
     const [left, right] = this.wheels;
     const velocity = this.solved.c_velocity;
     const twist = clamp(this.scrub - velocity.w * this.inertia, this.maxScrub) - this.scrub;
@@ -119,8 +119,12 @@ export class DriveJoint extends Joint {
     const halfSide = sideways / this.inverseMass / 2;
     const [leftBefore, rightBefore] = [left.impulse, right.impulse];
     const sideBefore = left.side + right.side;
-    left.solve(forward - left.y * velocity.w, halfSide, step.dt);
-    right.solve(forward - right.y * velocity.w, halfSide, step.dt);
+    left.speed = forward - left.y * velocity.w;
+    right.speed = forward - right.y * velocity.w;
+    left.halfSide = halfSide;
+    right.halfSide = halfSide;
+    left.solve();
+    right.solve();
     this.push(left.impulse - leftBefore, right.impulse - rightBefore, left.side + right.side - sideBefore, 0);
   }
 

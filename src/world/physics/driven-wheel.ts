@@ -78,6 +78,13 @@ export class DrivenWheel {
   /** Impulse on the floor in this step, lengthwise and sideways. */
   impulse = 0;
   side = 0;
+  // What a round of the solver begins with. Fields, because each argument with a point becomes an object of its own.
+  /** Speed of the body at the wheel, lengthwise. */
+  speed = NaN;
+  /** Half of the impulse that would stop the body sideways. */
+  halfSide = NaN;
+  /** Length of the step in s. */
+  private dt = NaN;
   /** For a step through which its duty stays the same. */
   private readonly whole = new Stretch(1);
   /** One for each of its duties in this step, where it has several. */
@@ -118,6 +125,7 @@ export class DrivenWheel {
    * evenly, and it does not matter where in a step a program begins.
    */
   prepare(dt: number): void {
+    this.dt = dt;
     const { power, motor, rim, stallForce } = this;
     if (power.isSteady) {
       this.whole.prepare(motor, rim, stallForce, power.duty, dt);
@@ -146,17 +154,12 @@ export class DrivenWheel {
     whole.dry = 0;
   }
 
-  /**
-   * Finds the impulse of the tyre on the body, the mean over the stretches of the step.
-   *
-   * @param speed of the body at the wheel, lengthwise
-   * @param halfSide half of the impulse that would stop the body sideways
-   */
-  solve(speed: number, halfSide: number, dt: number): void {
+  /** Finds the impulse of the tyre on the body, the mean over the stretches of the step, from `speed` and `halfSide`. */
+  solve(): void {
     const { response, stretches } = this;
-    const withoutTyre = speed - response * this.impulse;
-    const side = this.side - halfSide;
-    const grip = this.grip * dt;
+    const withoutTyre = this.speed - response * this.impulse;
+    const side = this.side - this.halfSide;
+    const grip = this.grip * this.dt;
     if (stretches === null) {
       const given = this.whole.solve(response, withoutTyre, side, grip);
       this.impulse = this.whole.impulse;
