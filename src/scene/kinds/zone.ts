@@ -45,6 +45,7 @@ const ROUNDING_MM = 1e-6;
 /** True if a place lies in a zone; its edge belongs to it. World mm. */
 export function zoneHolds(zone: Zone, place: Vec): boolean {
   if (zone.corners) return outlineHolds(shapeOutline(zone), place, ROUNDING_MM);
+  if (isFarFrom(zone, place)) return false;
   const { x, y } = toOwnFrame(zone, place);
   const halfX = zone.size[0] / 2 + ROUNDING_MM;
   const halfY = zone.size[1] / 2 + ROUNDING_MM;
@@ -52,6 +53,12 @@ export function zoneHolds(zone: Zone, place: Vec): boolean {
   const alongX = x / halfX;
   const alongY = y / halfY;
   return alongX * alongX + alongY * alongY <= 1;
+}
+
+/** Tells most places outside without turning them into the zone's frame: half of both sides and a mm away from its middle. */
+function isFarFrom({ at, size }: Zone, place: Vec): boolean {
+  const reach = (size[0] + size[1]) / 2 + 1;
+  return Math.abs(place.x - at[0]) > reach || Math.abs(place.y - at[1]) > reach;
 }
 
 /** True if a zone contains a convex outline in world mm; its edge belongs to it. */
