@@ -19,7 +19,8 @@ import { within } from './plane';
 
 /**
  * A number of an object that can be typed in. `x` and `y`: its place, of a line its start; `endX`, `endY`: its end. `length` and
- * `breadth`: its extent from above; `side`: of a tag's square; `height`: its top above the floor.
+ * `breadth`: its extent from above; `radius`: of a line's corners;
+ * `side`: of a tag's square; `height`: its top above the floor.
  */
 export type NumberName =
   | 'x'
@@ -32,6 +33,7 @@ export type NumberName =
   | 'turn'
   | 'thickness'
   | 'penWidth'
+  | 'radius'
   | 'number'
   | 'side'
   | 'blocks'

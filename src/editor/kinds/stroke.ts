@@ -4,7 +4,8 @@ import { boundsOf } from '#scene/kinds/index';
 import { overlapMm, squaredDistance, type Bounds } from '#scene/outline';
 import { paintColors } from '#scene/paint/paint';
 import { sceneLimits, type Point, type Stroke } from '#scene/scene';
-import { endFields, lengthField, placeFields } from '../object-fields';
+import { cornerRadius, withCornerRadius } from '../lines/round-corners';
+import { endFields, lengthField, placeFields, type Field } from '../object-fields';
 import { distanceMm, minus, toPoint, toVec, turnedAbout } from '../plane';
 import { snappedTo, strokeEnds } from '../snap';
 import { boundsHandles } from '../size-handles';
@@ -62,6 +63,7 @@ export const stroke: EditorKind<Stroke> = {
       ...(ends ? endFields(...ends, (from, to) => ({ ...stroke, points: [from, to] })) : []),
       ...(first && !ends ? placeFields(stroke, first, moved) : []),
       lengthField('penWidth', stroke.width, sceneLimits.widthMm, 1, (width) => ({ ...stroke, width })),
+      ...radiusFields(stroke),
       {
         ...{ kind: 'choice', name: 'color', value: stroke.color, choices: paintColors },
         with: (color: Stroke['color']) => ({ ...stroke, color }),
@@ -79,6 +81,13 @@ export const stroke: EditorKind<Stroke> = {
     color: penColor,
   }),
 };
+
+function radiusFields(stroke: Stroke): readonly Field<Stroke>[] {
+  const radius = cornerRadius(stroke);
+  if (radius === null) return [];
+  const range = { min: 0, max: radius.mostMm };
+  return [lengthField('radius', radius.mm, range, 10, (mm) => withCornerRadius(stroke, mm))];
+}
 
 /** The ends of a straight line; `null`: it is drawn. */
 function endsOf({ points }: Stroke): readonly [Point, Point] | null {
