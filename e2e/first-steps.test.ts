@@ -150,17 +150,6 @@ test('the greeting is there on a first visit only, and goes with the first run',
 });
 
 for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out of greeting and tour, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
-    await openApp(app, { theme, language: 'fr', welcomed: false });
-    await there(app, by('welcome'));
-    expect(await violationsOn(app), 'with the greeting').toEqual([]);
-    await fromMenu(app, 'menu-tour');
-    await stepIs(app, 'code');
-    await app.click(by('tour-next'));
-    await stepIs(app, 'run');
-    expect(await violationsOn(app), 'with the tour').toEqual([]);
-  });
-
   test(`axe finds nothing that shuts people out of the help, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
     await openApp(app, { theme, language: 'fr' });
     await mainMenu(app, 'help');
