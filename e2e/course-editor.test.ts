@@ -46,7 +46,7 @@ test('with the mouse: five steps are taken back one by one, and done again', IN_
   );
 });
 
-test('with the mouse: a project is saved, is there after a reload, and is loaded', async ({ app }) => {
+test('with the mouse: a project is saved, is there after a reload, and is loaded', IN_ONE_ENGINE, async ({ app }) => {
   await saveReloadLoad(withMouse(app));
 });
 

@@ -132,42 +132,44 @@ const keptAssets = (app: App): Promise<{ second: boolean; first: boolean }> =>
     return { second: urls.some(isSecond), first: !urls.every(isSecond) };
   });
 
-test('of two pages one may take the new version: the other goes on with all of its own, and is asked in its turn', async ({
-  app,
-}) => {
-  test.setTimeout(180_000);
-  host = await openSmallHost(app);
-  await writeFile(
-    join(host.folder, 'two.html'),
-    '<title>Two</title>' +
-      ['a', 'b']
-        .map((id) => `<iframe id="${id}" src="./?flag=sw" style="width:1200px;height:380px"></iframe>`)
-        .join(''),
-  );
-  const inPage = (id: string, css: string): Promise<boolean> =>
-    app.inFrame(`#${id}`, (selector) => document.querySelector(selector) !== null, css);
-  const press = (id: string, css: string): Promise<void> =>
-    app.inFrame(`#${id}`, (selector) => document.querySelector<HTMLElement>(selector)?.click(), css);
-  const titleOf = (id: string): Promise<string> => app.inFrame(`#${id}`, () => document.title).catch(() => '');
-  await app.goto(`${host.url}two.html`);
-  for (const id of ['a', 'b']) await expect.poll(() => inPage(id, on('editor'))).toBe(true);
-  await expect.poll(() => isServed(app), { timeout: KEPT_WITHIN_MS }).toBe(true);
+test(
+  'of two pages one may take the new version: the other goes on with all of its own, and is asked in its turn',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(180_000);
+    host = await openSmallHost(app);
+    await writeFile(
+      join(host.folder, 'two.html'),
+      '<title>Two</title>' +
+        ['a', 'b']
+          .map((id) => `<iframe id="${id}" src="./?flag=sw" style="width:1200px;height:380px"></iframe>`)
+          .join(''),
+    );
+    const inPage = (id: string, css: string): Promise<boolean> =>
+      app.inFrame(`#${id}`, (selector) => document.querySelector(selector) !== null, css);
+    const press = (id: string, css: string): Promise<void> =>
+      app.inFrame(`#${id}`, (selector) => document.querySelector<HTMLElement>(selector)?.click(), css);
+    const titleOf = (id: string): Promise<string> => app.inFrame(`#${id}`, () => document.title).catch(() => '');
+    await app.goto(`${host.url}two.html`);
+    for (const id of ['a', 'b']) await expect.poll(() => inPage(id, on('editor'))).toBe(true);
+    await expect.poll(() => isServed(app), { timeout: KEPT_WITHIN_MS }).toBe(true);
 
-  await release(host, 'v2');
-  expect(await lookForUpdate(app)).toBe('waiting');
-  for (const id of ['a', 'b']) await expect.poll(() => inPage(id, by('page-bar-update'))).toBe(true);
-  await press('a', by('page-bar-act'));
-  await expect.poll(() => titleOf('a')).toBe('Parcours v2');
-  await expect.poll(() => inPage('a', on('editor'))).toBe(true);
+    await release(host, 'v2');
+    expect(await lookForUpdate(app)).toBe('waiting');
+    for (const id of ['a', 'b']) await expect.poll(() => inPage(id, by('page-bar-update'))).toBe(true);
+    await press('a', by('page-bar-act'));
+    await expect.poll(() => titleOf('a')).toBe('Parcours v2');
+    await expect.poll(() => inPage('a', on('editor'))).toBe(true);
 
-  await expect.poll(() => inPage('b', by('page-bar-update'))).toBe(true);
-  expect(await titleOf('b')).toBe('Parcours');
-  expect(await keptAssets(app)).toEqual({ second: true, first: true });
-  await app.inFrame('#b', () => (location.hash = '#robots')); // comes late: the host has that file no more
-  await expect.poll(() => inPage('b', '.gallery li')).toBe(true);
-  await press('b', by('page-bar-act'));
-  await expect.poll(() => titleOf('b')).toBe('Parcours v2');
-});
+    await expect.poll(() => inPage('b', by('page-bar-update'))).toBe(true);
+    expect(await titleOf('b')).toBe('Parcours');
+    expect(await keptAssets(app)).toEqual({ second: true, first: true });
+    await app.inFrame('#b', () => (location.hash = '#robots')); // comes late: the host has that file no more
+    await expect.poll(() => inPage('b', '.gallery li')).toBe(true);
+    await press('b', by('page-bar-act'));
+    await expect.poll(() => titleOf('b')).toBe('Parcours v2');
+  },
+);
 
 test('a half-finished update changes nothing, and the next try brings it', IN_ONE_ENGINE, async ({ app }) => {
   test.setTimeout(180_000);
