@@ -14,7 +14,7 @@ export default defineConfig({
   testDir: 'e2e',
   outputDir: 'test-results',
   timeout: 90_000, // Firefox alone takes up to 5 s to start on a busy machine
-  expect: { timeout: 20_000 },
+  expect: { timeout: 20_000, toPass: { intervals: [50] } }, // left alone it soon tries once a second only
   workers: 3, // of two cores: nearly half of a test is waiting for what goes on in real time
   retries: 0,
   forbidOnly: process.env['CI'] === 'true',

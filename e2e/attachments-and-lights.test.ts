@@ -406,25 +406,27 @@ tell("set down")
 ];
 import { soloRun } from '#simulation/run-setup';
 
-for (const [place, { robot, what, options, program, finds }] of PROBES.entries()) {
-  const engines = place === 0 ? {} : IN_ONE_ENGINE;
-  test(`${what}, like a used one (0.7, number 3), does the same bit for bit as in Node`, engines, async ({ app }) => {
-    if (!('scene' in ARENA)) throw new Error(ARENA.problem);
-    const setup = soloRun({
-      scene: ARENA.scene,
-      files: { 'main.py': program },
-      robot,
-      board: 'auto',
-      seed: 3,
-      robotOptions: options,
-      reality: 0.7,
-    });
-    const run = { setup, untilMs: 16_000 };
-    const inNode = await runInNode(run);
-    for (const part of finds) expect(inNode.console).toMatch(part);
-    const ideal = await runInNode({ ...run, setup: { ...setup, reality: 0 } });
-    expect(ideal.traceHash).not.toBe(inNode.traceHash);
-    await app.goto(PROBE);
-    expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
-  });
-}
+for (const { robot, what, options, program, finds } of PROBES)
+  test(
+    `${what}, like a used one (0.7, number 3), does the same bit for bit as in Node`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      if (!('scene' in ARENA)) throw new Error(ARENA.problem);
+      const setup = soloRun({
+        scene: ARENA.scene,
+        files: { 'main.py': program },
+        robot,
+        board: 'auto',
+        seed: 3,
+        robotOptions: options,
+        reality: 0.7,
+      });
+      const run = { setup, untilMs: 16_000 };
+      const inNode = await runInNode(run);
+      for (const part of finds) expect(inNode.console).toMatch(part);
+      const ideal = await runInNode({ ...run, setup: { ...setup, reality: 0 } });
+      expect(ideal.traceHash).not.toBe(inNode.traceHash);
+      await app.goto(PROBE);
+      expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
+    },
+  );

@@ -64,78 +64,58 @@ async function listen(page: Page, region: string): Promise<() => Promise<readonl
   return () => page.evaluate(() => (window as unknown as { heard: { atMs: number; words: string }[] }).heard);
 }
 
-const DRIVES: Readonly<Record<'de' | 'en', readonly RegExp[]>> = {
-  de: [
-    /^Start bei x 15, y 45 cm, Richtung 0 Grad\./,
-    /^(Linker Sensor|Rechter Sensor|Beide Sensoren) auf der Linie\.$/,
-    /^Kontrollpunkt 1 erreicht\.$/,
-    /^Kontrollpunkt 2 erreicht\.$/,
-    /^Wand \d+ cm voraus\.$/,
-    /^Der Roboter steht: x \d+, y 45 cm, Richtung 0 Grad\. Wand \d cm voraus\.$/,
-  ],
-  en: [
-    /^Starting at x 15, y 45 cm, heading 0 degrees\./,
-    /^(Left sensor|Right sensor|Both sensors) on the line\.$/,
-    /^Checkpoint 1 reached\.$/,
-    /^Checkpoint 2 reached\.$/,
-    /^Wall \d+ cm ahead\.$/,
-    /^The robot stands still: x \d+, y 45 cm, heading 0 degrees\. Wall \d cm ahead\.$/,
-  ],
-};
+/** In German; that the words are in the page's language is shown by `narrator.test.ts` and `explore.test.ts`. */
+const DRIVE: readonly RegExp[] = [
+  /^Start bei x 15, y 45 cm, Richtung 0 Grad\./,
+  /^(Linker Sensor|Rechter Sensor|Beide Sensoren) auf der Linie\.$/,
+  /^Kontrollpunkt 1 erreicht\.$/,
+  /^Kontrollpunkt 2 erreicht\.$/,
+  /^Wand \d+ cm voraus\.$/,
+  /^Der Roboter steht: x \d+, y 45 cm, Richtung 0 Grad\. Wand \d cm voraus\.$/,
+];
 
-for (const language of ['de', 'en'] as const)
-  test(`a drive is told one thing after the other, ${language}`, async ({ page }) => {
-    await open(page, { language, welcomed: true, tell: true });
-    const heard = await listen(page, 'narration');
-    await page.click(on('run'));
-    const last = DRIVES[language].at(-1) ?? /./;
-    await expect.poll(async () => (await heard()).at(-1)?.words, { timeout: 40_000 }).toMatch(last);
-    const all = await heard();
-    let from = 0;
-    for (const words of DRIVES[language]) {
-      const at = all.findIndex((one, i) => i >= from && words.test(one.words));
-      expect(at, `${String(words)} in ${all.map((one) => one.words).join(' ')}`).toBeGreaterThanOrEqual(from);
-      from = at + 1;
-    }
-    const told = all.filter(({ words }) => words !== '').slice(1); // the first one says that it is on
-    const gaps = told.slice(1).map(({ atMs }, i) => atMs - (told[i]?.atMs ?? 0));
-    expect(Math.min(...gaps)).toBeGreaterThan(1900);
+test('a drive is told one thing after the other', async ({ page }) => {
+  await open(page, { language: 'de', welcomed: true, tell: true });
+  const heard = await listen(page, 'narration');
+  await page.click(on('run'));
+  const last = DRIVE.at(-1) ?? /./;
+  await expect.poll(async () => (await heard()).at(-1)?.words, { timeout: 40_000 }).toMatch(last);
+  const all = await heard();
+  let from = 0;
+  for (const words of DRIVE) {
+    const at = all.findIndex((one, i) => i >= from && words.test(one.words));
+    expect(at, `${String(words)} in ${all.map((one) => one.words).join(' ')}`).toBeGreaterThanOrEqual(from);
+    from = at + 1;
+  }
+  const told = all.filter(({ words }) => words !== '').slice(1); // the first one says that it is on
+  const gaps = told.slice(1).map(({ atMs }, i) => atMs - (told[i]?.atMs ?? 0));
+  expect(Math.min(...gaps)).toBeGreaterThan(1900);
 
-    expect(await page.locator('body').ariaSnapshot()).toContain(`- status: "${all.at(-1)?.words ?? ''}"`);
-    expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
-  });
+  expect(await page.locator('body').ariaSnapshot()).toContain(`- status: "${all.at(-1)?.words ?? ''}"`);
+  expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
+});
 
-const WALKS: Readonly<Record<'de' | 'en', readonly string[]>> = {
-  de: [
-    'Der Roboter ist bei x 15, y 45 cm, Richtung 0 Grad. Im Parcours liegen 5 Dinge.',
-    'Kontrollpunkt 1, 10 mal 10 cm: 29 cm weiter vorn.',
-    'Kontrollpunkt 2, 10 mal 10 cm: 47 cm weiter vorn.',
-    'Ziel 1, 10 mal 10 cm: 35 cm links.',
-  ],
-  en: [
-    'The robot is at x 15, y 45 cm, heading 0 degrees. There are 5 objects in the course.',
-    'Checkpoint 1, 10 by 10 cm: 29 cm ahead.',
-    'Checkpoint 2, 10 by 10 cm: 47 cm ahead.',
-    'Target 1, 10 by 10 cm: 35 cm to the left.',
-  ],
-};
+const WALK = [
+  'Der Roboter ist bei x 15, y 45 cm, Richtung 0 Grad. Im Parcours liegen 5 Dinge.',
+  'Kontrollpunkt 1, 10 mal 10 cm: 29 cm weiter vorn.',
+  'Kontrollpunkt 2, 10 mal 10 cm: 47 cm weiter vorn.',
+  'Ziel 1, 10 mal 10 cm: 35 cm links.',
+] as const;
 
-for (const language of ['de', 'en'] as const)
-  test(`the course is explored by keyboard and words, ${language}`, async ({ page }) => {
-    await open(page, { language, welcomed: true });
-    await page.focus(on('arena'));
-    const keys = { de: 'N nennt, was im Parcours liegt', en: 'N names what lies in the course' };
-    await expect(page.locator(on('arena'))).toHaveAccessibleDescription(new RegExp(keys[language]));
-    for (const words of WALKS[language]) {
-      await page.keyboard.press('n');
-      await expect(page.locator(by('explored'))).toHaveText(words);
-    }
-    await page.keyboard.press('Shift+N');
-    await expect(page.locator(by('explored'))).toHaveText(WALKS[language][2] ?? '');
-    await page.keyboard.press('o');
-    const around = { de: /Vorn Wand 1, 79 cm\. Links Rand/, en: /In front Wall 1, 79 cm\. On the left Edge/ };
-    await expect(page.getByRole('status').filter({ hasText: around[language] })).toHaveCount(1);
-  });
+test('the course is explored by keyboard and words', async ({ page }) => {
+  await open(page, { language: 'de', welcomed: true });
+  await page.focus(on('arena'));
+  await expect(page.locator(on('arena'))).toHaveAccessibleDescription(/N nennt, was im Parcours liegt/);
+  for (const words of WALK) {
+    await page.keyboard.press('n');
+    await expect(page.locator(by('explored'))).toHaveText(words);
+  }
+  await page.keyboard.press('Shift+N');
+  await expect(page.locator(by('explored'))).toHaveText(WALK[2]);
+  await page.keyboard.press('o');
+  const around = page.getByRole('status').filter({ hasText: /Vorn Wand 1, 79 cm\. Links Rand/ });
+  await expect(around).toHaveCount(1);
+});
 
 test('the telling is switched on by keyboard, says so and is remembered', async ({ page }) => {
   await open(page, { language: 'de' satisfies Language, welcomed: true });

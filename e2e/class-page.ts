@@ -4,9 +4,9 @@ import { defaultScene } from '../src/scene/scene';
 import type { App } from './app';
 import { by, until } from './parts';
 
-/** A program that passes the course with the closed line, and one that is too slow for it. */
+/** A program that passes the course with the closed line, and one that is too slow for it and leaves the line. */
 export const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
-export const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\nwhile True:\n    delay(100)\n`;
+export const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\ndelay(15000)\nstop()\n`;
 
 /** The link of a program, as pupils send it. */
 export function linkTo(text: string): string {

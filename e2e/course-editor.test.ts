@@ -46,7 +46,7 @@ test('with the mouse: five steps are taken back one by one, and done again', IN_
   );
 });
 
-test('with the mouse: a project is saved, is there after a reload, and is loaded', async ({ app }) => {
+test('with the mouse: a project is saved, is there after a reload, and is loaded', IN_ONE_ENGINE, async ({ app }) => {
   await saveReloadLoad(withMouse(app));
 });
 
@@ -114,7 +114,7 @@ test('Escape drops what a tool has begun', IN_ONE_ENGINE, async ({ app }) => {
 });
 
 test('a damaged link gives a message and changes nothing', IN_ONE_ENGINE, async ({ app }) => {
-  await buildMaze(withMouse(app), 3);
+  await buildMaze(withMouse(app), 1);
   await pasteProgram(app, 'print("mine")');
   const rows = await listOf(app);
   const link = await linkFrom(app);
@@ -127,7 +127,7 @@ test('a damaged link gives a message and changes nothing', IN_ONE_ENGINE, async 
 
 test('a link that is opened keeps the work so far, one click away', IN_ONE_ENGINE, async ({ app }) => {
   const pupil = withMouse(app);
-  await buildMaze(pupil, 3);
+  await buildMaze(pupil, 1);
   await pasteProgram(app, 'print("of the link")');
   const [linked, link] = [await listOf(app), await linkFrom(app)];
   await clearAll(app);

@@ -2,14 +2,7 @@ import type { Page } from '@playwright/test';
 import type { Point } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, test } from './app';
-import {
-  buildMazeAndMeetWall,
-  drawTrackAndFollow,
-  moveStart,
-  saveReloadLoad,
-  shareWith,
-  undoFiveSteps,
-} from './course-tasks';
+import { buildMazeAndMeetWall, drawTrackAndFollow, moveStart } from './course-tasks';
 import { attribute } from './page';
 import { by, gone, until } from './parts';
 import { canUndo, clearAll, listOf, openEditor, SIZE, toolButton, toolsCame } from './pupil';
@@ -27,26 +20,6 @@ test('with fingers: a maze of eight walls is tapped, and the robot meets one of 
 
 test('with fingers: the start is moved and turned, and the robot sets out from there', async ({ page }) => {
   await moveStart(await withFingers(page));
-});
-
-test('with fingers: five steps are taken back one by one, and done again', async ({ page }) => {
-  const pupil = await withFingers(page);
-  const { fingers } = pupil;
-  await undoFiveSteps(
-    pupil,
-    () => fingers.tap(by('undo')),
-    () => fingers.tap(by('redo')),
-  );
-});
-
-test('with fingers: a project is saved, is there after a reload, and is loaded', async ({ page }) => {
-  await saveReloadLoad(await withFingers(page));
-});
-
-test('with fingers: a link brings the project to another tablet', async ({ page, browser, baseURL }) => {
-  const context = await browser.newContext({ ...tablet, baseURL: baseURL ?? '' });
-  await shareWith(await withFingers(page), async () => withFingers(await context.newPage()));
-  await context.close();
 });
 
 /** Places of the arena in small steps along a line. */
@@ -125,6 +98,8 @@ test('a finger that rests on a tool reads what it is for; a tap chooses it, and 
   await expect.poll(() => app.text(by('editor-said'))).toContain('Block added at 70 | 40 cm');
   await fingers.tap(by('undo'));
   await expect.poll(() => app.text(by('editor-said'))).toContain('Undone: Block added');
+  await fingers.tap(by('redo'));
+  await expect.poll(() => app.text(by('editor-said'))).toContain('Redone: Block added');
 });
 
 test('the first line is drawn even where the code of the tools is still on its way', async ({ page }) => {

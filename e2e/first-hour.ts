@@ -140,7 +140,10 @@ export async function driveFirst({ app, language, look }: Beginner): Promise<voi
 /** How many errors the console has had; one is the interrupt of a program that was stopped in the midst of a command. */
 const tracebacks = async (app: App): Promise<number> => (await consoleIn(app)).split('Traceback').length;
 
-/** A ready course: its task is read in the gallery, its solution is run, and the verdict says that it is passed. */
+/** The last of the speeds, which is as fast as it goes. */
+const FULL_SPEED = '[role=menuitemradio]:last-child';
+
+/** A ready course: its task is read in the gallery, its solution is run at full speed, and the verdict says that it is passed. */
 export async function passFirstCourse(
   { app, look }: Beginner,
   words: { readonly task: string; readonly passed: string },
@@ -159,6 +162,11 @@ export async function passFirstCourse(
   await gone(app, '.gallery');
   if (await isThere(app, '.page-overlay .ctl--run')) await app.click('.page-overlay .ctl--run');
   await until(app, by('verdict'));
+  await app.click(by('speed'));
+  await until(app, FULL_SPEED);
+  await look('speed');
+  await app.click(FULL_SPEED);
+  await gone(app, '[role=menu]');
   await app.click(on('run'));
   await expect.poll(() => app.text(by('verdict')), { timeout: 60_000 }).toContain(words.passed);
   await look('course');

@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import type { HostPage } from './hosts';
 import { parcoursHost } from './hosts/parcours/host-page';
 
@@ -165,7 +166,7 @@ test('a host page brings a course, lets the robot drive on it and changes it mea
   expect(heard.state).toMatchObject({ phase: 'ready', snapshot: null, speed: 'max' });
 });
 
-test('the client notices that the frame was loaded anew', async ({ app }) => {
+test('the client notices that the frame was loaded anew', IN_ONE_ENGINE, async ({ app }) => {
   await openHost(app);
   const heard = await app.evaluate(async () => {
     const frame = document.querySelector<HTMLIFrameElement>('#parcours')!;

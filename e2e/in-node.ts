@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport, type InlineConfig } from 'vite';
 import { words } from '../build/words';
+import type * as SimulatedBoard from '../src/web/pupil/real-device/serial/testing/simulated-board';
 import type * as ClassKinds from './class-kinds';
 import type { ProbeResult, ProbeTask, SweepTask } from './probe/messages';
 import type { runBare, sweepBare } from './probe/run-bare';
@@ -21,6 +22,13 @@ export const sweepInNode = async (task: Omit<SweepTask, 'firmware'>): Promise<st
 
 /** The class with a hand-in of every kind. */
 export const kindsInNode = (): Promise<typeof ClassKinds> => loaded('./class-kinds.ts');
+
+/** A simulated board at the other end of a cable. */
+export const boardInNode = async (files: Readonly<Record<string, string>>): Promise<SimulatedBoard.SimulatedBoard> => {
+  const path = '../src/web/pupil/real-device/serial/testing/simulated-board.ts';
+  const { simulatedBoard } = await loaded<typeof SimulatedBoard>(path);
+  return simulatedBoard({ board: 'microbit-v2', files, firmware: firmware() });
+};
 
 /** Modules by their paths: to load one takes two seconds of a processor, and many tests want the same. */
 const modules = new Map<string, Promise<unknown>>();

@@ -27,8 +27,9 @@ export interface Profile {
   close(): Promise<void>;
 }
 
-/** Firefox, driven over WebDriver BiDi, now and then answers no more in the middle of leaving a page. */
+/** Firefox, driven over WebDriver BiDi, now and then answers no more in the middle of leaving a page, also when that is closed. */
 const EMPTIED_WITHIN_MS = 15_000;
+const CLOSED_WITHIN_MS = 10_000;
 
 /** The address of what has the app's storage and loads in no time: here a page is emptied, and filled for the next test. */
 export const STORAGE = './logo.svg';
@@ -68,16 +69,24 @@ export class Lent {
   async giveBack(): Promise<void> {
     if (this.profile !== null && !this.isSpoilt)
       await within(EMPTIED_WITHIN_MS, emptied(this.profile)).catch((error: unknown) => {
-        process.stdout.write(`A page is closed instead of lent: ${String(error)}\n`);
+        note(`A page is closed instead of lent: ${String(error)}`);
         this.spoil();
       });
     this.isAtStorage = !this.isSpoilt;
     if (this.isSpoilt) await this.close();
   }
 
+  /** Closes the profile; one that does not answer goes with its browser, at the end of the test worker. */
   async close(): Promise<void> {
-    await this.profile?.close();
+    const { profile } = this;
     this.profile = null;
+    if (profile === null) return;
+    const timer = new AbortController();
+    const late = sleep(CLOSED_WITHIN_MS, null, { signal: timer.signal }).then(
+      () => note('A page that does not answer is left open.'),
+      () => undefined,
+    );
+    await Promise.race([profile.close(), late]).finally(() => timer.abort());
   }
 
   /** The same app, which is spoilt by a visit to another site, and which does not go to `STORAGE` if it has been left there. */
@@ -95,6 +104,8 @@ export class Lent {
     };
   }
 }
+
+const note = (what: string): void => void process.stdout.write(`${what}\n`);
 
 /** Waits for a promise, and fails after this time. */
 async function within<T>(ms: number, promise: Promise<T>): Promise<T> {

@@ -6,7 +6,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, on, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 import { build, withMouse } from './pupil';
-import { openHost, release, type Host } from './release';
+import { filesOfVisit, openHost, release, type Host } from './release';
 import { savedFiles, watchSaving } from './transfer';
 
 /** The files of the app are fetched once the page has nothing more urgent to do. */
@@ -17,10 +17,10 @@ test.describe.configure({ mode: 'parallel' }); // each has a host of its own, an
 
 let host: Host;
 
-test.beforeEach(async () => {
-  host = await openHost();
-});
 test.afterEach(() => host.close());
+
+/** The host of what changes with a new version, whatever number of files it has. */
+const openSmallHost = async (app: App): Promise<Host> => openHost(await filesOfVisit(app));
 
 /** Opens the app and waits until its files are kept. */
 async function visit(app: App): Promise<void> {
@@ -62,6 +62,7 @@ async function runs(app: App, text: string): Promise<void> {
 
 test('after one visit everything works without a network', async ({ app }) => {
   test.setTimeout(180_000);
+  host = await openHost();
   await visit(app);
   await host.cut();
   await app.reload();
@@ -97,9 +98,10 @@ test('after one visit everything works without a network', async ({ app }) => {
 
 test('a new version asks before it comes, and keeps the work', async ({ app }) => {
   test.setTimeout(180_000);
+  host = await openSmallHost(app);
   await visit(app);
   await pasteProgram(app, '# work of today');
-  await release(host.folder, 'v2');
+  await release(host, 'v2');
   expect(await lookForUpdate(app)).toBe('waiting');
   await until(app, by('page-bar-update'));
   await app.click(by('page-bar-close'));
@@ -130,49 +132,53 @@ const keptAssets = (app: App): Promise<{ second: boolean; first: boolean }> =>
     return { second: urls.some(isSecond), first: !urls.every(isSecond) };
   });
 
-test('of two pages one may take the new version: the other goes on with all of its own, and is asked in its turn', async ({
-  app,
-}) => {
-  test.setTimeout(180_000);
-  await writeFile(
-    join(host.folder, 'two.html'),
-    '<title>Two</title>' +
-      ['a', 'b']
-        .map((id) => `<iframe id="${id}" src="./?flag=sw" style="width:1200px;height:380px"></iframe>`)
-        .join(''),
-  );
-  const inPage = (id: string, css: string): Promise<boolean> =>
-    app.inFrame(`#${id}`, (selector) => document.querySelector(selector) !== null, css);
-  const press = (id: string, css: string): Promise<void> =>
-    app.inFrame(`#${id}`, (selector) => document.querySelector<HTMLElement>(selector)?.click(), css);
-  const titleOf = (id: string): Promise<string> => app.inFrame(`#${id}`, () => document.title).catch(() => '');
-  await app.goto(`${host.url}two.html`);
-  for (const id of ['a', 'b']) await expect.poll(() => inPage(id, on('editor'))).toBe(true);
-  await expect.poll(() => isServed(app), { timeout: KEPT_WITHIN_MS }).toBe(true);
+test(
+  'of two pages one may take the new version: the other goes on with all of its own, and is asked in its turn',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(180_000);
+    host = await openSmallHost(app);
+    await writeFile(
+      join(host.folder, 'two.html'),
+      '<title>Two</title>' +
+        ['a', 'b']
+          .map((id) => `<iframe id="${id}" src="./?flag=sw" style="width:1200px;height:380px"></iframe>`)
+          .join(''),
+    );
+    const inPage = (id: string, css: string): Promise<boolean> =>
+      app.inFrame(`#${id}`, (selector) => document.querySelector(selector) !== null, css);
+    const press = (id: string, css: string): Promise<void> =>
+      app.inFrame(`#${id}`, (selector) => document.querySelector<HTMLElement>(selector)?.click(), css);
+    const titleOf = (id: string): Promise<string> => app.inFrame(`#${id}`, () => document.title).catch(() => '');
+    await app.goto(`${host.url}two.html`);
+    for (const id of ['a', 'b']) await expect.poll(() => inPage(id, on('editor'))).toBe(true);
+    await expect.poll(() => isServed(app), { timeout: KEPT_WITHIN_MS }).toBe(true);
 
-  await release(host.folder, 'v2');
-  expect(await lookForUpdate(app)).toBe('waiting');
-  for (const id of ['a', 'b']) await expect.poll(() => inPage(id, by('page-bar-update'))).toBe(true);
-  await press('a', by('page-bar-act'));
-  await expect.poll(() => titleOf('a')).toBe('Parcours v2');
-  await expect.poll(() => inPage('a', on('editor'))).toBe(true);
+    await release(host, 'v2');
+    expect(await lookForUpdate(app)).toBe('waiting');
+    for (const id of ['a', 'b']) await expect.poll(() => inPage(id, by('page-bar-update'))).toBe(true);
+    await press('a', by('page-bar-act'));
+    await expect.poll(() => titleOf('a')).toBe('Parcours v2');
+    await expect.poll(() => inPage('a', on('editor'))).toBe(true);
 
-  await expect.poll(() => inPage('b', by('page-bar-update'))).toBe(true);
-  expect(await titleOf('b')).toBe('Parcours');
-  expect(await keptAssets(app)).toEqual({ second: true, first: true });
-  await app.inFrame('#b', () => (location.hash = '#robots')); // comes late: the host has that file no more
-  await expect.poll(() => inPage('b', '.gallery li')).toBe(true);
-  await press('b', by('page-bar-act'));
-  await expect.poll(() => titleOf('b')).toBe('Parcours v2');
-});
+    await expect.poll(() => inPage('b', by('page-bar-update'))).toBe(true);
+    expect(await titleOf('b')).toBe('Parcours');
+    expect(await keptAssets(app)).toEqual({ second: true, first: true });
+    await app.inFrame('#b', () => (location.hash = '#robots')); // comes late: the host has that file no more
+    await expect.poll(() => inPage('b', '.gallery li')).toBe(true);
+    await press('b', by('page-bar-act'));
+    await expect.poll(() => titleOf('b')).toBe('Parcours v2');
+  },
+);
 
 test('a half-finished update changes nothing, and the next try brings it', IN_ONE_ENGINE, async ({ app }) => {
   test.setTimeout(180_000);
+  host = await openSmallHost(app);
   await visit(app);
-  await release(host.folder, 'v2');
+  await release(host, 'v2');
   const assets = join(host.folder, 'assets');
-  const [lost] = (await readdir(assets)).filter((name) => name.startsWith('it-'));
-  if (lost === undefined) throw new Error('There is no catalogue of Italian.');
+  const [lost] = (await readdir(assets)).filter((name) => name.startsWith('vm-'));
+  if (lost === undefined) throw new Error('There is no VM.');
   await rename(join(assets, lost), join(host.folder, lost));
   expect(await lookForUpdate(app)).toBe('none');
   await app.reload();

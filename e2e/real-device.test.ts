@@ -1,11 +1,8 @@
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
-import { words } from '../build/words';
 import type * as Testing from '../src/web/pupil/real-device/serial/testing/simulated-board';
 import { expect, test, type App } from './app';
 import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
+import { boardInNode } from './in-node';
 import { openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 import { dropFile, giveFirmware, savedFiles, watchSaving } from './transfer';
@@ -19,20 +16,6 @@ interface Cable {
 }
 
 type WithCable = Window & { cable?: Cable };
-
-/** A simulated board in this process. */
-async function switchedOn(files: Readonly<Record<string, string>>): Promise<Testing.SimulatedBoard> {
-  const path = fileURLToPath(
-    new URL('../src/web/pupil/real-device/serial/testing/simulated-board.ts', import.meta.url),
-  );
-  const { module } = await runnerImport<typeof Testing>(path, {
-    configFile: false,
-    logLevel: 'warn',
-    plugins: [words()],
-  });
-  const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
-  return module.simulatedBoard({ board: 'microbit-v2', files, firmware });
-}
 
 /** Gives the page serial lines in any engine; the only device is the one at the other end of `cable`. */
 const plugIn = (app: App): Promise<void> =>
@@ -108,7 +91,7 @@ const PROGRAM = 'from microbit import *\nimport mbled\nprint("on the board:", le
 
 test('a program goes onto the device with its library, is checked, and runs there', IN_ONE_ENGINE, async ({ app }) => {
   test.slow(); // a page and a board talk over a cable that a driver of browsers has to carry
-  const board = await switchedOn({ 'main.py': 'while True: pass' });
+  const board = await boardInNode({ 'main.py': 'while True: pass' });
   await openApp(app, { language: 'en' });
   await pasteProgram(app, PROGRAM);
   await plugIn(app);
@@ -144,7 +127,7 @@ test('a program goes onto the device with its library, is checked, and runs ther
 });
 
 test('a cable that is pulled out is told, with what to do', IN_ONE_ENGINE, async ({ app }) => {
-  const board = await switchedOn({});
+  const board = await boardInNode({});
   await openApp(app, { language: 'de' });
   await plugIn(app);
   await openDialog(app);

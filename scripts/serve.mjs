@@ -139,7 +139,7 @@ async function answer(folder, cache, request, response) {
   const path = pathOf(request.url ?? '/');
   const file = path === null ? null : await load(folder, path, cache);
   if (!file) return notFound(response);
-  const [encoding, body] = encoded(file, request.headers['accept-encoding'] ?? '');
+  const [encoding, body] = await encoded(file, request.headers['accept-encoding'] ?? '');
   response.writeHead(200, {
     ...headersFor(path),
     'Content-Length': body.length,
@@ -171,32 +171,32 @@ export function headersFor(path) {
   };
 }
 
-/** Reads and compresses a file once per version of it. */
+/** Reads a file once per version of it. */
 async function load(folder, path, cache) {
   const place = join(folder, path);
   const found = await stat(place).catch(() => null);
   if (!found?.isFile()) return null;
   const known = cache.get(place);
   if (known?.changed === found.mtimeMs) return known;
-  const plain = await readFile(place);
-  const file = { changed: found.mtimeMs, plain, ...(COMPRESSIBLE.has(extname(place)) && (await compress(plain))) };
+  const encodings = COMPRESSIBLE.has(extname(place)) ? COMPRESSED : {};
+  const file = { changed: found.mtimeMs, plain: await readFile(place), encodings, made: new Map() };
   cache.set(place, file);
   return file;
 }
 
-async function compress(plain) {
-  const quality = { [constants.BROTLI_PARAM_QUALITY]: 6 }; // higher takes seconds for the VM and saves 5 %
-  const [br, gz] = await Promise.all([
-    promisify(brotliCompress)(plain, { params: quality }),
-    promisify(gzip)(plain, { level: 6 }),
-  ]);
-  return { br, gz };
-}
+/** Ways to compress, the best first. */
+const COMPRESSED = {
+  // A higher quality takes seconds for the VM and saves 5 %.
+  br: (plain) => promisify(brotliCompress)(plain, { params: { [constants.BROTLI_PARAM_QUALITY]: 6 } }),
+  gzip: (plain) => promisify(gzip)(plain, { level: 6 }),
+};
 
-function encoded(file, accepted) {
-  if (file.br && /\bbr\b/.test(accepted)) return ['br', file.br];
-  if (file.gz && /\bgzip\b/.test(accepted)) return ['gzip', file.gz];
-  return [null, file.plain];
+/** The best encoding that the browser accepts, and the file in it, which is compressed once. */
+async function encoded({ plain, encodings, made }, accepted) {
+  const encoding = Object.keys(encodings).find((one) => new RegExp(`\\b${one}\\b`).test(accepted));
+  if (encoding === undefined) return [null, plain];
+  if (!made.has(encoding)) made.set(encoding, encodings[encoding](plain));
+  return [encoding, await made.get(encoding)];
 }
 
 await main(import.meta.url, async () => {

@@ -20,14 +20,15 @@ const LEFT_OUT = /^sw\.js$|\.single\.html$|^firmware\/|^handbook\//;
  * Writes `sw.js` into a folder that holds the built app.
  *
  * @param {string} folder
+ * @param {(url: string) => boolean} [isKept] which of the files it keeps, by their addresses below the page
  */
-export async function buildServiceWorker(folder) {
+export async function buildServiceWorker(folder, isKept = () => true) {
   const app = resolve(root, folder);
   const all = await readdir(app, { recursive: true, withFileTypes: true });
   const paths = all.filter((it) => it.isFile()).map((it) => join(it.parentPath, it.name));
   const urls = paths
     .map((path) => path.slice(app.length + 1).replaceAll('\\', '/'))
-    .filter((url) => !LEFT_OUT.test(url));
+    .filter((url) => !LEFT_OUT.test(url) && isKept(url));
   const entries = await Promise.all(urls.sort().map((url) => listed(app, url)));
   const { code } = await bareServiceWorker();
   if (code.split(PLACE).length !== 2) throw new Error(`${PLACE} must stand in the service worker once.`);

@@ -92,6 +92,16 @@ const TEN: readonly Used[] = [0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 0.65, 0.95].
   seed: index + 1,
 }));
 
+const fits = new Map<string, Promise<Traits>>();
+
+/** The traits of a used robot, fitted once to its measurements for all tests. */
+function fitted(type: RobotType, used: Used): Promise<Traits> {
+  const key = `${type.id} ${String(used.seed)} ${String(used.reality)}`;
+  const made = fits.get(key) ?? measure({ type, firmware, ...used }).then((all) => fitTraits(all, type, firmware));
+  fits.set(key, made);
+  return made;
+}
+
 describe.each([
   { id: 'maqueen-lite', robots: TEN },
   { id: 'maqueen-plus-v2', robots: TEN.slice(6, 8) },
@@ -101,7 +111,7 @@ describe.each([
     'drives six other programs like the real one (number $seed, reality $reality): way and turn to 5 %',
     async (used) => {
       const type = typeOf(id);
-      const traits = await fitTraits(await measure({ type, firmware, ...used }), type, firmware);
+      const traits = await fitted(type, used);
       for (const [name, program] of Object.entries(OTHERS)) {
         const { way, turn } = await compared(program, type, used, traits);
         expect(way, `way of ${name}`).toBeLessThan(0.05);
@@ -117,13 +127,13 @@ describe('a measured robot', { timeout: 60_000 }, () => {
 
   it('drives some millimetres beside the measured places, before the fit centimetres', async () => {
     const measured = await measure({ type, firmware, ...used });
-    const traits = await fitTraits(measured, type, firmware);
+    const traits = await fitted(type, used);
     expect(missMm(measured, await predictMotion({ type, firmware }))).toBeGreaterThan(40);
     expect(missMm(measured, await predictMotion({ type, firmware, traits }))).toBeLessThan(6);
   });
 
   it.each([-4, 3, 6])('is straightened by calibrate(0, %i) as far as the real one', async (differential) => {
-    const traits = await fitTraits(await measure({ type, firmware, ...used }), type, firmware);
+    const traits = await fitted(type, used);
     const program = `calibrate(0, ${String(differential)})\nforward()\ndelay(2000)\nstop()`;
     expect(Math.abs((await compared(program, type, used, traits)).turnDeg)).toBeLessThan(3);
   });

@@ -102,6 +102,22 @@ describe('the search of the help', () => {
     expect(folds()).toEqual([]);
   });
 
+  it.each([
+    ['de', 'ZURUCK start', 'reset', 'zeitlupe'],
+    ['fr', 'arrete les moteurs', 'stop', 'ralenti'],
+    ['it', 'velocita', 'speed', 'rallentatore'],
+    ['en', 'back to start', 'reset', 'slow motion'],
+  ] as const)('finds a button in %s by “%s”, and one by a word of its text', async (language, query, entry, inText) => {
+    await loadTexts(language);
+    showLanguage(language);
+    await help((page) => page.settings.change({ language }));
+    const isFound = (id: string): boolean => document.querySelector(`#guide-${id}`) !== null;
+    await search(query);
+    expect(isFound(entry)).toBe(true);
+    await search(inText);
+    expect([isFound('speed'), isFound('save-scene')]).toEqual([true, false]);
+  });
+
   it('finds a command by its name', async () => {
     await help();
     await search('display.show');

@@ -16,13 +16,20 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** The outcome of a mission's program after a number of simulated seconds, or as soon as it has ended and the task is done. */
+/** Simulated seconds that a program may go on after its task is done: an error would come within a turn of its loop. */
+const SECONDS_AFTER = 3;
+
+/** The outcome of a mission's program after a number of simulated seconds, or as soon as its task is done and some more. */
 async function drive({ scene, mission }: MissionCourse, program: string, seconds: number): Promise<Simulation> {
   const files = { 'main.py': program };
   const setup = { scene, files, robot: mission.robot, board: 'auto', seed: 1, reality: 0, keepTrace: false };
   const simulation = await Simulation.create(soloRun(setup), firmware);
-  const isDone = (): boolean => simulation.ended !== null && simulation.verdict?.state !== 'open';
-  for (let second = 1; second <= seconds && !isDone(); second++) simulation.advanceTo(second * 1_000_000);
+  let last = seconds;
+  for (let second = 1; second <= last; second++) {
+    simulation.advanceTo(second * 1_000_000);
+    if (simulation.verdict?.state !== 'open')
+      last = simulation.ended === null ? Math.min(last, second + SECONDS_AFTER) : 0;
+  }
   return simulation;
 }
 
