@@ -3,6 +3,7 @@ import type { Language } from '#core/languages';
 import type { OptionValues } from '#core/option';
 import { leagueRules, type LeagueRules } from '#scene/league/league';
 import { command, type Given, type Options, type Problem, type TextOf } from './commands/about';
+import { notKnown } from './commands/nearest';
 import { langOption, languageOf } from './commands/shared-options';
 import { parseDevice, type DeviceOption } from './device-option';
 import { numberOf } from './number-of';
@@ -276,9 +277,7 @@ export function readSetup(
 /** The rules of a scored line by their name. */
 export function rulesOf(word: string | null): Pick<SetupAsked, 'rules'> | Problem {
   const rules = leagueRules.find((one) => one === word) ?? null;
-  if (rules === null && word !== null)
-    return { problem: `--rules: "${word}" is not known. Known: ${leagueRules.join(', ')}.` };
-  return { rules };
+  return rules === null && word !== null ? { problem: notKnown('rules', word, leagueRules) } : { rules };
 }
 
 /** Time, seed and reality, or the problem with one of them. */

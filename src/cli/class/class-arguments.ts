@@ -3,6 +3,7 @@ import { dayNumber, type Day } from '#core/day';
 import type { Language } from '#core/languages';
 import { passPercents, systemIds, type SystemId } from '#school-class/grades';
 import { command, type Around, type Options, type Problem } from '../commands/about';
+import { notKnown } from '../commands/nearest';
 import { decimalsOption, formOf, jobsOf, jobsOption, langOption, languageOf } from '../commands/shared-options';
 
 /** The work with the file of a class. */
@@ -113,9 +114,9 @@ export const classSetAbout = command({
   exits,
   examples: [EXAMPLES.set],
   read(words, given, { today }) {
-    const scale = systemIds.find((one) => one === given.last('scale')) ?? null;
-    if (scale === null && given.has('scale'))
-      return { problem: `--scale: "${given.last('scale') ?? ''}" is not known. Known: ${systemIds.join(', ')}.` };
+    const wanted = given.last('scale');
+    const scale = systemIds.find((one) => one === wanted) ?? null;
+    if (scale === null && wanted !== null) return { problem: notKnown('scale', wanted, systemIds) };
     const pass = passOf(given.last('pass'));
     if (typeof pass === 'object' && pass !== null) return pass;
     const due = duesOf(given.all('due'), today);

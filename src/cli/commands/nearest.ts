@@ -39,3 +39,9 @@ function mistakesBetween(one: string, other: string): number {
   }
   return at(one.length, other.length);
 }
+
+/** The sentence on a value that an option does not have: the one that was probably meant, and all that there are. */
+export function notKnown(option: string, typed: string, known: readonly string[]): string {
+  const meant = nearest(typed, known);
+  return `--${option}: "${typed}" is not known.${meant === null ? '' : ` Did you mean ${meant}?`} Known: ${known.join(', ')}.`;
+}

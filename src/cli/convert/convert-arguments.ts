@@ -3,6 +3,7 @@ import { hexBoards, type HexBoard } from '#hex/firmware';
 import { leagueRules, type LeagueRules } from '#scene/league/league';
 import { rulesOf } from '../run-arguments';
 import { command, type Given, type Options, type Problem } from '../commands/about';
+import { notKnown } from '../commands/nearest';
 
 /** The forms into which work is converted. */
 export const forms = ['project', 'course', 'program', 'files', 'hex', 'link', 'webtigerpython'] as const;
@@ -82,7 +83,7 @@ function readConvert([input, ...more]: readonly string[], given: ConvertGiven): 
   if (more[0] !== undefined) return { problem: `One thing at a time: what is "${more[0]}"?` };
   const [wanted, out] = [given.last('as'), given.last('out')];
   const as = wanted === null ? formOf(out) : (forms.find((form) => form === wanted) ?? null);
-  if (as === null && wanted !== null) return { problem: `--as: "${wanted}" is not known. Known: ${forms.join(', ')}.` };
+  if (as === null && wanted !== null) return { problem: notKnown('as', wanted, forms) };
   if (as === null && out !== null)
     return { problem: `--out: ${out} does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder). Say what it shall be: --as ${forms.join('|')}.` }; // prettier-ignore
   if (as === 'files' && out === null) return { problem: '--as files: say which folder takes them: --out folder/' };
@@ -101,8 +102,7 @@ function hexOf(as: Form | null, given: ConvertGiven): Pick<ConvertOptions, 'firm
     return { problem: 'A hex needs MicroPython. Give any hex that a Python editor saved for this board: --firmware FILE.hex' }; // prettier-ignore
   const wanted = given.last('board');
   const board = hexBoards.find((id) => id === wanted) ?? null;
-  if (board === null && wanted !== null)
-    return { problem: `--board: "${wanted}" is not known. Known: ${hexBoards.join(', ')}.` };
+  if (board === null && wanted !== null) return { problem: notKnown('board', wanted, hexBoards) };
   return { firmware, board, files };
 }
 

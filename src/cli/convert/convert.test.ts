@@ -55,7 +55,9 @@ describe('parcours convert --json', () => {
     expect(Object.keys(project.program)).toEqual(fullProject().files.map(({ name }) => name));
     expect(await lineOf(sample('mylevel.json'))).toMatchObject({ kind: 'course', program: { 'main.py': '' }, robot: 'maqueen-lite', notes: [] }); // prettier-ignore
     expect(await lineOf('{"StartBox":[1,1,0]}')).toMatchObject({ kind: 'course', scene: { size: [2000, 2000] } });
-    expect(await lineOf('closed-line')).toMatchObject({ kind: 'course', scene: { format: 'parcours-scene' } });
+    const ready = await lineOf('closed-line');
+    expect(ready).toMatchObject({ kind: 'project', scene: { format: 'parcours-scene' } });
+    expect(ready.program['main.py']).toContain('from mbrobot import *');
     expect(await lineOf(addresses.ready)).toMatchObject({ kind: 'project' });
     expect(await lineOf(addresses.project)).toMatchObject({ kind: 'project', scene: { name: 'Hall' } });
   });
@@ -121,6 +123,7 @@ describe('parcours convert', () => {
     ['nothing', [], 'What shall be converted? For example:'],
     ['two things', ['a.py', 'b.py'], 'One thing at a time: what is "b.py"?'],
     ['an unknown form', [anna, '--as', 'pdf'], '--as: "pdf" is not known. Known: project, course, program, files, hex, link, webtigerpython.'],
+    ['a form with a slip', [anna, '--as', 'projct'], '--as: "projct" is not known. Did you mean project? Known: project,'],
     ['an ending that says nothing', [anna, '--out', 'x.txt'], '--out: x.txt does not end in .json (a project), .py (a program), .hex (for a board) or / (a folder).'],
     ['an option of others', [anna, '--seed', '3'], '--seed is not for convert, but for run, sweep. convert takes --out, --as, '],
     ['a missing file', [join(folder, 'no.py')], 'no.py: there is no such file.'],

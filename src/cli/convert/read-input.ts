@@ -53,7 +53,7 @@ async function documentOfWord(word: string): Promise<Document | AddressDocument 
   if (word.trimStart().startsWith('{')) return documentOfText(word, await readyCourses());
   if (isNoFile(word)) {
     const isReady = (await readyCourses())(word) !== null;
-    if (isReady) return { kind: 'ready', course: word, isWhole: false };
+    if (isReady) return { kind: 'ready', course: word, isWhole: true };
   }
   const file = readLimited(word, formatOf(word) === 'program' ? limits.program : limits.json);
   if ('problem' in file) return { problem: file.problem.replace(`${word}: `, '') };
