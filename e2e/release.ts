@@ -64,7 +64,7 @@ const QUIET_MS = 1000;
 export const filesOfVisit = (app: App): Promise<readonly string[]> =>
   onceARun(`visit-${app.engine}`, async () => {
     const asked = new Set<string>();
-    const note = ({ url = '/' }: { readonly url?: string }): boolean => {
+    const note = ({ url = '/' }: { readonly url?: string | undefined }): boolean => {
       asked.add(new URL(url, 'http://host').pathname.slice(1) || 'index.html');
       return url.includes('/sw.js');
     };
