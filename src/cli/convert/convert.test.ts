@@ -55,7 +55,7 @@ describe('parcours convert --json', () => {
     expect(Object.keys(project.program)).toEqual(fullProject().files.map(({ name }) => name));
     expect(await lineOf(sample('mylevel.json'))).toMatchObject({ kind: 'course', program: { 'main.py': '' }, robot: 'maqueen-lite', notes: [] }); // prettier-ignore
     expect(await lineOf('{"StartBox":[1,1,0]}')).toMatchObject({ kind: 'course', scene: { size: [2000, 2000] } });
-    const ready = await lineOf('closed-line');
+    const ready = await lineOf('gate');
     expect(ready).toMatchObject({ kind: 'project', scene: { format: 'parcours-scene' } });
     expect(ready.program['main.py']).toContain('from mbrobot import *');
     expect(await lineOf(addresses.ready)).toMatchObject({ kind: 'project' });
