@@ -114,6 +114,7 @@ test.describe('on a page that runs', () => {
         await page.locator(before[1]).waitFor();
       }
       await page.locator(press).waitFor();
+      await page.waitForLoadState('networkidle'); // only what is asked for late is missing
       await page.route(/\/assets\//, (route) => route.abort());
       await page.click(press);
       await expect(page.locator('.notice')).toContainText('This part could not be loaded.');
