@@ -35,7 +35,7 @@ export interface WireEnd {
   /**
    * Drives low or high from now on, but says which only once somebody asks, or at once where somebody listens (rule W12).
    *
-   * @param level tells how it is at the moment; called until the end drives otherwise
+   * @param level gives the level at the moment at which it is asked: at most once after each call
    */
   driveLate(level: () => Level): void;
   /** Drives a voltage as a fraction of the supply, clamped to 0 … 1. */

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { Point, Stroke } from '#scene/scene';
 import { distanceMm, toVec } from '../plane';
+import { roundedRectangle } from './curves';
 import { cornerRadius, withCornerRadius } from './round-corners';
+import { inWholeMm } from './whole-mm';
 
 const line = (...points: Point[]): Stroke => ({ type: 'stroke', id: 's1', points, width: 20, color: 'black' });
 const angle = line([0, 0], [400, 0], [400, 300]);
@@ -80,6 +82,17 @@ describe('the corners of a line', () => {
     const wavy = line([0, 0], [100, 12], [200, 0], [500, 0], [500, 400]);
     expect(withCornerRadius(wavy, 50).points.slice(0, 4)).toEqual([[0, 0], [100, 12], [200, 0], [450, 0]]); // prettier-ignore
   });
+
+  it.each([30, 60, 100])(
+    'of the pen’s rounded rectangle have its radius of %i mm, and become those of a rectangle',
+    (mm) => {
+      const bounds = { minX: 100, minY: 150, maxX: 900, maxY: 600 };
+      const points = roundedRectangle(bounds, mm).flatMap(inWholeMm);
+      const drawn = line(...points, ...points.slice(0, 1));
+      expect(cornerRadius(drawn)?.mm).toBe(mm);
+      expect(withCornerRadius(drawn, 0).points).toHaveLength(5);
+    },
+  );
 
   it('of a cut corner stay two corners', () => {
     expect(cornerRadius(line([0, 0], [300, 0], [400, 100], [400, 400]))?.mm).toBe(0);
